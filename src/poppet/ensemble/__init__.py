@@ -1,4 +1,4 @@
-"""Many runs of a circuit with uncertain numbers: what they are, where they lie, what they tell."""
+"""Ensembles: runs of a circuit with uncertain parameters."""
 
 from poppet.ensemble.bands import Bands
 from poppet.ensemble.ensemble_plan import EnsemblePlan

@@ -25,15 +25,15 @@ from poppet.ensemble.statistics import wilson
 
 POINTS = 65
 """Values over the range that are looked at first; of them lies in a gap whatever is overlooked."""
-ROUNDS, BETWEEN = 4, 17
+ROUNDS, PIECES = 4, 17
 """Rounds in which the gap between the last value that fails and the first that holds is cut into so many pieces: 17^4
 leaves 1e-5 of the gap of the first look."""
-PEAKS, CLOSER = 3, 6
+PEAKS, REFINEMENTS = 3, 6
 """Around so many values that fail, but are nearer to holding than their neighbours, it is looked closer so many times:
 what holds may lie between two values. 8^6 leaves 1e-6 of the value."""
 DECADES = 2.0
 """Without a range: so many decades to either side of the number as it is."""
-MOST_RUNS = 4_000_000
+MAX_RUNS = 4_000_000
 
 
 @dataclass(frozen=True)
@@ -111,10 +111,10 @@ class Sizing:
 
     def content(self) -> dict[str, Any]:
         """Everything that is written to a file, as plain tables."""
-        plain = ("title", "address", "unit", "is_largest", "value", "resolution", "share", "limiting", "size")
+        content = ("title", "address", "unit", "is_largest", "value", "resolution", "share", "limiting", "size")
         return {
             "method": "size",
-            **{name: getattr(self, name) for name in plain},
+            **{name: getattr(self, name) for name in content},
             "interval": list(self.interval),
             "holding": [list(pair) for pair in self.holding],
             "requirements": dict(self.requirements),
@@ -200,32 +200,32 @@ def size(
     ambient = circuit.surroundings.pressure
     nominal = circuit.numbers()[free].absolute(ambient)
 
-    def read(given: Any, place: str) -> float:
-        found = quantity(given, spec.unit, kind=spec.kind, name=place)
-        return found.value + (ambient if found.reference == "gauge" else 0.0)
+    def read_value(raw: Any, address: str) -> float:
+        parsed = quantity(raw, spec.unit, kind=spec.kind, name=address)
+        return parsed.value + (ambient if parsed.reference == "gauge" else 0.0)
 
-    standard = np.unique([read(given, "sizes") for given in sizes])
+    standard = np.unique([read_value(raw, "sizes") for raw in sizes])
     for value in standard.tolist():
         if not spec.holds(value):
             raise OutOfRangeError("size.size", free, value=value, unit=spec.unit)
-    low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read, free)
+    low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free)
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None and not 0.0 < share < 1.0:
         raise OutOfRangeError("size.share", "share", value=share)
     sweep: dict[str, Any] = {"numbers": {free: {"distribution": "uniform", "low": low, "high": high}}, "runs": 1}
     plan = plan_of(circuit, **{**fields, **sweep, "sampling": "random", "keep": "metrics", "indices": 0})
-    wanted = _wanted(plan, meet)
-    look = _Look(circuit, plan, wanted, free, nominal, uncertain, share or 1.0)
+    requirements = _select_requirements(plan, meet)
+    evaluator = _Evaluator(circuit, plan, requirements, free, nominal, uncertain, share or 1.0)
     first = np.geomspace(low, high, POINTS) if low > 0.0 else np.linspace(low, high, POINTS)
-    seen = look.at(first, progress, 0)
-    for value in _peaks(seen, largest, look.share):
-        seen = _closer(look, seen, value, progress)
-    for number in range(ROUNDS):
-        gap = _gap(seen, largest, look.share)
+    evaluations = evaluator.at(first, progress, 0)
+    for value in _peaks(evaluations, largest, evaluator.share):
+        evaluations = _refine(evaluator, evaluations, value, progress)
+    for round_index in range(ROUNDS):
+        gap = _gap(evaluations, largest, evaluator.share)
         if gap is None:
             break
-        seen = seen.joined(look.at(np.linspace(*gap, BETWEEN + 1)[1:-1], progress, number + 1))
-    return _told(circuit, look, seen, standard, largest)
+        evaluations = evaluations.joined(evaluator.at(np.linspace(*gap, PIECES + 1)[1:-1], progress, round_index + 1))
+    return _make_sizing(circuit, evaluator, evaluations, standard, largest)
 
 
 @dataclass(frozen=True)
@@ -244,30 +244,30 @@ class _Evaluations:
         return _Evaluations(*rows)
 
 
-class _Look:
+class _Evaluator:
     """Metrics and requirements at values of the free number."""
 
     def __init__(
         self,
         circuit: Circuit,
         sweep: EnsemblePlan,
-        wanted: tuple[Requirement, ...],
+        requirements: tuple[Requirement, ...],
         free: str,
         nominal: float,
         uncertain: EnsemblePlan | None,
         share: float,
     ) -> None:
-        self.plan, self.wanted, self.share = sweep, wanted, share
-        self.places = [[metric.name for metric in sweep.metrics].index(each.metric) for each in wanted]
+        self.plan, self.wanted, self.share = sweep, requirements, share
+        self.places = [[metric.name for metric in sweep.metrics].index(requirement.metric) for requirement in requirements]
         # Margins of different units are compared as parts of these.
-        self.sizes = np.array([max(abs(bound) for _, bound in each.bounds) or 1.0 for each in wanted])
+        self.sizes = np.array([max(abs(bound) for _, bound in requirement.bounds) or 1.0 for requirement in requirements])
         if uncertain is None:
             self._ready, self.draws, self._at = PreparedPlan(sweep), np.ones((1, 1)), 0
             return
         draws = uncertain.sample(0, uncertain.runs)
         addresses = uncertain.addresses
-        if uncertain.runs * (POINTS + ROUNDS * BETWEEN) > MOST_RUNS:
-            raise InputError("size.too_many", "ensemble.runs", runs=uncertain.runs, most=MOST_RUNS // 200)
+        if uncertain.runs * (POINTS + ROUNDS * PIECES) > MAX_RUNS:
+            raise InputError("size.too_many", "ensemble.runs", runs=uncertain.runs, most=MAX_RUNS // 200)
         # One that is uncertain itself keeps its spread, as a part of its median.
         if free in addresses:
             median = uncertain.quantile(free, 0.5)
@@ -283,125 +283,125 @@ class _Look:
         self._ready = PreparedPlan(replace(table, joint_normal=None, keep="metrics", curves=(), metrics=sweep.metrics))
 
     def _with(self, value: float) -> Array:
-        found = self.draws.copy()
-        found[:, self._at] *= value
-        return found
+        draws = self.draws.copy()
+        draws[:, self._at] *= value
+        return draws
 
-    def at(self, values: Array, progress: Callable[[int, int, str], Any] | None, number: int) -> _Evaluations:
+    def at(self, values: Array, progress: Callable[[int, int, str], Any] | None, round_index: int) -> _Evaluations:
         if progress is not None:
-            progress(number, ROUNDS + 1, f"{len(values)} values")
+            progress(round_index, ROUNDS + 1, f"{len(values)} values")
         runs = len(self.draws)
-        found = self._ready.run(np.concatenate([self._with(value) for value in values])).metrics
-        metrics = found.reshape(len(values), runs, -1)
+        results = self._ready.run(np.concatenate([self._with(value) for value in values])).metrics
+        metrics = results.reshape(len(values), runs, -1)
         met = np.ones((len(values), runs), dtype=np.bool_)
         margins = np.empty((len(values), len(self.wanted)))
         worst = np.full((len(values), runs), np.inf)
         # Of the worst run that may not fail.
         decides = runs - math.ceil(self.share * runs - 1e-9)
-        for k, (each, place) in enumerate(zip(self.wanted, self.places, strict=True)):
-            met &= each.met(metrics[:, :, place])
-            own = np.where(np.isnan(metrics[:, :, place]), -np.inf, each.margin(metrics[:, :, place]))
-            worst = np.minimum(worst, own / self.sizes[k])
-            margins[:, k] = np.sort(own, axis=1)[:, decides]
+        for k, (requirement, column) in enumerate(zip(self.wanted, self.places, strict=True)):
+            met &= requirement.met(metrics[:, :, column])
+            margin = np.where(np.isnan(metrics[:, :, column]), -np.inf, requirement.margin(metrics[:, :, column]))
+            worst = np.minimum(worst, margin / self.sizes[k])
+            margins[:, k] = np.sort(margin, axis=1)[:, decides]
         worst = np.sort(worst, axis=1)[:, decides]
         return _Evaluations(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
 
 
 def _range(
-    between: tuple[Any, Any] | None,
+    ends: tuple[Any, Any] | None,
     nominal: float,
     limits: tuple[float, float],
-    read: Callable[[Any, str], float],
+    read_value: Callable[[Any, str], float],
     free: str,
 ) -> tuple[float, float]:
     """Ends of the range, within what the number may be."""
-    if between is None:
+    if ends is None:
         if not nominal > 0.0:
             raise InputError("size.no_range", free)
         low, high = nominal * 10.0**-DECADES, nominal * 10.0**DECADES
         return max(low, limits[0]), min(high, limits[1] - 1e-9 * nominal if math.isfinite(limits[1]) else high)
-    low, high = (read(given, "range") for given in between)
+    low, high = (read_value(raw, "range") for raw in ends)
     if not limits[0] <= low < high <= limits[1]:
         raise OutOfRangeError("size.range", free, low=low, high=high, least=limits[0], most=limits[1])
     return low, high
 
 
-def _wanted(plan: EnsemblePlan, meet: Sequence[str]) -> tuple[Requirement, ...]:
-    known = {each.name: each for each in plan.requirements}
+def _select_requirements(plan: EnsemblePlan, meet: Sequence[str]) -> tuple[Requirement, ...]:
+    requirements = {requirement.name: requirement for requirement in plan.requirements}
     for name in meet:
-        if name not in known:
-            raise InputError("size.requirement", name, near=NameSuggestion(name, known))
-    if not known:
+        if name not in requirements:
+            raise InputError("size.requirement", name, near=NameSuggestion(name, requirements))
+    if not requirements:
         raise InputError("size.no_requirement", "requirements")
-    return tuple(known[name] for name in dict.fromkeys(meet)) if meet else plan.requirements
+    return tuple(requirements[name] for name in dict.fromkeys(meet)) if meet else plan.requirements
 
 
-def _holds(seen: _Evaluations, share: float) -> Any:
-    return seen.shares >= share - 1e-12
+def _holds(evaluations: _Evaluations, share: float) -> Any:
+    return evaluations.shares >= share - 1e-12
 
 
-def _peaks(seen: _Evaluations, largest: bool, share: float) -> list[float]:
+def _peaks(evaluations: _Evaluations, largest: bool, share: float) -> list[float]:
     """Values beyond which none holds that are nearer to holding than those beside them, the nearest of all first."""
-    holds, worst = np.flatnonzero(_holds(seen, share)), seen.worst
+    holds, worst = np.flatnonzero(_holds(evaluations, share)), evaluations.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
     is_peak = np.isfinite(worst) & (worst >= left) & (worst >= right) & (worst > np.minimum(left, right))
     if holds.size:
         is_peak[: holds[-1] + 1] &= not largest
         is_peak[holds[0] :] &= largest
-    places = np.flatnonzero(is_peak)
-    return [float(seen.values[k]) for k in places[np.argsort(-worst[places], kind="stable")][:PEAKS]]
+    indices = np.flatnonzero(is_peak)
+    return [float(evaluations.values[k]) for k in indices[np.argsort(-worst[indices], kind="stable")][:PEAKS]]
 
 
-def _closer(
-    look: _Look, seen: _Evaluations, value: float, progress: Callable[[int, int, str], Any] | None
+def _refine(
+    evaluator: _Evaluator, evaluations: _Evaluations, value: float, progress: Callable[[int, int, str], Any] | None
 ) -> _Evaluations:
     """Look closer and closer around a value, or what is nearer to holding beside it, until one holds."""
-    for _ in range(CLOSER):
-        k = int(np.searchsorted(seen.values, value))
-        low, high = seen.values[max(k - 1, 0)], seen.values[min(k + 1, len(seen.values) - 1)]
-        own = look.at(np.setdiff1d(np.linspace(low, high, BETWEEN + 1)[1:-1], seen.values), progress, 0)
-        before, seen = seen.worst[k], seen.joined(own)
-        best = int(np.argmax(own.worst))
-        if _holds(own, look.share).any():
+    for _ in range(REFINEMENTS):
+        k = int(np.searchsorted(evaluations.values, value))
+        low, high = evaluations.values[max(k - 1, 0)], evaluations.values[min(k + 1, len(evaluations.values) - 1)]
+        refined = evaluator.at(np.setdiff1d(np.linspace(low, high, PIECES + 1)[1:-1], evaluations.values), progress, 0)
+        previous, evaluations = evaluations.worst[k], evaluations.joined(refined)
+        best = int(np.argmax(refined.worst))
+        if _holds(refined, evaluator.share).any():
             break
-        if own.worst[best] > before:
-            value = float(own.values[best])
+        if refined.worst[best] > previous:
+            value = float(refined.values[best])
         elif value in (low, high):  # an end of the range, from where it only gets worse
             break
-    return seen
+    return evaluations
 
 
-def _gap(seen: _Evaluations, largest: bool, share: float) -> tuple[float, float] | None:
+def _gap(evaluations: _Evaluations, largest: bool, share: float) -> tuple[float, float] | None:
     """The last value that fails and the first that holds; nothing where none holds, or the end of the range does."""
-    holds = _holds(seen, share)
+    holds = _holds(evaluations, share)
     if not holds.any():
         return None
     k = int(np.flatnonzero(holds)[-1 if largest else 0])
-    other = k + 1 if largest else k - 1
-    return (seen.values[k], seen.values[other]) if 0 <= other < len(holds) else None
+    neighbour = k + 1 if largest else k - 1
+    return (evaluations.values[k], evaluations.values[neighbour]) if 0 <= neighbour < len(holds) else None
 
 
-def _told(circuit: Circuit, look: _Look, seen: _Evaluations, standard: Array, largest: bool) -> Sizing:
-    plan, share = look.plan, look.share
+def _make_sizing(circuit: Circuit, evaluator: _Evaluator, evaluations: _Evaluations, standard: Array, largest: bool) -> Sizing:
+    plan, share = evaluator.plan, evaluator.share
     free = plan.addresses[0]
-    holds = _holds(seen, share)
-    stretches, unit = _stretches(seen.values, holds), varied_specs(circuit)[free].unit
+    holds = _holds(evaluations, share)
+    stretches, unit = _intervals(evaluations.values, holds), varied_specs(circuit)[free].unit
     remarks: list[Note] = []
-    value = resolution = chosen = math.nan
-    margins = dict.fromkeys((each.name for each in look.wanted), math.nan)
+    value = resolution = standard_size = math.nan
+    margins = dict.fromkeys((requirement.name for requirement in evaluator.wanted), math.nan)
     limiting, interval = "", (math.nan, math.nan)
     if not holds.any():
-        best = int(np.argmax(seen.shares)) if seen.shares.any() else int(np.argmax(seen.worst))
-        near = "upper" if best == len(holds) - 1 else "lower" if best == 0 else "inside"
-        if not seen.shares.any() and not np.isfinite(seen.worst).any():
-            near = "known"
-        remarks.append(Note(f"size.none_{near}", free, value=float(seen.values[best]), unit=unit))
+        best = int(np.argmax(evaluations.shares)) if evaluations.shares.any() else int(np.argmax(evaluations.worst))
+        suffix = "upper" if best == len(holds) - 1 else "lower" if best == 0 else "inside"
+        if not evaluations.shares.any() and not np.isfinite(evaluations.worst).any():
+            suffix = "known"
+        remarks.append(Note(f"size.none_{suffix}", free, value=float(evaluations.values[best]), unit=unit))
     else:
         k = int(np.flatnonzero(holds)[-1 if largest else 0])
-        value, other = float(seen.values[k]), k + 1 if largest else k - 1
-        margins = {each.name: float(seen.margins[k, j]) for j, each in enumerate(look.wanted)}
-        runs = len(look.draws)
-        interval = wilson(round(seen.shares[k] * runs), runs) if share < 1.0 else (1.0, 1.0)
+        value, neighbour = float(evaluations.values[k]), k + 1 if largest else k - 1
+        margins = {requirement.name: float(evaluations.margins[k, j]) for j, requirement in enumerate(evaluator.wanted)}
+        runs = len(evaluator.draws)
+        interval = wilson(round(evaluations.shares[k] * runs), runs) if share < 1.0 else (1.0, 1.0)
         if share < 1.0 and (1.0 - share) * runs < 1.0 - 1e-9:
             remarks.append(
                 Note(
@@ -412,38 +412,38 @@ def _told(circuit: Circuit, look: _Look, seen: _Evaluations, standard: Array, la
                     wanted=math.ceil(1.0 / (1.0 - share) * (1.0 - 1e-9)),
                 )
             )
-        if 0 <= other < len(holds):
-            resolution = abs(float(seen.values[other]) - value) / abs(value)
-            limiting = look.wanted[int(np.argmin(seen.margins[other] / look.sizes))].name
+        if 0 <= neighbour < len(holds):
+            resolution = abs(float(evaluations.values[neighbour]) - value) / abs(value)
+            limiting = evaluator.wanted[int(np.argmin(evaluations.margins[neighbour] / evaluator.sizes))].name
         else:
             resolution = 0.0
             remarks.append(Note("size.end", free, end="upper" if largest else "lower"))
         if len(stretches) > 1:
             remarks.append(Note("size.several", free, count=len(stretches)))
         if standard.size:
-            fits = _holds(look.at(standard, None, 0), share)
-            inside = standard[fits & (standard <= value if largest else standard >= value)]
-            if inside.size:
-                chosen = float(inside[-1 if largest else 0])
+            fits = _holds(evaluator.at(standard, None, 0), share)
+            suitable = standard[fits & (standard <= value if largest else standard >= value)]
+            if suitable.size:
+                standard_size = float(suitable[-1 if largest else 0])
             else:
                 remarks.append(Note("size.no_standard", free))
     return Sizing(
         circuit.title, free, unit, largest, value, resolution, share, interval, margins,
-        limiting, chosen, seen.values, seen.shares,
-        {metric.name: seen.metrics[:, j] for j, metric in enumerate(plan.metrics)},
+        limiting, standard_size, evaluations.values, evaluations.shares,
+        {metric.name: evaluations.metrics[:, j] for j, metric in enumerate(plan.metrics)},
         {metric.name: metric.unit for metric in plan.metrics},
-        tuple(stretches), {each.name: each.text for each in look.wanted}, _bounds(look.wanted), len(look.draws),
+        tuple(stretches), {requirement.name: requirement.text for requirement in evaluator.wanted}, _bounds(evaluator.wanted), len(evaluator.draws),
         tuple(remarks),
     )  # fmt: skip
 
 
-def _bounds(wanted: Sequence[Requirement]) -> dict[str, tuple[float, ...]]:
-    found: dict[str, tuple[float, ...]] = {}
-    for each in wanted:
-        found[each.metric] = (*found.get(each.metric, ()), *(bound for _, bound in each.bounds))
-    return found
+def _bounds(requirements: Sequence[Requirement]) -> dict[str, tuple[float, ...]]:
+    bounds: dict[str, tuple[float, ...]] = {}
+    for requirement in requirements:
+        bounds[requirement.metric] = (*bounds.get(requirement.metric, ()), *(bound for _, bound in requirement.bounds))
+    return bounds
 
 
-def _stretches(values: Array, holds: Any) -> list[tuple[float, float]]:
+def _intervals(values: Array, holds: Any) -> list[tuple[float, float]]:
     edges = np.flatnonzero(np.diff(np.concatenate([[False], holds, [False]]).astype(int)))
     return [(float(values[a]), float(values[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]

@@ -13,7 +13,7 @@ from poppet.core.errors import InputError
 from poppet.ensemble import plan_of
 from poppet.ensemble.distributions import FORMS
 from poppet.ensemble.ensemble_schema import file_schema
-from poppet.ensemble.metrics import WAYS
+from poppet.ensemble.metrics import METRIC_KINDS
 
 EXAMPLE = (Path(__file__).parents[3] / "examples/ensemble.toml").read_text(encoding="utf-8")
 
@@ -92,8 +92,8 @@ def test_what_the_reader_takes(validator, good, other):
 def test_every_distribution_and_metric_is_known_with_what_it_means():
     known = file_schema()["$defs"]
     assert known["distribution"]["properties"]["distribution"]["enum"] == list(FORMS)
-    assert known["metric"]["properties"]["metric"]["anyOf"][0]["enum"] == list(WAYS)
-    for name, way in WAYS.items():
+    assert known["metric"]["properties"]["metric"]["anyOf"][0]["enum"] == list(METRIC_KINDS)
+    for name, way in METRIC_KINDS.items():
         own = known[f"metric_{name}"]["properties"]
         assert set(own) == {"metric", "of", "unit", "from", "until", *way.fields}
         assert own["metric"]["description"] == way.meaning
