@@ -100,7 +100,7 @@ def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
     table = open_table(file.folder, fields["file"], fields)
     notes = [*table.notes]
     columns: dict[str, Any] = {}
-    instruments: dict[str, Instrument] = {}
+    instruments: dict[str, Any] = {}
     with ErrorCollector() as errors:
         for channel, unit in CHANNELS.items():
             kind, difference = KINDS[channel]

@@ -11,7 +11,7 @@ from poppet.core.tables import Field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind
 from poppet.identify.columns import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
-from poppet.identify.muscle.points import MusclePoints, joined
+from poppet.identify.muscle.points import MusclePoints, join_tables
 
 COLUMNS: dict[str, tuple[str, Kind]] = {
     "pressure": ("Pa", "pressure"),
@@ -109,4 +109,4 @@ def _read(file: TomlFile) -> tuple[MusclePoints, dict[str, Any]]:
             columns["contraction"] = 1.0 - columns.pop("length") / float(fields["nominal_length"])
         maps.append(MusclePoints(**columns, **sizes))
     options = {"title": fields.get("title", Path(file.name).stem), "part": fields["part"], "law": fields["law"]}
-    return maps[0] if len(maps) == 1 else joined(maps), options | {"notes": tuple(notes)}
+    return maps[0] if len(maps) == 1 else join_tables(maps), options | {"notes": tuple(notes)}
