@@ -253,7 +253,7 @@ def test_points_that_count_twice_are_refused():
 def test_too_few_points_are_refused():
     with refused("force_map.too_few"):
         identify_muscle(MusclePoints([2e5, 2e5, 3e5], [0.0, 0.1, 0.1], [500.0, 90.0, 200.0], LENGTH, DIAMETER))
-    with refused("force_map.unknown_law", "law"):
+    with refused("fields.not_an_option", "law"):
         identify_muscle(mapped(SAROSI), law="hill")
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note, notes_of
-from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.identify.file_argument import or_file
 from poppet.identify.friction import friction_figures, friction_findings
 from poppet.identify.friction.coordinate import (
@@ -108,7 +108,7 @@ def identify_friction(
     """
     known = ("best", *LAWS, LUGRE)
     if law not in known:
-        raise InputError("friction.unknown_law", "law", value=law, names=known)
+        raise InputError("fields.not_an_option", "law", value=law, meaning="law", near=NameSuggestion(law, known))
     assert not isinstance(records, str | Path)  # a file was read at the door
     given = [records] if isinstance(records, FrictionRecord) else [*records]
     own = given[0].coordinate

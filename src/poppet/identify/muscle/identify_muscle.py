@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note, notes_of
-from poppet.core.errors import InputError
+from poppet.core.errors import InputError, NameSuggestion
 from poppet.identify.file_argument import or_file
 from poppet.identify.gum import correlations, coverage_factor
 from poppet.identify.muscle.muscle_file import read_muscle_file
@@ -93,7 +93,8 @@ def identify_muscle(
     """
     assert isinstance(points, MusclePoints)  # `or_file` has read a file
     if law not in ("best", *CANDIDATES):
-        raise InputError("force_map.unknown_law", "law", value=law, names=["best", *CANDIDATES])
+        near = NameSuggestion(law, ["best", *CANDIDATES])
+        raise InputError("fields.not_an_option", "law", value=law, meaning="law", near=near)
     fits = {name: fit for name in CANDIDATES if (fit := fit_force_law(points, name)) is not None}
     if law not in ("best", *fits) or not fits:
         raise InputError("force_map.too_few", "force", count=int(points.taut.sum()), least=len(points.groups[0]))
