@@ -52,9 +52,9 @@ def judge_monotone(
 
     Notes
     -----
-    Under the constraint, the gain follows a mixture of chi-square distributions with at most `is_active` degrees of freedom.
-    The test uses the largest number, which is conservative. It divides by the lack of fit of the unconstrained spline,
-    so that too few knots do not reject the constraint.
+    Under the constraint, the gain follows a mixture of chi-square distributions. Its largest number of degrees of
+    freedom is the number of active increments; the test uses this number, which is conservative. The gain is divided by
+    the lack of fit of the unconstrained spline, so that too few knots do not reject the constraint.
     """
     from scipy.special import chdtrc
 
