@@ -269,6 +269,16 @@ class BaseCircuit(HtmlMixin):
         parts = {name: changed[name] for name in self.parts}
         return replace(self, parts=parts, like=self, **{name: changed[name] for name in _SECTIONS})
 
+    def with_signals(self, signals: Mapping[str, Signal]) -> Self:
+        """Return the circuit with these signals in place of its own.
+
+        Parameters
+        ----------
+        signals : mapping
+            Address of an input to its signal in SI units.
+        """
+        return replace(self, signals=signals, like=self)
+
     def resumed(self, recording: Recording) -> Self:
         """The same circuit starting where a recording ends.
 
@@ -339,23 +349,31 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def instance(self) -> Instance:
-        """The compiled model with the numbers and signals of this circuit, without its parts."""
+        """Compiled model with the parameters and signals of this circuit, without its parts."""
+        placed = self._placed.values()
         return Instance(
-            self.kernel, self.parameters, self._drive, self.surroundings, self._remarks, self._varied,
-            # Functions instead of the circuit: an instance must not know parts.
-            lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
-            {output: number for each in self._placed.values() for output, number in each.initial.items()},
-            frozenset(self.connections).union(*(each.inner for each in self._placed.values())),
-            {address: number for each in self._placed.values() for address, number in each.numbers.items()},
-            {name: each.body for name, each in self._wiring.items() if each.body},
-        )  # fmt: skip
+            kernel=self.kernel,
+            parameters=self.parameters,
+            drive=self._drive,
+            surroundings=self.surroundings,
+            circuit=self,
+            title=self.title,
+            notes=self.static_notes,
+            domains=self.domains,
+            initial={output: number for part in placed for output, number in part.initial.items()},
+            inner=frozenset(self.connections).union(*(part.inner for part in placed)),
+            sources={address: number for part in placed for address, number in part.numbers.items()},
+            bodies={name: part.body for name, part in self._wiring.items() if part.body},
+        )
 
-    def _varied(self, values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:
-        circuit = self.with_values(values) if values else self
-        return (circuit if signals is None else replace(circuit, signals=signals, like=circuit)).instance
+    def result_notes(self, series: Series) -> Iterator[Note]:
+        """Yield notes of gases and parts on the results of a run.
 
-    def _remarks(self, series: Series) -> Iterator[Note]:
-        """What the parts have to say about the results of a run."""
+        Parameters
+        ----------
+        series : callable
+            Function from the address of an output, or `time`, to its values at the rows of the run.
+        """
         yield from self._far_from_ideal(series)
         for name, part in self.parts.items():
             for remark in part.remarks(name, series):
@@ -420,7 +438,7 @@ class BaseCircuit(HtmlMixin):
         SimulationError
             If the run ended before its time; it holds the partial recording.
         """
-        from poppet.circuit.notes import recording_of
+        from poppet.circuit.notes import make_recording
         from poppet.engine.problem import ending, is_failure
         from poppet.engine.solve import solve
 
@@ -431,7 +449,7 @@ class BaseCircuit(HtmlMixin):
         )  # fmt: skip
         problem = circuit.problem(run)
         raw = solve(problem, run.solver, progress)
-        recording = recording_of(circuit.instance, problem, raw)
+        recording = make_recording(circuit.instance, problem, raw)
         if throw and is_failure(problem, raw):
             raise SimulationError(ending(problem, raw), recording)
         return recording
