@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
-from poppet.circuit.linear_model import SteadyState, place
+from poppet.circuit.linear_model import SteadyState, index_of
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.core.codes import Note
 from poppet.core.errors import SimulationError
 from poppet.engine.call import Call
-from poppet.engine.problem import Problem, RawRun, StopCondition, held_coefficients
+from poppet.engine.problem import Problem, RawRun, StopCondition, constant_coefficients
 from poppet.engine.solve import solve
 
 Array = NDArray[np.float64]
@@ -55,8 +55,8 @@ class SineRig:
         relative_tolerance: float = 1e-7,
     ) -> None:  # fmt: skip
         model = instance.model
-        self.input = place(tuple(item.name for item in model.inputs), input, "input")
-        self.output = place(model.columns[0], output, "output")
+        self.input = index_of(tuple(item.name for item in model.inputs), input, "input")
+        self.output = index_of(model.columns[0], output, "output")
         self.kernel, self.tolerance = instance.kernel, relative_tolerance
         self.u = instance.held_inputs({}) if rest is None else np.array(list(rest.u.values()))
         self.point = SampledPoint(instance, self.u)
@@ -89,7 +89,7 @@ class SineRig:
         clock = self.point.clock
         end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
         x, p = self.point.first()
-        call = Call(self._problem(held_coefficients(self.u), 0.0, np.array([end]), x, p))
+        call = Call(self._problem(constant_coefficients(self.u), 0.0, np.array([end]), x, p))
         run = call.made()
         if not run.outcome.is_success:
             raise SimulationError(
@@ -107,7 +107,7 @@ class SineRig:
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
         """Drive the input with its held value plus a sine."""
-        held = held_coefficients(self.u, self.begin)
+        held = constant_coefficients(self.u, self.begin)
         held[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
 
@@ -132,7 +132,7 @@ class SineRig:
 
     def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
         """Time from a step of the input until the output has made its way."""
-        held = held_coefficients(self.u, self.begin)
+        held = constant_coefficients(self.u, self.begin)
         held[0, self.input, 0] += change
         sign = float(np.sign(wanted))
         goal = self.level + part * wanted

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from itertools import islice
 
-from poppet.circuit.load_metrics import Figures, Stroke
+from poppet.circuit.load_metrics import BodyStroke, LoadMetrics
 
 MOST_STROKES = 12
 STROKES = "Strokes; their time is that from 2 % to 98 % of the travel."
@@ -13,7 +13,7 @@ ENERGY = "Air, work and efficiency: work of the actuators over the exergy of the
 _SIZES = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi), "m/s": ("mm/s", 1e3), "rad/s": ("deg/s", 180.0 / math.pi)}
 
 
-def stroke_rows(figures: Figures) -> list[list[str]]:
+def stroke_rows(figures: LoadMetrics) -> list[list[str]]:
     """A heading and a row for each stroke; of many the first ones."""
     heads = ["body", "begins [s]", "travel", "time [s]", "mean speed", "peak speed", "at the end stop"]
     rows = [_stroke_row(figures, stroke) for stroke in islice(figures.strokes, MOST_STROKES)]
@@ -21,7 +21,7 @@ def stroke_rows(figures: Figures) -> list[list[str]]:
     return [heads, *rows, *([[f"and {more} more", *[""] * 6]] if more > 0 else [])]
 
 
-def _stroke_row(figures: Figures, stroke: Stroke) -> list[str]:
+def _stroke_row(figures: LoadMetrics, stroke: BodyStroke) -> list[str]:
     speed = f"{stroke.unit}/s"
     met = figures.met(stroke)
     end = _shown(abs(met.velocity), met.unit) if met else "none met"
@@ -35,7 +35,7 @@ def _shown(value: float, unit: str) -> str:
     return f"{value * size:.4g} {usual}"
 
 
-def energy_rows(figures: Figures) -> list[list[str]]:
+def energy_rows(figures: LoadMetrics) -> list[list[str]]:
     """Rows of what, value and unit."""
     rows = [
         ["air used", f"{figures.air_used * 1e3:.4g}", "l ANR"],
