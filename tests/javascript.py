@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.deploy.live import node_runner
 from poppet.deploy.live.module import GIVEN
 from poppet.engine import call, compiled

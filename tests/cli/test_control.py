@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.control import schedule, tune
 from poppet.core.units import quantity
 

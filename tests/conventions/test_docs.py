@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from c_compiler import compile_c
-from poppet.circuit.file import load, loads
+from poppet import load, loads
 from poppet.cli.main import COMMANDS, command_of, command_parser
 from poppet.deploy.c.project import c_project
 from poppet.parts import Chamber

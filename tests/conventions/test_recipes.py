@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.circuit.schema import circuit_schema
 from poppet.core import message_format
 from poppet.core.errors import OutOfRangeError
@@ -20,7 +20,7 @@ from poppet.core.symbolic import where
 from poppet.laws.iso6358.domain import Domain, check
 from poppet.parts import KINDS
 from poppet.parts.fields import NumberLike, number, port
-from poppet.parts.part import Flow, Gas, Passage, PassageFlows, Scope
+from poppet.parts.part import Flow, GasState, Passage, PassageFlows, Scope
 from poppet.report.html_page import document, findings, table, write_page
 from poppet.timeseries.tables import reading
 from poppet.timeseries.tables.table import Table
@@ -53,7 +53,7 @@ class Membrane(Passage):
     to: str | None = port("store at the second port")
     permeance: NumberLike = number("kg/(s Pa)", 1e-9, doc="permeance", low=0.0, note="a toy")
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         flow = permeation(gas["from"].pressure, gas["to"].pressure, scope["permeance"])
         enthalpy = scope.surroundings.heat_capacity_pressure * gas["from"].temperature * flow
         return PassageFlows((Flow("flow", "from", "to", flow, enthalpy),), {"mass_flow_rate": (flow, "kg/s")})

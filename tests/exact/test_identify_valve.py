@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.identify import identify_fit
 
 BENCH = """

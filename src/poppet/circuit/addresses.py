@@ -91,7 +91,7 @@ def _field(owner: Any, name: str, head: str, changes: Mapping[str, Any]) -> Any:
         return changes[""]
     spec, current = specs(type(owner))[head], getattr(owner, attribute(head))
     if isinstance(spec, MemberSpec):
-        return _changed(current, f"{name}.{head}", changes, spec.told)
+        return _changed(current, f"{name}.{head}", changes, spec.inherited)
     with ErrorCollector() as errors:
         for path, value in changes.items():
             with errors.collecting():

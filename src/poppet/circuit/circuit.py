@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import InitVar, dataclass, field, fields, replace
 from functools import cached_property
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
 
@@ -26,7 +26,6 @@ from poppet.circuit.wiring import (
     check_wiring,
     met_at_cells,
 )
-from poppet.core import offered
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, SimulationError
 from poppet.core.notebook import HtmlMixin
@@ -46,13 +45,6 @@ if TYPE_CHECKING:
     from poppet.timeseries.recording import Recording
 
 _SECTIONS = ("ambient", "gas", "run")
-USED = (
-    *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
-    *("numbers", "inputs", "parameters", "static_notes", "model"),
-    *("with_values", "resumed", "simulate", "steady_state", "linearise", "ensemble"),
-    *("to_ode", "to_casadi", "to_control"),
-)
-"""Names of a circuit for its users, which editors offer: fields, what is in it, variations, runs, other tools."""
 RUNS = 4
 """Runs of a circuit whose arrays are kept: most repeat the last one."""
 
@@ -67,54 +59,19 @@ class Origin(NamedTuple):
 NOWHERE = Origin({}, Path())
 
 
-class _ForUsers(type):
-    """Of a circuit's class, too, only `USED` is listed: editors look at both."""
-
-    def __dir__(cls) -> list[str]:
-        return sorted(USED)
-
-
 @dataclass(frozen=True, eq=False)
-class Circuit(HtmlMixin, metaclass=_ForUsers):
-    """Parts joined into a network, ready to run.
+class BaseCircuit(HtmlMixin):
+    """Parts joined into a network: wiring checks, model, runs and steady states.
 
     Parameters
     ----------
-    parts : mapping
-        Name to part; ports hold names of stores, or `ambient` for the open air.
-    signals : mapping, optional
-        Address of an input, `valve.pilot_pressure`, to its signal in SI units.
-    run : Run, optional
-        Duration, output step, tolerance, stop conditions.
-    ambient : Ambient, optional
-        Pressure and temperature of the surroundings.
-    gas : GasChoice or Gas, optional
-        Gas constant and isentropic exponent; also what `poppet.library.gas` returns.
-    title : str, optional
-        Shown with every result.
-    connections : mapping, optional
-        Address of an input to the output that it takes: ``{"main.pilot_pressure": "pilot.pressure"}``.
-    origin : Origin, optional
-        The file that it was read from.
-    like : Circuit, optional
-        One that differs in few things: what both have in common is taken over from it, and not checked again.
+    parts, signals, run, ambient, gas, title, connections, origin, like : optional
+        See `poppet.Circuit`, which adds the methods of the packages above.
 
     Raises
     ------
     InputErrors
-        With all wiring mistakes at once.
-
-    Examples
-    --------
-    >>> from poppet import Chamber, Circuit, Orifice, Reservoir
-    >>> circuit = Circuit({
-    ...     "supply": Reservoir(pressure="7 bar"),
-    ...     "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
-    ...     "tank": Chamber(volume="10 l"),
-    ... })
-    >>> recording = circuit.simulate(duration="20 s")
-    >>> round(float(recording["tank.pressure"][-1]))
-    700000
+        With all wiring errors.
     """
 
     parts: Mapping[str, Part]
@@ -125,13 +82,13 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
     title: str = ""
     connections: Mapping[str, str] = field(default_factory=dict)
     origin: Origin = field(default=NOWHERE, repr=False)
-    like: InitVar[Circuit | None] = None
+    like: InitVar[BaseCircuit | None] = None
 
     _placed: Mapping[str, PlacedPart] = field(init=False, repr=False)
     _drive: Drive = field(init=False, repr=False)
     _problems: LruCache[Problem] = field(init=False, repr=False)
 
-    def __post_init__(self, like: Circuit | None) -> None:
+    def __post_init__(self, like: BaseCircuit | None) -> None:
         if isinstance(self.gas, Gas):
             object.__setattr__(self, "gas", GasChoice.of(self.gas))
         # Alone and first: what follows takes the fields for what they are declared to be.
@@ -159,7 +116,7 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
             object.__setattr__(self, attribute, value)
         self._check(like, {name for name in placed if is_driven_alike and placed[name] is known.get(name)})
 
-    def _check(self, like: Circuit | None, checked: set[str]) -> None:
+    def _check(self, like: BaseCircuit | None, checked: set[str]) -> None:
         """Refuse wrong names, ports, connections, and signals of parts that were not `checked` with them before."""
         with ErrorCollector() as errors:
             # A fit makes a new circuit for every number that others follow from; its wiring was right before.
@@ -174,10 +131,6 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
         """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
         given = (getattr(self, f.name) for f in fields(self) if f.init)
         return type(self), tuple(dict(each) if isinstance(each, MappingProxyType) else each for each in given)
-
-    def __dir__(self) -> list[str]:
-        """What a user may use; the rest serves the rooms above and may change."""
-        return sorted(USED)
 
     def __repr__(self) -> str:
         lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]
@@ -293,7 +246,7 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
 
     # Variations --------------------------------------------------------------------------------------------------
 
-    def with_values(self, values: Mapping[str, Any]) -> Circuit:
+    def with_values(self, values: Mapping[str, Any]) -> Self:
         """The same circuit with other numbers or options.
 
         Parameters
@@ -316,7 +269,17 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
         parts = {name: changed[name] for name in self.parts}
         return replace(self, parts=parts, like=self, **{name: changed[name] for name in _SECTIONS})
 
-    def resumed(self, recording: Recording) -> Circuit:
+    def with_signals(self, signals: Mapping[str, Signal]) -> Self:
+        """Return the circuit with these signals in place of its own.
+
+        Parameters
+        ----------
+        signals : mapping
+            Address of an input to its signal in SI units.
+        """
+        return replace(self, signals=signals, like=self)
+
+    def resumed(self, recording: Recording) -> Self:
         """The same circuit starting where a recording ends.
 
         Parameters
@@ -386,23 +349,31 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
 
     @cached_property
     def instance(self) -> Instance:
-        """The compiled model with the numbers and signals of this circuit, without its parts."""
+        """Compiled model with the parameters and signals of this circuit, without its parts."""
+        placed = self._placed.values()
         return Instance(
-            self.kernel, self.parameters, self._drive, self.surroundings, self._remarks, self._varied,
-            # Functions instead of the circuit: an instance must not know parts.
-            lambda recording: self.resumed(recording).instance, self.title, self.static_notes, self.domains,
-            {output: number for each in self._placed.values() for output, number in each.initial.items()},
-            frozenset(self.connections).union(*(each.inner for each in self._placed.values())),
-            {address: number for each in self._placed.values() for address, number in each.numbers.items()},
-            {name: each.body for name, each in self._wiring.items() if each.body},
-        )  # fmt: skip
+            kernel=self.kernel,
+            parameters=self.parameters,
+            drive=self._drive,
+            surroundings=self.surroundings,
+            circuit=self,
+            title=self.title,
+            notes=self.static_notes,
+            domains=self.domains,
+            initial={output: number for part in placed for output, number in part.initial.items()},
+            inner=frozenset(self.connections).union(*(part.inner for part in placed)),
+            sources={address: number for part in placed for address, number in part.numbers.items()},
+            bodies={name: part.body for name, part in self._wiring.items() if part.body},
+        )
 
-    def _varied(self, values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:
-        circuit = self.with_values(values) if values else self
-        return (circuit if signals is None else replace(circuit, signals=signals, like=circuit)).instance
+    def result_notes(self, series: Series) -> Iterator[Note]:
+        """Yield notes of gases and parts on the results of a run.
 
-    def _remarks(self, series: Series) -> Iterator[Note]:
-        """What the parts have to say about the results of a run."""
+        Parameters
+        ----------
+        series : callable
+            Function from the address of an output, or `time`, to its values at the rows of the run.
+        """
         yield from self._far_from_ideal(series)
         for name, part in self.parts.items():
             for remark in part.remarks(name, series):
@@ -467,7 +438,7 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
         SimulationError
             If the run ended before its time; it holds the partial recording.
         """
-        from poppet.circuit.notes import recording_of
+        from poppet.circuit.notes import make_recording
         from poppet.engine.problem import ending, is_failure
         from poppet.engine.solve import solve
 
@@ -478,67 +449,10 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
         )  # fmt: skip
         problem = circuit.problem(run)
         raw = solve(problem, run.solver, progress)
-        recording = recording_of(circuit.instance, problem, raw)
+        recording = make_recording(circuit.instance, problem, raw)
         if throw and is_failure(problem, raw):
             raise SimulationError(ending(problem, raw), recording)
         return recording
-
-    def ensemble(
-        self,
-        output: str | Path | None = None,
-        *,
-        executor: Any = "threads",
-        workers: int | None = None,
-        progress: Callable[[int, int, str], Any] | None = None,
-        requirements: Mapping[str, str] | None = None,
-        **fields: Any,
-    ) -> Any:
-        """Run the circuit many times with uncertain numbers.
-
-        Parameters
-        ----------
-        output : str or Path, optional
-            Folder of the dataset; one that holds a part of it already is completed. By default a temporary one.
-        executor : str or object, optional
-            `threads`, `processes`, the address of a Dask scheduler, a `distributed.Client`, or any
-            `concurrent.futures.Executor`. None of them changes a bit of the results.
-        workers : int, optional
-            Threads or processes; default one for each processor.
-        progress : callable, optional
-            Called with the number of runs of a kind that are done, of all of them, and the kind: `runs`, those that
-            were asked for, then `tornado` and `indices`.
-        requirements : mapping, optional
-            Name to text, `fill_time < 12 s`; default the table `requirements` of the circuit's file.
-        **fields
-            Fields of the table `ensemble` of a circuit file, which go before those of the circuit's own file: `runs`,
-            `seed`, `sampling`, `numbers`, `metrics`, `keep`, `curves`, `indices`, `levels`, `file`.
-
-        Returns
-        -------
-        poppet.ensemble.Ensemble
-            Dataset, yield, bands, influence of each number, worst cases.
-
-        Raises
-        ------
-        InputErrors
-            With all mistakes of the tables; and if the folder holds something else.
-
-        Examples
-        --------
-        >>> from poppet import Chamber, Circuit, Orifice
-        >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", wall_conductance=1.0)
-        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
-        >>> found = Circuit({"tank": tank, "vent": vent}).with_values({"run.duration": "1 s"}).ensemble(
-        ...     runs=200,
-        ...     numbers={"tank.volume": {"distribution": "uniform", "relative_range": 0.1}},
-        ...     metrics={"end": {"of": "tank.pressure", "metric": "final", "unit": "bar"}},
-        ...     requirements={"low": "end < 1.4 bar"},
-        ... )
-        >>> found.yields()[0].good, found.yields()[0].runs
-        (200, 200)
-        """
-        given = {"executor": executor, "workers": workers, "progress": progress, "requirements": requirements}
-        return offered.done("ensemble", self, output, **given, **fields)
 
     def steady_state(self, inputs: Mapping[str, Any] | None = None) -> SteadyState:
         r"""The state at rest that the circuit reaches from its initial state while its inputs are held.
@@ -616,96 +530,6 @@ class Circuit(HtmlMixin, metaclass=_ForUsers):
 
         return linearise(self.instance, inputs, at=at)
 
-    # For other tools ---------------------------------------------------------------------------------------------
 
-    def to_ode(self, duration: Any = None) -> Any:
-        r"""The circuit with its signals as plain functions, :math:`\dot x = f(t, x)`, for any solver.
-
-        Parameters
-        ----------
-        duration : float or str, optional
-            Time over which the signals are wanted [s]; default that of `run`.
-
-        Returns
-        -------
-        poppet.deploy.ode.Ode
-            `f(t, x)`, `jac(t, x)`, `outputs(t, x)`, `x0`, names and tolerances; `stretch` where something is sampled.
-
-        Examples
-        --------
-        >>> from poppet import Chamber, Circuit, Orifice
-        >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", thermal="isothermal")
-        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
-        >>> ode = Circuit({"tank": tank, "vent": vent}).to_ode("1 s")
-        >>> ode.states, bool(ode.f(0.0, ode.x0)[0] < 0.0)
-        (('tank.mass',), True)
-        """
-        return offered.done("to_ode", self, duration)
-
-    def to_casadi(
-        self,
-        *,
-        inputs: Sequence[str] | None = None,
-        numbers: Sequence[str] = (),
-        without: str | Sequence[str] = (),
-    ) -> Any:
-        r"""The circuit as CasADi functions, :math:`\dot x = f(x, u, p)`, :math:`y = g(x, u, p)`.
-
-        Parameters
-        ----------
-        inputs : sequence of str, optional
-            Addresses that are u; default all. The others are held as they are at the start of a run.
-        numbers : sequence of str, optional
-            Addresses of numbers that are p; the others keep their values.
-        without : str or sequence of str, optional
-            Controllers that are left out: the inputs that they drove become free.
-
-        Returns
-        -------
-        poppet.deploy.casadi_export.CasadiModel
-            `f`, `g`, `start`, names, units, values at the start.
-
-        Raises
-        ------
-        InputErrors
-            If an address is unknown, other numbers follow from one, or something is sampled or switched.
-
-        Examples
-        --------
-        >>> from poppet import Chamber, Circuit, Orifice
-        >>> tank = Chamber(volume="1 l", thermal="isothermal")
-        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
-        >>> model = Circuit({"tank": tank, "vent": vent}).to_casadi(numbers=["tank.volume"])
-        >>> print(model.f)
-        f:(x,u,p)->(rates) SXFunction
-        """
-        return offered.done("to_casadi", self, inputs=inputs, numbers=numbers, without=without)
-
-    def to_control(
-        self,
-        *,
-        linear: bool = False,
-        inputs: Sequence[str] | None = None,
-        numbers: Sequence[str] = (),
-        without: str | Sequence[str] = (),
-    ) -> Any:
-        """The circuit as a system of python-control.
-
-        Parameters
-        ----------
-        linear : bool, optional
-            The linear model at rest instead, of a sampled circuit in discrete time.
-        inputs, numbers, without : optional
-            As for `to_casadi`; numbers become `params`.
-
-        Returns
-        -------
-        control.NonlinearIOSystem or control.StateSpace
-            In whose names a double underline stands for each dot.
-
-        Raises
-        ------
-        InputErrors
-            As `to_casadi`.
-        """
-        return offered.done("to_control", self, linear=linear, inputs=inputs, numbers=numbers, without=without)
+# Name in the packages below the public class.
+Circuit = BaseCircuit

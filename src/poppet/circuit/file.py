@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
-from poppet.circuit.circuit import Circuit, Origin
+from poppet.circuit.circuit import BaseCircuit, Origin
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import checked_table, read_signal
 from poppet.circuit.wiring import (
@@ -29,33 +29,34 @@ ABOVE = ("ensemble", "requirements")
 """Tables that a circuit hands on to the rooms above, which read them."""
 
 
-def load(path: str | Path) -> Circuit:
-    """Read a circuit file.
+CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
+
+
+def load(path: str | Path) -> BaseCircuit:
+    """Read a circuit file; see `poppet.load`."""
+    return read_circuit(TomlFile.read(path, "parts"), BaseCircuit)
+
+
+def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> BaseCircuit:
+    """Read a circuit from text; see `poppet.loads`."""
+    return read_circuit(TomlFile(text, name, folder or Path()), BaseCircuit)
+
+
+def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
+    """Read a circuit of a class from a file.
 
     Parameters
     ----------
-    path : str or Path
-        A TOML file; see `docs/circuit_file.md`.
+    file : TomlFile
+        Content of a circuit file.
+    circuit_class : type
+        `BaseCircuit` or a subclass.
 
     Returns
     -------
-    Circuit
-        Checked and ready to run.
-
-    Raises
-    ------
-    InputErrors
-        With all mistakes of the file, each with its line where it can be told.
+    BaseCircuit
+        Of that class.
     """
-    return _read(TomlFile.read(path, "parts"))
-
-
-def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Circuit:
-    """Read a circuit from text."""
-    return _read(TomlFile(text, name, folder or Path()))
-
-
-def _read(file: TomlFile) -> Circuit:
     with file.errors() as errors:
         data = file.content
         for key in data:
@@ -83,7 +84,7 @@ def _read(file: TomlFile) -> Circuit:
             check_connections(errors, connections, parts.made, parts.inputs, signals)
     # Outside of the block above, which raises what it has collected: the circuit itself finds nothing new.
     origin = Origin(data, file.folder)
-    return Circuit(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections, origin)
+    return circuit_class(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections, origin)
 
 
 def _table(errors: ErrorCollector, name: str, given: Any) -> Mapping[str, Any]:

@@ -66,7 +66,7 @@ def linearise(
     units = {item.name: item.unit for item in instance.model.inputs if item.name in at}
     recorded = at.select(units).converted(units).last() if units else {}
     # Inputs are held as they were when the recording ended, but for those that are given.
-    start = instance.resume(at)
+    start = instance.resumed(at)
     point = _Point(start, start.held_inputs(recorded | dict(inputs or {})))
     # No search for a rest: the slopes are wanted where the recording ends, at rest or not.
     return point.linear_model(point.start)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,6 +15,43 @@ from poppet.core.files import by_suffix, write_whole
 from poppet.core.notebook import HtmlMixin
 
 Array = NDArray[np.float64]
+
+
+class ControlSystem(Protocol):
+    """Input-output system of python-control, which has no type hints; other attributes have type `Any`."""
+
+    name: str
+    dt: float | bool | None  # sample time [s]; 0 in continuous time
+    params: dict[str, float]
+    ninputs: int
+    noutputs: int
+    nstates: int
+    input_labels: list[str]
+    output_labels: list[str]
+    state_labels: list[str]
+
+    def dynamics(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
+        """Return the rates of the states, or the next states in discrete time."""
+
+    def output(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
+        """Return the outputs."""
+
+    def __getattr__(self, name: str) -> Any: ...
+
+
+class ControlStateSpace(ControlSystem, Protocol):
+    """State-space model of python-control, `control.StateSpace`."""
+
+    A: Array
+    B: Array
+    C: Array
+    D: Array
+
+    def poles(self) -> NDArray[np.complex128]:
+        """Return the poles [1/s], or of the z-plane in discrete time."""
+
+    def zeros(self) -> NDArray[np.complex128]:
+        """Return the transmission zeros."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,15 +158,16 @@ class LinearModel(HtmlMixin):
         ]
         return np.array(gains, dtype=np.complex128)
 
-    def to_control(self) -> Any:
-        """The model for python-control."""
+    def to_control(self) -> ControlStateSpace:
+        """Return the model as a `control.StateSpace`."""
         with needed("control", "A control.StateSpace", "control"):
             import control
         groups = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
         # python-control takes a dot for the border between system and signal.
         names = {kind: [name.replace(".", "__") for name in group] for kind, group in groups.items()}
         # States that do not reach an output are of interest here: they have names and eigenvalues.
-        return control.ss(self.A, self.B, self.C, self.D, **names, remove_useless_states=False)
+        system: ControlStateSpace = control.ss(self.A, self.B, self.C, self.D, **names, remove_useless_states=False)
+        return system
 
     def save(self, path: str | Path) -> Path:
         """Write the matrices, names and point; an existing file is replaced as a whole or not at all."""

@@ -163,7 +163,7 @@ class Facts:
     def of(cls, instance: Instance, raw: RawRun) -> Facts:
         """Of a run of an instance."""
         m, air = instance.model, instance.surroundings
-        return cls(raw, m.outputs, m.flows, m.stores, m.bodies, instance.parameters, air, instance.holders)
+        return cls(raw, m.outputs, m.flows, m.stores, m.bodies, instance.parameters, air, instance.bodies)
 
     def __getitem__(self, address: str) -> Array:
         """Rows of an output; the open air has its state as well."""

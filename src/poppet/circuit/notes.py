@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -17,19 +17,20 @@ from poppet.parts.part import AMBIENT
 from poppet.timeseries.recording import Recording
 
 
-def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording:
-    """The recording of a run, also of one that failed: see `is_failure`."""
+def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recording:
+    """Return the recording of a run, including a failed run (see `is_failure`).
+
+    Residuals and notes are computed on first use: together they cost a quarter of a short run.
+    """
     names, units = problem.kernel.model.columns
-    balances = residuals(problem, raw)
-    # The run says where the gas is worst, its start included.
-    notes = tuple(note for note in instance.notes if not (raw.time.size and note.code in OF_STATES))
+    balances = lru_cache(maxsize=1)(partial(residuals, problem, raw))
     return Recording(
         raw.time,
         names,
         units,
         raw.values,
         title=instance.title,
-        notes=(*notes, *_run_notes(instance, problem, raw, balances), *raw.notes),
+        notes=lambda: (*_run_notes(instance, problem, raw, balances()), *raw.notes),
         outcome=ending(problem, raw),
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
         residuals=balances,
@@ -40,6 +41,9 @@ def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording
 
 
 def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
+    """Yield static notes and the notes on signals, domains, parts and balances."""
+    # Notes on gas states at the start are replaced by notes on the gas states of the run.
+    yield from (note for note in instance.notes if not (raw.time.size and note.code in OF_STATES))
     # Of a run that failed at once there is no row, but its signals still have something to say.
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:
@@ -69,7 +73,7 @@ def _remarks(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note
         return raw.values[places[address]] if address in places else np.full(raw.time.size, held[address])
 
     if raw.time.size:
-        yield from instance.remarks(series)
+        yield from instance.circuit.result_notes(series)
 
 
 def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:

@@ -59,7 +59,7 @@ class PlacedPart:
             parameters,
             {f"{name}.{key}": curve for key, curve in part.domains().items()},
             {f"{name}.{output}": f"{name}.{key}" for output, key in part.resume.items()},
-            frozenset(f"{name}.{series}" for series in part.inner_series()),
+            frozenset(f"{name}.{series}" for series in part.list_internal_outputs()),
             (name, part.structure(), tuple(parameters)),
             (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers), *open_flows(numbers)),
         )

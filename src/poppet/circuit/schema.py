@@ -167,7 +167,7 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
             return closed(fields, (), spec.doc)
         case MemberSpec():
             known = specs(spec.part).items()
-            fields = {local: _field(local, s, spec.part) for local, s in known if local not in spec.told}
+            fields = {local: _field(local, s, spec.part) for local, s in known if local not in spec.inherited}
             return closed(fields, (), spec.doc)
     return _REFERENCES[name]() | {"description": spec.doc}
 

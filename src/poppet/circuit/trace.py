@@ -15,16 +15,16 @@ from poppet.parts.part import (
     AMBIENT,
     SELF,
     Actuator,
-    Balance,
+    ActuatorForce,
     Body,
     BodyDynamics,
     BodyMotion,
     Controller,
-    Gas,
+    GasBalance,
+    GasState,
     Part,
     Passage,
     PassageFlows,
-    Push,
     Scope,
     Store,
     Surroundings,
@@ -91,7 +91,7 @@ class _Tracer:
 
         inputs = own({**self.input, **self.joined})
         states, memory = ({}, {}) if at_start else (own(self.symbols), own(self.memory))
-        motion = self._motion(self.parts[name].held_body(), at_start)
+        motion = self._motion(self.parts[name].body_name(), at_start)
         return Scope(own(self.number), states, inputs, self.surroundings, memory, self.t, motion)
 
     def _motion(self, name: str | None, at_start: bool) -> BodyMotion | None:
@@ -112,7 +112,7 @@ class _Tracer:
         ca = self.ca
         scopes = {name: self.scope(name) for name in self.parts}
         gas = {name: part.gas(scopes[name]) for name, part in self.parts.items() if isinstance(part, Store)}
-        gas.setdefault(AMBIENT, Gas(self.surroundings.pressure, self.surroundings.temperature))
+        gas.setdefault(AMBIENT, GasState(self.surroundings.pressure, self.surroundings.temperature))
         passing = self._passing(scopes, gas)
         balances = self._balances(scopes, passing)
         pushes = self._pushes(scopes, gas)
@@ -180,27 +180,29 @@ class _Tracer:
     def _outside(self, address: str) -> str:
         return self.shown.get(address, address)
 
-    def _passing(self, scopes: Mapping[str, Scope], gas: Mapping[str, Gas]) -> dict[str, PassageFlows]:
+    def _passing(self, scopes: Mapping[str, Scope], gas: Mapping[str, GasState]) -> dict[str, PassageFlows]:
         return {
-            name: part.passing(scopes[name], {port: gas[store] for port, store in self._ports(name).items()})
+            name: part.flows(scopes[name], {port: gas[store] for port, store in self._ports(name).items()})
             for name, part in self.parts.items()
             if isinstance(part, Passage)
         }
 
-    def _pushes(self, scopes: Mapping[str, Scope], gas: Mapping[str, Gas]) -> dict[str, Push]:
+    def _pushes(self, scopes: Mapping[str, Scope], gas: Mapping[str, GasState]) -> dict[str, ActuatorForce]:
         result = {}
         for name, part in self.parts.items():
             if isinstance(part, Actuator):
                 own = {SELF: gas[name]} if name in gas else {}
-                result[name] = part.push(scopes[name], own | {port: gas[at] for port, at in self._ports(name).items()})
+                result[name] = part.actuator_force(
+                    scopes[name], own | {port: gas[at] for port, at in self._ports(name).items()}
+                )
         return result
 
-    def _moved(self, scopes: Mapping[str, Scope], pushes: Mapping[str, Push]) -> dict[str, BodyDynamics]:
+    def _moved(self, scopes: Mapping[str, Scope], pushes: Mapping[str, ActuatorForce]) -> dict[str, BodyDynamics]:
         result = {}
         for name, part in self.parts.items():
             if isinstance(part, Body):
-                own = [push for other, push in pushes.items() if self.parts[other].held_body() == name]
-                result[name] = part.moved(scopes[name], sum(p.force for p in own), sum(p.friction for p in own))
+                own = [push for other, push in pushes.items() if self.parts[other].body_name() == name]
+                result[name] = part.dynamics(scopes[name], sum(p.force for p in own), sum(p.friction for p in own))
         return result
 
     def _end(self, name: str, port: str | None) -> str | None:
@@ -208,7 +210,7 @@ class _Tracer:
             return None if port is None else name
         return self._ports(name)[port]
 
-    def _balances(self, scopes: Mapping[str, Scope], passing: Mapping[str, PassageFlows]) -> dict[str, Balance]:
+    def _balances(self, scopes: Mapping[str, Scope], passing: Mapping[str, PassageFlows]) -> dict[str, GasBalance]:
         arriving: dict[str, list[tuple[Any, Any]]] = defaultdict(list)
         for name, result in passing.items():
             for flow in result.flows:
@@ -287,7 +289,7 @@ class _Tracer:
         # Timers that come to the same instant act in turn; the later ones see what the earlier ones have done.
         now = self.z
         for k, (name, timer) in enumerate(self.timers):
-            new = self.parts[name].at_instant(timer.name, scopes[name])
+            new = self.parts[name].update(timer.name, scopes[name])
             assert timer.name in new, f"{name}.{timer.name} does not set itself"
             values = self._substituted(ca.vertcat(*new.values()), known)
             values = ca.substitute([values], [self.z], [now])[0]
@@ -313,7 +315,7 @@ class _Tracer:
                 quadratures += [flow.mass, flow.enthalpy]
         return flows, quadratures
 
-    def _store_infos(self, balances: Mapping[str, Balance], quadratures: list[Any], offset: int) -> list[StoreInfo]:
+    def _store_infos(self, balances: Mapping[str, GasBalance], quadratures: list[Any], offset: int) -> list[StoreInfo]:
         places = {address: k for k, address in enumerate(self.symbols)}
         infos = []
         for name, balance in balances.items():

@@ -38,7 +38,7 @@ class PartWiring(NamedTuple):
     @classmethod
     def of(cls, part: Part) -> PartWiring:
         """Of a part that could be made."""
-        return cls(type(part), part.ports(), part.stores(), part.held_body())
+        return cls(type(part), part.ports(), part.stores(), part.body_name())
 
     @classmethod
     def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> PartWiring:
@@ -134,7 +134,7 @@ def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
     """The parts of a circuit, in which each port that a tube names holds the cell at that end."""
     result = dict(parts)
     for name, part in parts.items():
-        for end, cell in part.met().items():
+        for end, cell in part.outer_ports().items():
             owner, _, port = end.partition(".")
             other = result.get(owner)
             if isinstance(other, Part) and other.ports().get(port) == name:
@@ -209,12 +209,12 @@ def check_starts(
 ) -> None:
     """Note actuators that cannot be where their bodies begin."""
     for name, part in parts.items():
-        body = parts.get(part.held_body() or "")
+        body = parts.get(part.body_name() or "")
         if not isinstance(body, Body):
             continue
-        signal = signals.get(f"{part.held_body()}.position")
+        signal = signals.get(f"{part.body_name()}.position")
         with errors.collecting(f"{section}{name}"):
-            part.check_start(body.first_travel() if signal is None else float(signal.table(1.0).evaluate(0.0)))
+            part.check_start(body.initial_travel() if signal is None else float(signal.table(1.0).evaluate(0.0)))
 
 
 def unknown_input(address: str, known: Collection[str]) -> InputError:

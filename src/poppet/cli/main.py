@@ -17,6 +17,7 @@ from typing import Any
 from poppet.cli.parser import CommandParser, Option
 from poppet.core.errors import InputError, NameSuggestion, PoppetError
 from poppet.core.number_format import printable
+from poppet.core.plugins import PluginWarning
 
 COMMANDS = {
     "simulate": "run a circuit file",
@@ -64,6 +65,8 @@ def run(arguments: Sequence[str] | None = None) -> int:
     if arguments is None and not sys.warnoptions and not os.environ.get("POPPET_DEBUG"):
         # As a program: what concerns a user is a note of the house, not a line of somebody's source.
         warnings.simplefilter("ignore")
+        warnings.simplefilter("default", PluginWarning)
+        warnings.showwarning = _show_warning
     try:
         code = _dispatch(list(sys.argv[1:] if arguments is None else arguments))
         # Here, where a broken pipe can still be caught, not when the interpreter ends.
@@ -165,6 +168,10 @@ def _complain(text: str, code: int, begin: str = "error: ") -> int:
             print(f"{begin}{printable(line)}", file=sys.stderr)
         sys.stderr.flush()
     return code
+
+
+def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
+    _complain(str(message), 0, "note: ")
 
 
 def _tolerate_narrow_encodings() -> None:

@@ -47,7 +47,7 @@ def _known(recording: Recording) -> Recording:
     from poppet.parts import KINDS
     from poppet.timeseries.recording import Recording
 
-    inner = {name for kind in KINDS.values() for name in kind.inside}
+    inner = {name for kind in KINDS.values() for name in kind.internal_outputs}
     found = frozenset(name for name in recording.names if name.rpartition(".")[2] in inner)
     return Recording(**(recording.fields() | {"inner": found}))
 

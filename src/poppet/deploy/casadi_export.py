@@ -16,7 +16,10 @@ from poppet.engine.model_evaluation import Evaluation
 from poppet.parts.part import Controller
 
 if TYPE_CHECKING:
+    import casadi
+
     from poppet.circuit.circuit import Circuit
+    from poppet.circuit.linear_model import ControlSystem
 
 Array = NDArray[np.float64]
 
@@ -46,9 +49,9 @@ class CasadiModel:
     pressures, with valves fully open or closed. At the kinks of the model they are those of one side.
     """
 
-    f: Any
-    g: Any
-    start: Any
+    f: casadi.Function
+    g: casadi.Function
+    start: casadi.Function
     states: tuple[str, ...]
     inputs: tuple[str, ...]
     numbers: tuple[str, ...]
@@ -110,7 +113,7 @@ def to_control(
     inputs: Sequence[str] | None = None,
     numbers: Sequence[str] = (),
     without: str | Sequence[str] = (),
-) -> Any:
+) -> ControlSystem:
     """A circuit for python-control: `Circuit.to_control`."""
     with needed("control", "A system of python-control", "control"):
         import control
@@ -130,12 +133,13 @@ def to_control(
 
         return evaluated
 
-    return control.nlsys(
+    system: ControlSystem = control.nlsys(
         of(f), of(g),
         inputs=[names[each] for each in model.inputs], outputs=[names[each] for each in model.outputs],
         states=[names[each] for each in model.states],
         params={names[name]: float(value) for name, value in zip(model.numbers, model.p0, strict=True)},
     )  # fmt: skip
+    return system
 
 
 def _without(circuit: Circuit, controllers: Sequence[str]) -> Circuit:

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load, loads
+from poppet import load, loads
 from poppet.core.errors import InputError, InputErrors
 from poppet.core.toml_file import TomlFile, read_text
 from poppet.parts import KINDS
 from poppet.parts.fields import specs
-from poppet.signals import Chirp, Constant, Points, Prbs, Sampled, Sine, Steps
+from poppet.signals import Chirp, Constant, Points, Prbs, SampledSignal, Sine, Steps
 
 CONTRACT = """\
 title = "VPPM-6L main stage fills a 0.2 m3 tank"
@@ -243,7 +243,7 @@ def test_signal_of_a_file_beside_the_circuit(tmp_path):
     table = 'kind = "file"\npath = "p.csv"\ncolumn = "p"\nunit = "bar g"\ntime = { column = "t", unit = "ms" }\n'
     (tmp_path / "c.toml").write_text(f"{SMALL}{PRESSURE}{table}", encoding="utf-8")
     circuit = load(tmp_path / "c.toml")
-    assert type(circuit.signals["supply.pressure"]) is Sampled
+    assert type(circuit.signals["supply.pressure"]) is SampledSignal
     assert circuit.signals["supply.pressure"].evaluate([0.0, 0.5, 1.0]).tolist() == pytest.approx([4e5, 5e5, 6e5])
 
 
@@ -364,11 +364,11 @@ MISTAKES = [
 @pytest.mark.parametrize(
     ("text", "piece", "hint"), [mistake[1:] for mistake in MISTAKES], ids=[mistake[0] for mistake in MISTAKES]
 )
-def test_one_mistake_is_one_message_with_line_and_cure(text, piece, cure):
+def test_one_mistake_is_one_message_with_line_and_cure(text, piece, hint):
     (problem,) = problems_of(text)
     line = line_of(text, piece) if piece else len(text.splitlines()) - 1
     assert str(problem).startswith(f"circuit.toml:{line}: ")
-    assert cure in problem.hint
+    assert hint in problem.hint
     assert problem.given
     assert problem.reason
 

@@ -7,8 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from poppet import library
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit, library
 from poppet.circuit.ideal_gas import EVERYDAY, MILD, TRUSTED
 from poppet.circuit.options import GasChoice
 from poppet.laws.physics.real_gas import deviation

@@ -10,8 +10,8 @@ from functools import cache
 import numpy as np
 import pytest
 
+from poppet import Circuit
 from poppet.circuit import linear
-from poppet.circuit.circuit import Circuit
 from poppet.core.errors import InputError, InputErrors, MissingDependencyError, SimulationError
 from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
 from poppet.signals import Chirp, Constant, Steps

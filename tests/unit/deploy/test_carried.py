@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.deploy import ExportModel, build_export_model
 from poppet.deploy.export_model import without_signals
 from poppet.identify.free_parameter import number_specs

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from circuits_of_exports import check_and_relief
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.cli.main import run as run_command
 from poppet.deploy.fmu.origin import circuit_of
 from poppet.deploy.fmu.package import fmu_of, packed

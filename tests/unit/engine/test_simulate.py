@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.circuit.options import Run
 from poppet.core.codes import Note
 from poppet.core.errors import SimulationError

@@ -9,8 +9,7 @@ import threading
 import numpy as np
 import pytest
 
-from poppet import Chamber, Circuit, FlowSource, Orifice
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, FlowSource, Orifice, loads
 from poppet.core.errors import InputError
 from poppet.engine.call import RepeatedCall
 from poppet.engine.lane_kernel import LockstepLanes
@@ -291,11 +290,11 @@ def test_what_a_free_number_cannot_be():
         return [(e.code, e.address) for e in error.value.problems]
 
     assert refused({}, "tank.volum") == [("free.unknown_number", "free.tank.volum")]
-    assert refused({"strt": 1.0}) == [("free.unknown", "free.tank.volume.strt")]
+    assert refused({"strt": 1.0}) == [("fields.unknown", "free.tank.volume.strt")]
     assert refused({"start": "9 l", "max": "8 l"}) == [("free.bounds", "free.tank.volume")]
-    assert refused({"prior": {"mean": "8 l"}}) == [("prior.missing.sd", "free.tank.volume.prior.sd")]
-    assert refused({"prior": {"mean": "8 l", "sd": 0.0}}) == [("prior.spread", "free.tank.volume.prior.sd")]
-    assert refused({"prior": 3.0}) == [("entry.form", "free.tank.volume.prior")]
+    assert refused({"prior": {"mean": "8 l"}}) == [("fields.missing", "free.tank.volume.prior.sd")]
+    assert refused({"prior": {"mean": "8 l", "sd": 0.0}}) == [("fields.out_of_range", "free.tank.volume.prior.sd")]
+    assert refused({"prior": 3.0}) == [("fields.no_table", "free.tank.volume.prior")]
     assert refused({"start": "3 kg", "min": "1 s"}) == [
         ("quantity.other_quantity", "free.tank.volume.start"),
         ("quantity.other_quantity", "free.tank.volume.min"),

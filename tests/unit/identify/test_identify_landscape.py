@@ -175,6 +175,6 @@ def test_a_discharge_decides_between_laws() -> None:
 
 
 def test_an_unknown_law_is_refused() -> None:
-    with refused("entry.choice", "compare", value="isotherm"):
+    with refused("fields.not_an_option", "compare", value="isotherm"):
         TankTest(recordings={"a": {}}, volume="20 l", compare=["isotherm"])
     assert TankTest(recordings={"a": {}}, volume="20 l", compare="isothermal").compare == ("isothermal",)

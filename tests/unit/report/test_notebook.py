@@ -163,12 +163,12 @@ def test_every_class_that_shows_itself_has_a_page():
         module, _, kind = name.rpartition(".")
         assert issubclass(getattr(import_module(module), kind), notebook.HtmlMixin)
     kinds = {each.__name__ for each in notebook.HtmlMixin.__subclasses__()}
-    assert kinds == {"Columns", "Circuit", "LinearModel", "Result", "BenchResult", "LimitsResult", "Ensemble"}
+    assert kinds == {"Columns", "BaseCircuit", "LinearModel", "Result", "BenchResult", "LimitsResult", "Ensemble"}
     assert html_of(3.0) is None
 
 
-def test_without_a_front_door_text_will_do(monkeypatch):
-    monkeypatch.setattr(notebook, "_drawn", None)
+def test_without_a_renderer_the_result_is_none(monkeypatch):
+    monkeypatch.setattr(notebook.HtmlMixin, "renderer", None)
     assert circuit()._repr_html_() is None
 
 

@@ -12,7 +12,7 @@ from poppet.bench.iso10094.bench_settings import Trial, held
 from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.notes import recording_of
+from poppet.circuit.notes import make_recording
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, SimulationError
 from poppet.engine.problem import Outcome, is_failure
@@ -98,7 +98,7 @@ class Rig:
         raw = solve(problem, progress=lambda _: None)  # only a run that tells its progress ends at Ctrl-C
         if raw.outcome is Outcome.INTERRUPTED:
             raise KeyboardInterrupt
-        recording = recording_of(circuit.instance, problem, raw)
+        recording = make_recording(circuit.instance, problem, raw)
         if is_failure(problem, raw):
             raise SimulationError(recording.outcome, recording)
         return recording

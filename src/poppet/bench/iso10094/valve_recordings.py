@@ -119,7 +119,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     own = {key: table[key] for key in OF_RECORDING if key in table}
     collect(_mistakes(where, table, own))
     rest = {key: value for key, value in table.items() if key not in OF_RECORDING}
-    measurement = read_measurement(name, rest, folder, ambient_pressure=ambient, beside=OF_RECORDING)
+    measurement = read_measurement(name, rest, folder, ambient_pressure=ambient, other_fields=OF_RECORDING)
     record = _joined(name, measurement, own, where, ambient, scale)
     # A bench knows more of its channels: a command rests at its ends, an outlet follows its setpoint.
     findings = [each for each in measurement.findings if each.code != "suspicion.clipped"]

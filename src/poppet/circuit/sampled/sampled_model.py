@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from poppet.circuit.instance import Instance
-from poppet.circuit.linear_model import LinearModel, SteadyState, place
+from poppet.circuit.linear_model import ControlStateSpace, LinearModel, SteadyState, place
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sample_map import Phase, eigenvalues_of, phases_of, sample_map
 from poppet.core.codes import Note
@@ -118,10 +118,10 @@ class SampledModel(LinearModel):
             total += np.linalg.solve(slow, v - before) - rest * phase.duration
         return np.asarray(total / self.sample_time, dtype=np.complex128)
 
-    def to_control(self) -> Any:
-        """The model for python-control."""
+    def to_control(self) -> ControlStateSpace:
+        """Return the model as a `control.StateSpace` in discrete time."""
         system = super().to_control()
-        # After the fact, for `super` builds a model in continuous time.
+        # The base class builds a model in continuous time.
         system.dt = self.sample_time
         return system
 

@@ -24,11 +24,19 @@ from poppet.timeseries.measurements import Measurement, read_measurement
 
 SEARCH = ("loss", "starts", "seed", "kicks")
 TOP_LEVEL = {
-    "circuit": Field(is_required=True),
-    "recordings": Field(is_required=True, is_table=True),
-    "free": Field(is_required=True, is_table=True),
-    "set": Field(is_table=True),
-    **dict.fromkeys(("title", *SEARCH), Field()),
+    "circuit": Field(is_required=True, meaning="circuit file", example='circuit = "bench.toml"'),
+    "recordings": Field(
+        type="table",
+        is_required=True,
+        meaning="list of recordings",
+        example="[recordings.NAME] with file, time and channels",
+    ),
+    "free": Field(
+        type="table", is_required=True, meaning="list of free parameters", example='[free] with "part.parameter" = 0.3'
+    ),
+    "set": Field(type="table"),
+    "title": Field(type="text"),
+    **dict.fromkeys(SEARCH, Field()),
 }
 ROLES = ("fit", "validation")
 LATEST = 0.2
@@ -72,7 +80,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
 def _plan(file: TomlFile) -> FitPlan:
     # What a fit cannot do without comes first: the rest is read with it.
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, "fit")
+        data = read_fields(errors, file.content, TOP_LEVEL, table="fit file")
     circuit = read_circuit(data, file.folder)
     settings, tables = _search(data)
     measurements, roles = _measurements(data["recordings"], file.folder, circuit)
@@ -152,10 +160,18 @@ def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> 
             own = dict(table) if isinstance(table, Mapping) else table
             role = own.pop("use", ROLES[0]) if isinstance(own, dict) else ROLES[0]
             if role not in ROLES:
-                errors.add("entry.choice", f"recordings.{name}.use", value=role, near=NameSuggestion(str(role), ROLES))
+                errors.add(
+                    "fields.not_an_option",
+                    f"recordings.{name}.use",
+                    value=role,
+                    meaning="use",
+                    near=NameSuggestion(str(role), ROLES),
+                )
             with errors.collecting():
                 measurements.append(
-                    read_measurement(name, own, folder, ambient_pressure=circuit.surroundings.pressure, beside=("use",))
+                    read_measurement(
+                        name, own, folder, ambient_pressure=circuit.surroundings.pressure, other_fields=("use",)
+                    )
                 )
                 roles.append(role)
     return measurements, roles

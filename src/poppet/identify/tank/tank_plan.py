@@ -14,7 +14,7 @@ from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, relocated
-from poppet.core.tables import Field, read_fields
+from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
 from poppet.identify.fit.fit_file import ROLES, FitPlan, plan_of, recording_free
 from poppet.identify.fit.fit_findings import LARGEST_OFFSET, SURELY
@@ -44,9 +44,17 @@ OWN = {
 """What a recording may state for itself; all else in its table is read as in a fit file."""
 PRESSURE, TEMPERATURE, SUPPLY = "tank.pressure", "tank.temperature", "supply.pressure"
 ARRAYS = {PRESSURE: "Pa", TEMPERATURE: "K"}
-OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(is_table=True)}
-OF_ARRAY = {"values": Field(is_required=True), **dict.fromkeys(("noise", "offset"), Field())}
+OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(type="table")}
+OF_ARRAY = {
+    "values": Field(is_required=True, meaning="list of samples in SI units"),
+    **dict.fromkeys(("noise", "offset"), Field()),
+}
 OF_ARRAY["lag"] = Field(unit="s", choices=("free",))
+_PRESSURE = Field(meaning="pressure of the tank", example='"tank.pressure" = { column = "p", unit = "bar" }')
+_SUPPLY = Field(
+    meaning="pressure of the supply",
+    example='supply_pressure = "7 bar", or inputs = { "supply.pressure" = { column = "p_supply", unit = "bar g" } }',
+)
 
 COMMON_RATIO = 0.3
 """Where the search for b begins: the middle of what catalogues list."""
@@ -144,15 +152,15 @@ def _ambient(test: TankTest) -> Ambient:
 def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> TankRun:
     place = f"recordings.{name}"
     if not isinstance(given, Mapping):
-        raise InputError("tank.no_recording", place, value=given)
+        raise InputError("fields.no_table", place, value=given)
     rest = {key: value for key, value in given.items() if key not in OWN}
     with ErrorCollector() as errors:
-        own = read_fields(errors, {key: given[key] for key in OWN if key in given}, OWN, "tank", place)
+        own = read_fields(errors, {key: given[key] for key in OWN if key in given}, OWN, place)
         if PRESSURE not in rest:
-            errors.add("tank.missing.pressure", f"{place}.{PRESSURE}")
+            errors.extend([missing_field(f"{place}.{PRESSURE}", _PRESSURE)])
     if isinstance(rest.get("time"), str | int | Mapping | None):
         measurement = read_measurement(
-            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, beside=tuple(OWN)
+            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, other_fields=tuple(OWN)
         )
     else:
         measurement = _from_arrays(name, rest, ambient_pressure)
@@ -171,7 +179,7 @@ def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -
     channels: list[Channel] = []
     notes: list[Note] = []
     with ErrorCollector() as errors:
-        read_fields(errors, table, OF_ARRAYS, "tank.arrays", place)
+        read_fields(errors, table, OF_ARRAYS, place, table="recording of arrays")
         for address in ARRAYS:
             if address in table:
                 with errors.collecting():
@@ -188,7 +196,7 @@ def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel
     """A channel of arrays, and what was left out or merged in it."""
     with ErrorCollector() as errors:
         table = given if isinstance(given, Mapping) else {"values": given}
-        read = read_fields(errors, table, OF_ARRAY, "tank.array", place)
+        read = read_fields(errors, table, OF_ARRAY, place, table="channel")
     try:
         time, values = (np.asarray(each, dtype=np.float64) for each in (stamps, read["values"]))
     except (TypeError, ValueError, OverflowError):
@@ -225,7 +233,7 @@ def _check_course(run: TankRun, ambient_pressure: float) -> None:
         raise InputError("tank.contrary", place, begin=begin, end=end, direction=run.direction, other=other)
     if run.direction == "charge":
         if run.supply_pressure is None:
-            raise InputError("tank.missing.supply", run.place)
+            raise missing_field(f"{run.place}.supply_pressure", _SUPPLY)
         supply = _pressure(run.supply, ambient_pressure)
         if not is_free(run.supply_pressure) and end > ABOVE_SUPPLY * supply:
             raise InputError("tank.above_supply", place, end=end, supply=supply)

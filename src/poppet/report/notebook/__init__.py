@@ -6,7 +6,7 @@ import importlib
 from typing import Any
 
 PAGES = {
-    "poppet.circuit.circuit.Circuit": "circuit",
+    "poppet.circuit.circuit.BaseCircuit": "circuit",
     "poppet.timeseries.recording.Recording": "recording",
     "poppet.circuit.linear_model.LinearModel": "linear",
     "poppet.identify.result.Result": "results",

@@ -1,4 +1,4 @@
-"""Recordings made by others: the mapping of their columns to a circuit's addresses, and what looks wrong with them."""
+"""Measured recordings: assignment of their columns to addresses of a circuit, and plausibility checks."""
 
 from __future__ import annotations
 
