@@ -558,13 +558,13 @@ def test_parts_are_frozen():
         valve().preset = "fast"  # type: ignore[misc]
 
 
-def test_documents_say_how_many_numbers_are_assumed():
+def test_pages_state_the_count_of_assumed_parameters():
     from pathlib import Path
 
     numbers = valve().numbers().values()
     assumed = sum(number.source.kind == "assumed" for number in numbers)
     root = Path(__file__).parents[3]
-    for page, words in (("README.md", "{} of its {} numbers"), ("docs/valve.md", "{} of {} are assumed")):
+    for page, words in (("README.md", "{} of its {} parameters"), ("docs/valve.md", "{} of its {} parameters")):
         assert words.format(assumed, len(numbers)) in (root / page).read_text(encoding="utf-8"), page
 
 
