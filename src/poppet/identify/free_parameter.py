@@ -70,6 +70,11 @@ class FreeParameter:
     recording: str = ""
     prior: NormalPrior | None = None
 
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """Lower and upper bound."""
+        return self.low, self.high
+
     @cached_property
     def scale(self) -> float:
         """A size to measure steps with, never zero."""

@@ -14,7 +14,7 @@ from poppet.core.errors import InputError
 from poppet.engine.call import RepeatedCall
 from poppet.engine.lane_kernel import LockstepLanes
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.fit_file import FitPlan, recording_free
+from poppet.identify.fit.fit_plan import FitPlan, recording_parameters
 from poppet.identify.fit.fit_series import first_value, lagged, shifted
 from poppet.identify.fit.intervals import bootstrapped
 from poppet.identify.fit.search import SearchSettings, kick_rounds, optimise
@@ -49,7 +49,7 @@ def recording(flow: np.ndarray, **instrument: float | None) -> Measurement:
 
 def fitted(measurement: Measurement) -> dict[str, float]:
     circuit = Circuit(PARTS)
-    free = (*FREE, *recording_free([measurement], [circuit], ["fit"]))
+    free = (*FREE, *recording_parameters([measurement], [circuit], ["fit"]))
     found = optimise([Experiment(circuit.instance, measurement, free)], free)
     return {f.name: float(v) for f, v in zip(free, found.x, strict=True)}
 
@@ -329,7 +329,7 @@ def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
         duration=float(TIME[-1]),
     )
     circuit = Circuit(PARTS)
-    (free,) = recording_free([measurement], [circuit], ["fit"])
+    (free,) = recording_parameters([measurement], [circuit], ["fit"])
     assert free.start == 293.15
     assert Experiment(circuit.instance, measurement, (free,)).free == (free,)
 

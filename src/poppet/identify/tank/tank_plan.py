@@ -16,8 +16,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, relocated
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
-from poppet.identify.fit.fit_file import ROLES, FitPlan, plan_of, recording_free
-from poppet.identify.fit.fit_findings import LARGEST_OFFSET, SURELY
+from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
 from poppet.identify.tank.test import DIRECTIONS, TankTest
@@ -135,8 +134,8 @@ def tank_plan(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
     runs = [replace(run, measurement=_completed(test, run)) for run in runs]
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     settings = SearchSettings(test.loss, test.starts, test.seed)
-    instances, free = [circuit.instance for circuit in circuits], _free(test, runs, circuits)
-    return plan_of(instances, measurements, roles, free, settings=settings, title=test.title)
+    free = _free(test, runs, circuits)
+    return plan_fit(circuits, measurements, roles, free, settings=settings, title=test.title)
 
 
 def _ambient(test: TankTest) -> Ambient:
@@ -393,7 +392,7 @@ def _free(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) 
     if is_free(test.initial_temperature):
         found += _of_each("tank.initial_temperature", [test.initial_temperature] * len(runs), runs, circuits)
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
-    found += recording_free(measurements, circuits, roles)
+    found += recording_parameters(measurements, circuits, roles)
     for run in runs:
         name = run.measurement.name
         if test.valve_delay == "free":
@@ -407,10 +406,9 @@ def _offset(test: TankTest, run: TankRun) -> list[FreeParameter]:
     given, stated = test.pressure_offset, run.pressure.offset
     if given == 0.0 or (given is None and stated is None and run.closes >= run.measurement.duration):
         return []
-    name, span = run.measurement.name, float(np.ptp(run.pressure.values))
-    known = stated or (None if given == "free" else USUAL_ZERO * span)
-    most, prior = (LARGEST_OFFSET * span, None) if known is None else (SURELY * known, NormalPrior(0.0, known))
-    return [FreeParameter(f"{name}.{PRESSURE}.offset", PRESSURE, "Pa", 0.0, -most, most, "offset", name, prior)]
+    known = stated or (None if given == "free" else USUAL_ZERO * float(np.ptp(run.pressure.values)))
+    prior = None if known is None else NormalPrior(0.0, known)
+    return [offset_parameter(run.measurement.name, run.pressure, prior)]
 
 
 def _walls(given: Any, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[FreeParameter]:
