@@ -80,7 +80,7 @@ def most_informative_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3
 
     Examples
     --------
-    >>> round(most_telling_ratio(0.3), 2)
+    >>> round(most_informative_ratio(0.3), 2)
     0.72
     """
     position = np.linspace(0.05, 0.995, 400)
