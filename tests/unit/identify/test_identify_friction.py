@@ -625,7 +625,7 @@ def test_a_number_that_would_be_negative_ends_at_zero_and_is_said():
 
 def test_the_page_shows_laws_recordings_and_lines_for_a_circuit():
     page = identification_page(identify_friction(cylinder(0, 0.0, SEALED), part="slide", cylinder="drive"))
-    for shown in ("Laws of friction", "seal_friction = &quot;0.", "pressure.friction", "p3", "supported"):
+    for shown in ("Friction laws", "seal_friction = &quot;0.", "pressure.friction", "p3", "supported"):
         assert shown in page
 
 
