@@ -40,7 +40,7 @@ from result_keys import undocumented
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "identify"
 PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-DOCUMENT = (ROOT / "docs" / "identify.md").read_text(encoding="utf-8")
+DOCUMENTS = {path.stem: path.read_text(encoding="utf-8") for path in sorted((ROOT / "docs").glob("identify*.md"))}
 WAYS = ("fit", "tank", "flow", "characteristic", "muscle", "friction")
 
 
@@ -73,7 +73,7 @@ def test_the_documents_show_all_ways():
 
 
 def test_shown_files_are_those_of_the_examples():
-    blocks = re.findall(r"^```toml\n(#.*?)^```$", DOCUMENT, re.MULTILINE | re.DOTALL)
+    blocks = re.findall(r"^```toml\n(#.*?)^```$", "".join(DOCUMENTS.values()), re.MULTILINE | re.DOTALL)
     texts = [path.read_text(encoding="utf-8") for path in EXAMPLES.glob("*.toml")]
     assert len(blocks) == len(WAYS) + 1  # and of a design
     assert [block for block in blocks if not any(text.startswith(block) for text in texts)] == []
@@ -94,29 +94,28 @@ def test_a_design_is_printed_and_written(poppet, tmp_path):
     assert all(name in page for name in written["tests"])
 
 
-def part_of(title: str) -> str:
-    prose = re.sub(r"^```.*?^```$", "", DOCUMENT, flags=re.MULTILINE | re.DOTALL)
-    found = re.search(rf"^## {re.escape(title)}(.*?)(?=^## |\Z)", prose, re.MULTILINE | re.DOTALL)
-    assert found, f"docs/identify.md has no section {title}"
-    return found[1]
+def page_of(method: str) -> str:
+    """Return the text of the page of a method, without its code blocks."""
+    page = DOCUMENTS["identify" if method == "fit" else f"identify_{method}"]
+    return re.sub(r"^```.*?^```$", "", page, flags=re.MULTILINE | re.DOTALL)
 
 
 @pytest.mark.parametrize(
-    ("title", "names"),
+    ("method", "names"),
     [
-        ("`identify fit`", fit_file.TOP_LEVEL),
-        ("`identify fit`", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free_parameter.FIELDS)),
-        ("`identify tank`", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
-        ("`identify tank`", OWN),
-        ("`identify flow`", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),
-        ("`identify muscle`", (*muscle_file.TOP_LEVEL, "column", "unit")),
-        ("`identify friction`", (*friction_file.TOP_LEVEL, *friction_file.CHANNEL_FIELDS)),
-        ("`identify design`", (*design_file.TOP_LEVEL, "noise", "offset", "lag")),
-        ("`identify characteristic`", (*characteristic_file.TOP_LEVEL, *characteristic_file.OF_TEST)),
+        ("fit", fit_file.TOP_LEVEL),
+        ("fit", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free_parameter.FIELDS)),
+        ("tank", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
+        ("tank", OWN),
+        ("flow", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),
+        ("muscle", (*muscle_file.TOP_LEVEL, "column", "unit")),
+        ("friction", (*friction_file.TOP_LEVEL, *friction_file.CHANNEL_FIELDS)),
+        ("design", (*design_file.TOP_LEVEL, "noise", "offset", "lag")),
+        ("characteristic", (*characteristic_file.TOP_LEVEL, *characteristic_file.OF_TEST)),
     ],
 )
-def test_every_field_is_documented(title, names):
-    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", part_of(title)))))
+def test_every_field_is_documented(method, names):
+    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", page_of(method)))))
     assert [name for name in names if name not in words] == []
 
 
