@@ -200,9 +200,9 @@ def _inputs(instance: Instance, problem: Problem) -> tuple[ExportInput, ...]:
 
 def without_signals(of: ExportModel) -> ExportModel:
     """The same with inputs that are held where they begin, for targets whose host drives them."""
-    from poppet.engine.problem import held_coefficients
+    from poppet.engine.problem import constant_coefficients
 
     u = np.array([item.value for item in of.inputs])
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
-    problem = replace(of.problem, starts=start, courses=course, coefficients=held_coefficients(u), jumps=jump)
+    problem = replace(of.problem, starts=start, courses=course, coefficients=constant_coefficients(u), jumps=jump)
     return replace(of, problem=problem)
