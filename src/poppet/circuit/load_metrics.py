@@ -259,7 +259,7 @@ def turning_points(position: Array) -> list[int]:
 
 
 def _arrivals(facts: Facts) -> Iterator[Arrival]:
-    from poppet.parts.bodies import arrivals  # which runs without bodies do not need
+    from poppet.parts.bodies import find_impacts  # which runs without bodies do not need
 
     for name, owner, kind in facts.stops():
         stops = tuple(facts.parameters.get(f"{owner}.{end}_stop.position", math.nan) for end in ("lower", "upper"))
@@ -267,7 +267,7 @@ def _arrivals(facts: Facts) -> Iterator[Arrival]:
             stops = 0.0, facts.parameters[f"{owner}.piston.stroke_length"]
         position, velocity = facts[f"{owner}.{kind}position"], facts[f"{owner}.{kind}velocity"]
         unit = facts.unit(f"{owner}.{kind}velocity")
-        for time, speed in arrivals(facts.raw.time, position, velocity, facts[name], stops):
+        for time, speed in find_impacts(facts.raw.time, position, velocity, facts[name], stops):
             yield Arrival(owner, facts.holders.get(owner, owner), time, speed, unit)
 
 

@@ -220,12 +220,12 @@ def _characteristic() -> Schema:
 
 def _schedule() -> Schema:
     """The first column has the name of what is controlled."""
-    known = [name for name in GainSchedule.known("pressure", "opening") if name not in QUANTITIES]
+    known = [name for name in GainSchedule.column_specs("pressure", "opening") if name not in QUANTITIES]
     return closed(dict.fromkeys((*QUANTITIES, *known), _LIST), ["gain", "integral_time"])
 
 
 def _force_table() -> Schema:
-    known = ForceRows.known()
+    known = ForceRows.column_specs()
     return {"type": "object", "required": list(known), "properties": dict.fromkeys(known, _LIST)}
 
 

@@ -160,7 +160,7 @@ def _numbers(circuit: Circuit, instance: Instance, problem: Problem) -> tuple[Ex
             fixed = "tied" if _is_tied(circuit, address, value, spec) else ""
         low, high = max(spec.ends[0], _beside(spec.above, 1.0)), min(spec.ends[1], _beside(spec.below, -1.0))
         unit, shown = (number.unit, number.display()) if number else (spec.unit, "")
-        found.append(ExportParameter(address, own[k], unit, value, low, high, spec.doc, shown, fixed))
+        found.append(ExportParameter(address, own[k], unit, value, low, high, spec.meaning, shown, fixed))
     return tuple(found)
 
 
@@ -173,7 +173,7 @@ def _is_tied(circuit: Circuit, address: str, value: float, spec: NumberSpec) -> 
     """Whether something else follows from a number: other numbers, or the structure."""
     # Not `Instance.tied`, which makes the instance of every variation: a target asks about all numbers one by one.
     tried = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
-    probe = next((v for v in tried if spec.holds(v)), None)
+    probe = next((v for v in tried if spec.contains(v)), None)
     if probe is None:
         return True
     try:
