@@ -41,6 +41,7 @@ if TYPE_CHECKING:
         SpoolValve,
         Tube,
     )
+    from poppet.timeseries.measurements import read_recording as read
     from poppet.timeseries.recording import Recording
 
 _MODULE_OF = {
@@ -101,6 +102,7 @@ __all__ = [
     "library",
     "load",
     "loads",
+    "read",
     "signals",
     "units",
 ]
@@ -119,6 +121,8 @@ def __getattr__(name: str) -> Any:
     # Names are imported on first use: `import poppet` stays fast.
     if name in _MODULES:
         return importlib.import_module(f"poppet.{_MODULES[name]}")
+    if name == "read":
+        return importlib.import_module("poppet.timeseries.measurements").read_recording
     if name not in __all__:
         raise AttributeError(f"module 'poppet' has no attribute {name!r}")
     module = _MODULE_OF.get(name) or ("core.errors" if name.endswith(("Error", "Errors")) else "parts")

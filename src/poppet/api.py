@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, overload
+from typing import TYPE_CHECKING, Any, Literal, Self, overload
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.file import read_circuit
@@ -15,11 +15,13 @@ if TYPE_CHECKING:
     from poppet.deploy.casadi_export import CasadiModel
     from poppet.deploy.ode import Ode
     from poppet.ensemble.ensemble_result import Ensemble
+    from poppet.identify.fit.fit_circuit import Data as RecordedData
+    from poppet.identify.fit.fit_result import FitResult
 
 LISTED = (
     *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
     *("numbers", "inputs", "parameters", "static_notes", "model"),
-    *("with_values", "resumed", "simulate", "steady_state", "linearise", "ensemble"),
+    *("with_values", "with_signals", "resumed", "simulate", "steady_state", "linearise", "fit", "ensemble"),
     *("to_ode", "to_casadi", "to_control"),
 )
 """Names of a circuit that editors list: fields, contents, variants, analyses, conversions."""
@@ -76,6 +78,120 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
 
     def __dir__(self) -> list[str]:
         return sorted(LISTED)
+
+    def fit(
+        self,
+        recordings: RecordedData | Mapping[str, RecordedData],
+        free: Sequence[str] | Mapping[str, Any],
+        *,
+        outputs: Sequence[str] | None = None,
+        bounds: Mapping[str, Sequence[Any]] | None = None,
+        priors: Mapping[str, Sequence[Any]] | None = None,
+        start: Mapping[str, Any] | None = None,
+        noise: Mapping[str, str | float] | None = None,
+        offsets: Mapping[str, Any] | None = None,
+        hold: bool = True,
+        validation: Sequence[str] = (),
+        loss: Literal["linear", "soft_l1", "huber", "cauchy"] = "linear",
+        starts: int = 1,
+        seed: int = 0,
+        kicks: int | None = None,
+        profile: Sequence[str] = (),
+        bootstrap: int = 0,
+        contour: bool = False,
+        title: str | None = None,
+        progress: Callable[[int, float], Any] | None = None,
+        stages: Callable[[str, int, int], Any] | None = None,
+    ) -> FitResult[Self]:
+        """Fit parameters of the circuit to recordings.
+
+        Parameters
+        ----------
+        recordings : Recording, DataFrame or mapping
+            One recording, or name to recording. A `Recording` is measured or simulated. A `pandas.DataFrame` has
+            addresses as column labels, with or without a unit: ``"tank.pressure [bar g]"``. A column without a unit is
+            in SI units. The time is the column ``time [s]`` or the index.
+        free : sequence of str or mapping
+            Addresses of the free parameters, or address to start value of the search. A start value is a number, a text
+            with a unit, or a table with `start`, `min`, `max`. The default start is the value in the circuit.
+        outputs : sequence of str, optional
+            Addresses of the series that are compared with the model. By default these are all series that are outputs
+            of the circuit and change. Other series are then errors.
+        bounds : mapping, optional
+            Address of a free parameter to ``(min, max)``. None is the physical limit.
+        priors : mapping, optional
+            Address of a free parameter to ``(mean, standard deviation)`` of its normal prior distribution.
+        start : mapping, optional
+            Address of an initial value to its value in the recordings: a value, ``"first"`` (first value of the series)
+            or ``"free"`` (fitted for each recording). ``{name: {address: value}}`` applies to one recording.
+        noise : mapping, optional
+            Address of an output to the standard deviation of its noise. By default it is estimated from the residuals.
+        offsets : mapping, optional
+            Address of an output to the prior of its free sensor offset: a standard deviation, ``(mean, standard
+            deviation)``, or ``"free"`` for no prior.
+        hold : bool, optional
+            Keep each value of a recorded input until the next row. If False, interpolate linearly between rows.
+        validation : sequence of str, optional
+            Names of recordings that are compared with the model, but not fitted.
+        loss : str, optional
+            `linear`, or a robust loss: `soft_l1`, `huber`, `cauchy`.
+        starts : int, optional
+            Number of start points of the search.
+        seed : int, optional
+            Seed of the random numbers for start points and bootstrap.
+        kicks : int, optional
+            Maximum number of rounds of restarts near the optimum. The default is 3, or 0 for sampled circuits.
+        profile : sequence of str, optional
+            Names of parameters whose intervals are computed by profile likelihood.
+        bootstrap : int, optional
+            Number of bootstrap fits.
+        contour : bool, optional
+            Compute the chi-square contour over conductance and wall conductance.
+        title : str, optional
+            Title of the result; default the title of the circuit.
+        progress : callable, optional
+            Called with the number of evaluations and the lowest cost.
+        stages : callable, optional
+            Called during profiles and bootstrap with the stage, the number of completed steps and their total.
+
+        Returns
+        -------
+        FitResult
+            Estimates with 95 % confidence intervals and verdicts, findings, and the fitted circuit.
+
+        Raises
+        ------
+        InputErrors
+            If an address or a unit is invalid, a recording has no usable samples, an input is missing, input and
+            outputs do not overlap in time, or a free parameter changes no compared output.
+
+        Notes
+        -----
+        A recorded input drives the model; an input without a series keeps the signal of the circuit. The first used
+        row of a recording is t = 0 of its run.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from poppet import Chamber, Circuit, Orifice, Recording
+        >>> valve = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> tank = Chamber(volume="20 l", initial_pressure="7 bar", wall_conductance="5 W/K")
+        >>> circuit = Circuit({"tank": tank, "valve": valve})
+        >>> run = circuit.simulate("40 s", "0.1 s")
+        >>> pressure = run["tank.pressure"] + np.random.default_rng(1).normal(0.0, 500.0, run.time.size)
+        >>> measured = Recording.from_series(run.time, {"tank.pressure [Pa]": pressure})
+        >>> result = circuit.fit(measured, {"valve.sonic_conductance": 2e-8, "valve.critical_ratio": 0.2})
+        >>> round(1e8 * result["valve.sonic_conductance"].value, 2), result["valve.critical_ratio"].verdict
+        (1.0, 'determined')
+        >>> fitted = result.circuit.simulate("40 s")
+        """
+        from poppet.identify.fit.fit_circuit import fit_circuit
+
+        return fit_circuit(
+            self, recordings, free, outputs=outputs, bounds=bounds, priors=priors, start=start, noise=noise,
+            offsets=offsets, hold=hold, validation=validation, loss=loss, starts=starts, seed=seed, kicks=kicks,
+            profile=profile, bootstrap=bootstrap, contour=contour, title=title, progress=progress, stages=stages,
+        )  # fmt: skip
 
     def ensemble(
         self,

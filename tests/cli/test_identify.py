@@ -259,7 +259,7 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
     [
         ("fit", '"1e-8 m^3/(s Pa)"', '"1e-8 m^3"', "outlet.sonic_conductance", "quantity.other_quantity"),
         ("fit", "start = 0.3", "start = 1.5", "outlet.critical_ratio", "free.bounds"),
-        ("fit", "start = 0.3", "start = 0.3, prior = { mean = 1 }", "outlet.critical_ratio", "prior.missing.sd"),
+        ("fit", "start = 0.3", "start = 0.3, prior = { mean = 1 }", "outlet.critical_ratio", "fields.missing"),
         ("fit", 'lag = "free"', 'lag = "0.8 m"', "tank.temperature", "quantity.other_quantity"),
         ("fit", '"tank.temperature"', '"tank.temprature"', "tank.temprature", "fit.no_output"),
         (
@@ -274,7 +274,7 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
         ("fit", "[free]", "[free]\nstarts = 0", "starts =", "search.starts"),
         ("fit", "[free]", "[free]\nseed = -1.5", "seed =", "search.seed"),
         ("fit", "[free]", '[free]\nkicks = "many"', "kicks =", "search.kicks"),
-        ("fit", "start = 0.3", "start = 0.3, prior = { men = 1, sd = 1 }", "outlet.critical_ratio", "prior.unknown"),
+        ("fit", "start = 0.3", "start = 0.3, prior = { men = 1, sd = 1 }", "outlet.critical_ratio", "fields.unknown"),
         ("fit", '"discharge.csv"', '"discharge.csv"\nuse = "validation"', "[recordings.", "fit.held_frees.start"),
         ("fit", '"bench.toml"', '"none.toml"', "circuit =", "toml.no_file"),
         ("tank", '"tank_charge.csv"', '"no.csv"', "file =", "files.unreadable"),
@@ -282,7 +282,7 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
         ("tank", 'direction = "charge"', 'direction = "discharge"', "tank.pressure", "tank.contrary"),
         ("tank", '"7 bar g"', '"7 kg"', "supply_pressure =", "quantity.other_quantity"),
         ("tank", '"0.987 bar"', '"2 kg"', "ambient_pressure =", "quantity.other_quantity"),
-        ("tank", '"20 l"', '"20 l"\ncritical_ratio = { strt = 0.3 }', "critical_ratio =", "free.unknown"),
+        ("tank", '"20 l"', '"20 l"\ncritical_ratio = { strt = 0.3 }', "critical_ratio =", "fields.unknown"),
     ],
 )
 def test_mistakes_are_told_with_their_line(bench, way, old, new, marked, code):
@@ -430,10 +430,10 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
         (("fit", "fit.toml", "--profile", "outlet.ratio"), "profile = outlet.ratio is not free"),
         (("fit", "fit.toml", "-o", "x.xls"), "x.xls"),
         (("fit", "nowhere.toml"), "nowhere.toml"),
-        (("fit", "tank.toml"), "is not a part of a fit file"),
-        (("tank", "fit.toml"), "circuit is not a part of a tank test file"),
-        (("flow", "tank.toml"), "is not a part of a flow bench file"),
-        (("characteristic", "flow.toml"), "is not a part of a list of tests"),
+        (("fit", "tank.toml"), "is not a valid field of a fit file"),
+        (("tank", "fit.toml"), "circuit is not a valid field of a tank test file"),
+        (("flow", "tank.toml"), "is not a valid field of a flow bench file"),
+        (("characteristic", "flow.toml"), "is not a valid field of a list of tests"),
     ],
 )
 def test_what_does_not_fit_is_refused(poppet, bench, monkeypatch, arguments, message):

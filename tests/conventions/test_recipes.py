@@ -21,7 +21,8 @@ from poppet.laws.iso6358.domain import Domain, check
 from poppet.parts import KINDS
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.part import Flow, GasState, Passage, PassageFlows, Scope
-from poppet.report.html_page import document, findings, table, write_page
+from poppet.report.html_page import Section, document, findings, write_page
+from poppet.report.tables import Table as ReportTable
 from poppet.timeseries.tables import reading
 from poppet.timeseries.tables.table import Table
 
@@ -131,7 +132,8 @@ def test_a_report(tmp_path):
 
     def page() -> str:
         rows = [[name, f"{recording[name].max():g}"] for name in recording]
-        return document("Toy", [("Highest", table(("series", "value"), rows)), ("Notes", findings(recording.remarks))])
+        highest = Section("Highest", ReportTable(("series", "value"), rows))
+        return document("Toy", [highest, Section("Notes", findings(recording.remarks))])
 
     text = write_page(tmp_path / "toy.html", page).read_text(encoding="utf-8")
     assert "<td>2</td>" in text.replace(' class="number"', "")

@@ -76,3 +76,11 @@ def test_variants_keep_the_public_class(tmp_path: Path):
 def test_editors_list_the_names_for_users():
     assert "simulate" in dir(Circuit)
     assert [name for name in dir(Circuit) if name.startswith("_")] == []
+
+
+def test_a_pickled_recording_keeps_its_notes_and_balances():
+    recording = poppet.load(Path("examples") / "fill_staircase.toml").simulate("1 s")
+    copy = pickle.loads(pickle.dumps(recording))
+    assert copy.remarks == recording.remarks
+    assert copy.residuals == recording.residuals
+    assert [balance.is_kept for balance in copy.residuals] == [True, True]

@@ -50,7 +50,7 @@ def execute(options: argparse.Namespace) -> int:
         result = find_limits(plan, progress)
 
     def write_page(path: Path) -> None:
-        from poppet.report.bench.limits import write_limits
+        from poppet.report.bench.limits_report import write_limits
 
         write_limits(result, path)
 

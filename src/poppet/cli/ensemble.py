@@ -93,7 +93,7 @@ def _write(options: argparse.Namespace, found: Ensemble) -> list[str]:
 
 def summary(found: Ensemble) -> str:
     """What a person reads in a terminal."""
-    from poppet.report.ensemble.ensemble_tables import metric_table, yield_table
+    from poppet.report.ensemble.ensemble_report import metric_table, yield_table
 
     lines = [found.plan.circuit.title] if found.plan.circuit.title else []
     for table in (yield_table(found), metric_table(found)):

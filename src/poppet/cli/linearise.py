@@ -52,7 +52,7 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _text(linear: Any, units: dict[str, str]) -> str:
-    from poppet.report.modes import mode_rows
+    from poppet.report.result_tables import mode_table
 
     sample = getattr(linear, "sample_time", 0.0)
     sizes = {"state": linear.states, "input": linear.inputs, "output": linear.outputs}
@@ -62,7 +62,7 @@ def _text(linear: Any, units: dict[str, str]) -> str:
         *([name, units.get(name, ""), f"{value:.6g}"] for name, value in zip(linear.states, linear.x, strict=True)),
     ]
     head = f"Linear model over samples of {sample:.6g} s: {counts}" if sample else f"Linear model: {counts}"
-    texts = [head, aligned(point, [2]), aligned(mode_rows(linear), [1, 2, 3])]
+    texts = [head, aligned(point, [2]), mode_table(linear).text()]
     if sample:
         texts += [_multipliers(linear), "\n".join(f"- {note}" for note in grouped(linear.notes))]
     return "\n\n".join(text for text in texts if text)

@@ -53,31 +53,26 @@ _RUN_OPTIONS = {
 
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
-    from poppet.circuit.notes import recording_of
-    from poppet.engine.problem import Outcome, ending, is_failure
-    from poppet.engine.solve import solve
-
     shape = Shape.read(options.select, options.units)
     ask_for_drawing(options.plot, options.report)
     with Waiting("The model is made ready", is_quiet=options.quiet):
         circuit, given, notes = _circuit(options)
         try:
-            instance = circuit.instance
-            problem = instance.problem(circuit.run)
+            problem = circuit.problem(circuit.run)
         except InputError as error:
             raise _placed(error, given, options.file) from None
-    _refuse_misfits(instance.model, shape)
-    # Solved here and not by `Circuit.simulate`: Ctrl-C must still hand over what there is.
+    _refuse_misfits(circuit.model, shape)
+    failure = None
     with Progress(float(problem.grid[-1]), is_quiet=options.quiet) as progress:
-        run = solve(problem, circuit.run.solver, progress)
-    recording = recording_of(instance, problem, run)
+        try:
+            recording = circuit.simulate(progress=progress)
+        except SimulationError as error:
+            failure, recording = error, error.recording
     for note in grouped((*notes, *recording.remarks)):
         print(f"note: {note}", file=sys.stderr)
     _hand_over(recording, shape, options, circuit)
-    if is_failure(problem, run):
-        failure = SimulationError(ending(problem, run), recording)
-        if run.outcome is Outcome.INTERRUPTED:
-            # 130 is what shells expect of a program that Ctrl-C has ended.
+    if failure is not None:
+        if failure.note.code == "run.ended.interrupted":
             failure.exit_code = INTERRUPTED
         raise failure
     return 0

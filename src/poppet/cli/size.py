@@ -40,7 +40,7 @@ def execute(options: argparse.Namespace) -> int:
     from poppet.core.toml_file import TomlFile
     from poppet.core.units import quantity
     from poppet.ensemble import size
-    from poppet.report.ensemble.sizing import sizing_text, write_sizing
+    from poppet.report.ensemble.sizing_report import sizing_text, write_sizing
 
     ask_for_drawing(options.report)
     circuit, notes = loaded(options)

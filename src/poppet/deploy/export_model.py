@@ -173,7 +173,7 @@ def _is_tied(circuit: Circuit, address: str, value: float, spec: NumberSpec) -> 
     """Whether something else follows from a number: other numbers, or the structure."""
     # Not `Instance.tied`, which makes the instance of every variation: a target asks about all numbers one by one.
     tried = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
-    probe = next((v for v in tried if spec.contains(v)), None)
+    probe = next((v for v in tried if spec.holds(v)), None)
     if probe is None:
         return True
     try:
@@ -200,9 +200,9 @@ def _inputs(instance: Instance, problem: Problem) -> tuple[ExportInput, ...]:
 
 def without_signals(of: ExportModel) -> ExportModel:
     """The same with inputs that are held where they begin, for targets whose host drives them."""
-    from poppet.engine.problem import held_coefficients
+    from poppet.engine.problem import constant_coefficients
 
     u = np.array([item.value for item in of.inputs])
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
-    problem = replace(of.problem, starts=start, courses=course, coefficients=held_coefficients(u), jumps=jump)
+    problem = replace(of.problem, starts=start, courses=course, coefficients=constant_coefficients(u), jumps=jump)
     return replace(of, problem=problem)

@@ -44,8 +44,8 @@ FIELDS = {
     "keep": Field(choices=KEPT, meaning="what is kept of the runs"),
     "curves": Field(meaning="addresses of the outputs whose bands or curves are kept"),
     "indices": Field(meaning="base of the Sobol indices"),
-    "numbers": Field(is_table=True),
-    "metrics": Field(is_table=True),
+    "numbers": Field(type="table"),
+    "metrics": Field(type="table"),
 }
 """Fields of the table `ensemble`."""
 
@@ -145,7 +145,7 @@ def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) 
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure
     with ErrorCollector() as errors:
-        read = read_fields(errors, ensemble, FIELDS, "ensemble", "ensemble")
+        read = read_fields(errors, ensemble, FIELDS, "ensemble")
         counts = {key: _whole(errors, read, key, *limits) for key, limits in COUNTS.items() if key in read}
         grid = np.zeros(0)
         with errors.collecting():
@@ -219,7 +219,7 @@ def _requirements(
 ) -> list[Requirement]:
     found = []
     if not isinstance(given, Mapping):
-        errors.add("entry.form", "requirements", value=given)
+        errors.add("fields.no_table", "requirements", value=given)
         return []
     for name, text in given.items():
         with errors.collecting():
@@ -407,7 +407,7 @@ def _in_si(column: Array, unit: str, spec: NumberSpec, name: str, ambient: float
         # Read once as a quantity, which knows references; the column is converted as a whole.
         quantity(f"1 {unit}", spec.unit, kind=spec.kind, name=place)
         column = np.asarray(convert(column, unit, spec.unit, ambient_pressure=ambient))
-    bad = np.flatnonzero([not spec.contains(float(value)) for value in column])
+    bad = np.flatnonzero([not spec.holds(float(value)) for value in column])
     if bad.size:
         facts: dict[str, Any] = {"row": int(bad[0]) + 1, "value": float(column[bad[0]]), "count": int(bad.size)}
         raise OutOfRangeError("ensemble.impossible_rows", place, **facts, unit=spec.unit, meaning=spec.meaning)

@@ -206,7 +206,7 @@ def size(
 
     standard = np.unique([read(given, "sizes") for given in sizes])
     for value in standard.tolist():
-        if not spec.contains(value):
+        if not spec.holds(value):
             raise OutOfRangeError("size.size", free, value=value, unit=spec.unit)
     low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read, free)
     uncertain = plan_of(circuit, **fields) if share is not None else None

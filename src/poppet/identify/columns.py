@@ -17,7 +17,7 @@ from poppet.timeseries.tables.reading import Table, read_table
 TABLE_OPTIONS = ("separator", "decimal", "header_rows", "group")
 TOP_LEVEL = {
     **dict.fromkeys(("title", "part", *TABLE_OPTIONS, "ambient_pressure"), Field()),
-    "file": Field(is_required=True),
+    "file": Field(is_required=True, meaning="table with the data", example='file = "points.csv"'),
 }
 """Fields of all these files."""
 

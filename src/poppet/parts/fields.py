@@ -7,18 +7,18 @@ show`. A part is a frozen dataclass; `complete` reads the arguments of its field
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache, cached_property
+from functools import cache
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError, UnitError
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError
 from poppet.core.provenance import SOURCE_KINDS, Number, Source, SourceKind
-from poppet.core.units import Kind, quantity, sizes_of
+from poppet.core.tables import NumberRange
+from poppet.core.units import Kind, quantity
 
 T = TypeVar("T")
 MISSING = (
@@ -48,7 +48,7 @@ class Declaration:
 
 
 @dataclass(frozen=True)
-class NumberSpec(Declaration):
+class NumberSpec(NumberRange, Declaration):
     """Declaration of a number: unit, limits, default and meaning."""
 
     unit: str
@@ -58,39 +58,15 @@ class NumberSpec(Declaration):
     source: SourceKind = "assumed"
     note: str = ""
     optional: bool = False
-    low: float = -math.inf
-    high: float = math.inf
-    above: float = -math.inf
-    below: float = math.inf
-    varies: Callable[[Any], Mapping[str, Any]] | None = None  # changes that follow from the options of a part
+    varies: Callable[[Any], Mapping[str, Any]] | None = None  # changes of the declaration under the choices of a part
 
     def within(self, part: Any) -> NumberSpec:
-        """Return the declaration for the options of a part."""
+        """Return the declaration that is valid for a part with its choices."""
         return self if self.varies is None else _vary(self, tuple(self.varies(part).items()))
 
-    @cached_property
-    def ends(self) -> tuple[float, float]:
-        """Smallest and largest value; the unit limits them too."""
-        smallest, largest = sizes_of(self.unit)
-        return smallest if self.above == 0.0 else self.low, min(self.high, largest)
-
-    def contains(self, value: float) -> bool:
-        """Return True if the limits permit a value: `low` and `high` are permitted, `above` and `below` are not."""
-        low, high = self.ends
-        return low <= value <= high and self.above < value < self.below
-
     def check(self, name: str, value: float, text: str) -> None:
-        """Raise `OutOfRangeError` if the value is outside the limits."""
-        if self.contains(value):
-            return
-        (low, high), limits = self.ends, []
-        if low > -math.inf or self.above > -math.inf:
-            is_open = self.above >= self.low and not self.above < value < low
-            limits += [f"greater than {self.above:g}" if is_open else f"at least {low:g}"]
-        if min(self.high, self.below) < math.inf or value > high:
-            limits += [f"at most {high:g}" if high < self.below else f"less than {self.below:g}"]
-        facts: dict[str, Any] = {"value": value, "shown": text, "meaning": self.meaning, "limits": limits}
-        raise OutOfRangeError("fields.out_of_range", name, **facts, unit="" if self.unit == "1" else self.unit)
+        """Raise `OutOfRangeError` if a value is outside the limits."""
+        self.check_range(name, value, text, self.meaning)
 
 
 @cache
@@ -307,7 +283,7 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
     """Return an argument as a checked `Number`."""
     # A copied part has numbers that were read before.
     is_number = type(argument) is Number and argument.unit == spec.unit and argument.reference != "gauge"
-    if is_number and spec.contains(argument.value):  # type: ignore[union-attr]
+    if is_number and spec.holds(argument.value):  # type: ignore[union-attr]
         return argument  # type: ignore[return-value]
     source = Source("given")
     if isinstance(argument, Mapping):
@@ -334,7 +310,7 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
         text = argument if isinstance(argument, str) else ""
         result = Number(parsed.value, spec.unit, source, parsed.reference, text)
     # Limits are absolute: `Part.parameters` checks gauge values when the ambient pressure is known.
-    if result.reference != "gauge" and not spec.contains(result.value):
+    if result.reference != "gauge" and not spec.holds(result.value):
         spec.check(name, result.value, result.display())
     return result
 
@@ -415,7 +391,7 @@ def _read_field(
             value = library.get(address) or default_number(address, spec)
             if value is None and not spec.optional:
                 unit = "" if spec.unit == "1" else spec.unit
-                raise InputError("fields.missing", address, meaning=spec.meaning, unit=unit, plain=not unit)
+                raise InputError("fields.missing", address, meaning=spec.meaning, unit=unit, plain=not unit, example="")
             return value
         case GroupSpec():
             return _read_group(argument, spec, address, library, errors, owner)
@@ -454,7 +430,7 @@ def _read_group(
 
 def unknown_field(address: str, name: str, valid: Mapping[str, Any]) -> InputError:
     """Return the error of a field that a part does not have."""
-    return InputError("fields.unknown", address, near=NameSuggestion(name, valid))
+    return InputError("fields.unknown", address, table="", near=NameSuggestion(name, valid))
 
 
 def flatten(part: Any, path: str = "", owner: Any = None) -> list[tuple[str, NumberSpec, Number]]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
 from typing import Any, Self
 
 import numpy as np
@@ -30,21 +31,20 @@ class Columns(HtmlMixin):
     `Recording` adds the methods for users; files and figures need only this class. The constructor does not check its
     arguments, because each run calls it; `from_series` checks its arguments.
 
-    `Recording` has the methods by which a reader works with them; files and figures need no more than this.
-    The constructor trusts its arguments, since every run ends in it; `from_series` checks its own.
+    Notes, residuals and figures can be functions without arguments, which are called on first use.
     """
 
     __slots__ = (
         "_figures",
         "_index",
+        "_remarks",
+        "_residuals",
         "_time",
         "_values",
         "ambient_pressure",
         "ending",
         "inner",
         "names",
-        "remarks",
-        "residuals",
         "statistics",
         "title",
         "units",
@@ -58,10 +58,10 @@ class Columns(HtmlMixin):
         values: FloatArray,
         *,
         title: str = "",
-        notes: Iterable[Note | str] = (),
+        notes: Iterable[Note | str] | Callable[[], Iterable[Note | str]] = (),
         outcome: Note | str = "",
         statistics: Mapping[str, float] | None = None,
-        residuals: tuple[Any, ...] = (),
+        residuals: tuple[Any, ...] | Callable[[], tuple[Any, ...]] = (),
         ambient_pressure: float = 1e5,
         inner: frozenset[str] = frozenset(),
         figures: Any = None,
@@ -70,12 +70,13 @@ class Columns(HtmlMixin):
         self._time, self._values = time.view(), values.view()
         self._time.flags.writeable = self._values.flags.writeable = False
         self._index: dict[str, int] | None = None
-        self._figures = figures
+        self._figures, self._residuals = figures, residuals
+        self._remarks = notes if callable(notes) else notes_of(notes)
         self.names, self.units = names, units
-        self.title, self.remarks = title, notes_of(notes)
+        self.title = title
         self.ending = notes_of([outcome])[0] if outcome else None
         self.statistics: Mapping[str, float] = {} if statistics is None else statistics
-        self.residuals, self.ambient_pressure, self.inner = residuals, ambient_pressure, inner
+        self.ambient_pressure, self.inner = ambient_pressure, inner
 
     @classmethod
     def from_series(
@@ -155,9 +156,27 @@ class Columns(HtmlMixin):
             "figures": self.figures,
         }
 
+    def __reduce__(self) -> Any:
+        # Values instead of functions, which can contain compiled code.
+        return partial(type(self), **self.fields()), ()
+
+    @property
+    def remarks(self) -> tuple[Note, ...]:
+        """Notes as codes with facts."""
+        if callable(self._remarks):
+            self._remarks = notes_of(self._remarks())
+        return self._remarks
+
+    @property
+    def residuals(self) -> tuple[Any, ...]:
+        """Residuals of the balances of a run."""
+        if callable(self._residuals):
+            self._residuals = self._residuals()
+        return self._residuals
+
     @property
     def figures(self) -> Any:
-        """Load metrics of a run (`poppet.circuit.load_metrics.Figures`), None without loads."""
+        """Load metrics of a run (`poppet.circuit.load_metrics.LoadMetrics`), None without loads."""
         if callable(self._figures):  # evaluated on first use: most recordings do not need it
             self._figures = self._figures()
         return self._figures

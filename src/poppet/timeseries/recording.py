@@ -35,14 +35,14 @@ class Recording(Columns):
         One row per name, in its unit.
     title : str, optional
         Title of the recording.
-    notes : tuple of Note or str, optional
-        Notes for the reader.
+    notes : iterable of Note or str, or callable, optional
+        Notes for the reader, or a function that computes them on first use.
     outcome : Note or str, optional
         Termination reason of the run.
     statistics : mapping, optional
         Counts of the run.
-    residuals : tuple, optional
-        Residuals of the mass and energy balances.
+    residuals : tuple or callable, optional
+        Residuals of the mass and energy balances, or a function that computes them on first use.
     ambient_pressure : float, optional
         Absolute pressure to which gauge values refer [Pa].
     inner : frozenset of str, optional

@@ -308,13 +308,13 @@ class TestResult:
 
     def test_page_stands_alone_and_says_what_was_found(self, tmp_path):
         pytest.importorskip("matplotlib")
-        from poppet.report.bench.limits import write_limits
+        from poppet.report.bench.limits_report import write_limits
 
         page = write_limits(filled("interrupted"), tmp_path / "page.html").read_text(encoding="utf-8")
         assert page.count("<svg") == 5
         needs_nothing_else(page)
         assert "a valve: dynamic limits" in page
-        assert "It was interrupted" in page
+        assert "Interrupted: missing points are grey." in page
         assert "The solenoids limit at 1 of 3 points" in page
         with pytest.raises(InputError) as caught:
             write_limits(filled(), tmp_path / "page.pdf")
@@ -322,7 +322,7 @@ class TestResult:
 
     def test_page_without_stability(self):
         pytest.importorskip("matplotlib")
-        from poppet.report.bench.limits import limits_page
+        from poppet.report.bench.limits_report import limits_page
 
         page = limits_page(replace(filled(), stability={}))
         assert page.count("<svg") == 3
@@ -330,7 +330,7 @@ class TestResult:
 
     def test_values_of_the_maps_stand_in_tables_too(self):
         pytest.importorskip("matplotlib")
-        from poppet.report.bench.limits import limits_page
+        from poppet.report.bench.limits_report import limits_page
 
         page = limits_page(filled())
         rows = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", page)]

@@ -323,7 +323,7 @@ MISTAKES = [
         "Remove one",
     ),
     ("no kind", replaced('kind = "chamber"\n', ""), "[parts.tank]", "Use one of: reservoir"),
-    ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Give it in m"),
+    ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Specify it in m"),
     ("unknown set", replaced('data = "varga2012" ', 'data = "varga2021" '), "varga2021", "Did you mean varga2012"),
     ("unknown mode", replaced('mode = "paper" ', 'mode = "papr" '), "papr", "Did you mean paper"),
     (

@@ -56,7 +56,7 @@ def test_limits_are_the_outermost_numbers_that_python_takes(name):
         spec = specs[number.address]
         for end, way in ((number.low, -1.0), (number.high, 1.0)):
             beyond = end + way * max(2.0 * np.finfo(float).eps * abs(end), 2.0 * np.finfo(float).tiny)
-            assert not np.isfinite(end) or (spec.contains(end) and not spec.contains(beyond)), number.address
+            assert not np.isfinite(end) or (spec.holds(end) and not spec.holds(beyond)), number.address
 
 
 def test_everything_stands_in_the_order_of_the_model():

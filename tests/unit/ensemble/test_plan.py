@@ -52,12 +52,12 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
 @pytest.mark.parametrize(
     ("code", "fields"),
     [
-        ("ensemble.unknown", {"run": 5}),
+        ("fields.unknown", {"run": 5}),
         ("ensemble.count", {"runs": 1.5}),
         ("ensemble.count", {"seed": -1}),
         ("ensemble.power_of_two", {"indices": 1000}),
-        ("entry.choice", {"sampling": "halton"}),
-        ("entry.choice", {"keep": "everything"}),
+        ("fields.not_an_option", {"sampling": "halton"}),
+        ("fields.not_an_option", {"keep": "everything"}),
         ("ensemble.no_metric", {"metrics": {}}),
         ("ensemble.name", {"metrics": {"a b": METRICS["end"]}}),
         *(

@@ -557,12 +557,12 @@ def test_list_of_tests(folder):
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ('title = "bench 3"', 'titel = "bench 3"', "characteristic.unknown"),
-        ('stroke = "0.5 mm"', "", "stroke.missing.stroke"),
+        ('title = "bench 3"', 'titel = "bench 3"', "fields.unknown"),
+        ('stroke = "0.5 mm"', "", "fields.missing"),
         ('file = "a.csv"', 'file = "a.csv"\nresult = "flow.toml"', "stroke.one_way"),
         ('file = "a.csv"', "", "stroke.one_way"),
-        ("u_critical_ratio = 0.01", "", "stroke.missing_number"),
-        ("u_critical_ratio = 0.01", "u_critical = 0.01", "stroke.unknown"),
+        ("u_critical_ratio = 0.01", "", "fields.missing"),
+        ("u_critical_ratio = 0.01", "u_critical = 0.01", "fields.unknown"),
         ('circuit = "bench.toml"', "", "characteristic.free_without_circuit"),
         ('domain = ["0 mm", "1 mm"]', "domain = 1", "characteristic.no_strokes"),
         ("[[tests]]", "[[test]]", "characteristic.no_tests"),

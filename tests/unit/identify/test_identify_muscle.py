@@ -280,14 +280,14 @@ def test_a_file_names_its_columns(tmp_path):
 @pytest.mark.parametrize(
     ("change", "code", "address"),
     [
-        (('file = "map.csv"\n', ""), "force_map.missing.file", "file"),
-        (('pressure = { column = "p", unit = "bar" }\n', ""), "force_map.missing.pressure", "pressure"),
-        (('force = { column = "F", unit = "N" }\n', ""), "force_map.missing.force", "force"),
-        (('nominal_length = "300 mm"\n', ""), "force_map.missing.nominal_length", "nominal_length"),
-        (('nominal_diameter = "20 mm"\n', ""), "force_map.missing.nominal_diameter", "nominal_diameter"),
+        (('file = "map.csv"\n', ""), "fields.missing", "file"),
+        (('pressure = { column = "p", unit = "bar" }\n', ""), "fields.missing", "pressure"),
+        (('force = { column = "F", unit = "N" }\n', ""), "fields.missing", "force"),
+        (('nominal_length = "300 mm"\n', ""), "fields.missing", "nominal_length"),
+        (('nominal_diameter = "20 mm"\n', ""), "fields.missing", "nominal_diameter"),
         (('length = { column = "L", unit = "mm" }\n', ""), "force_map.contraction_or_length", "contraction"),
-        (("nominal_length", "nominal_lengths"), "force_map.unknown", "nominal_lengths"),
-        (('column = "F", ', ""), "force_map.missing.column", "force.column"),
+        (("nominal_length", "nominal_lengths"), "fields.unknown", "nominal_lengths"),
+        (('column = "F", ', ""), "fields.missing", "force.column"),
     ],
 )
 def test_mistakes_of_a_file(tmp_path, change, code, address):

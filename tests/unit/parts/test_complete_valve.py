@@ -90,10 +90,10 @@ def test_mistakes_of_all_members_come_at_once():
             pilot={"volume": -1.0, "volmue": 1.0}, electronics={"inner": {"sample_time": 0.0}}, main_stage={"mode": "x"}
         )
     text = str(caught.value)
-    assert "pilot.volmue is not a field of this part. Did you mean volume?" in text
+    assert "pilot.volmue is not a valid field. Did you mean volume?" in text
     assert "pilot.volume = -1 m^3 is out of range" in text
     assert "electronics.inner.sample_time = 0 s is out of range" in text
-    assert "main_stage.mode is not a field of this part" in text
+    assert "main_stage.mode is not a valid field" in text
 
 
 def test_a_missing_port_is_one_mistake():
@@ -558,13 +558,13 @@ def test_parts_are_frozen():
         valve().preset = "fast"  # type: ignore[misc]
 
 
-def test_documents_say_how_many_numbers_are_assumed():
+def test_pages_state_the_count_of_assumed_parameters():
     from pathlib import Path
 
     numbers = valve().numbers().values()
     assumed = sum(number.source.kind == "assumed" for number in numbers)
     root = Path(__file__).parents[3]
-    for page, words in (("README.md", "{} of its {} numbers"), ("docs/valve.md", "{} of {} are assumed")):
+    for page, words in (("README.md", "{} of its {} parameters"), ("docs/valve.md", "{} of its {} parameters")):
         assert words.format(assumed, len(numbers)) in (root / page).read_text(encoding="utf-8"), page
 
 

@@ -43,7 +43,7 @@ def rows_table(of: Parity, *, is_long: bool = False) -> Table:
             (row[0], *more, *row[1:])
             for row, more in zip(rows, [(f"the reference, {of.steps} steps", None), *about], strict=True)
         ]
-    return Table("parity", "", tuple(columns), tuple(rows))
+    return Table(columns, rows, name="parity")
 
 
 def outputs_table(of: Parity) -> Table:
@@ -52,7 +52,7 @@ def outputs_table(of: Parity) -> Table:
     names = list(dict.fromkeys([*of.sizes, *(name for row in ran for name in row.differences)]))
     columns = Column("output"), Column("size", ".4g"), *(Column(row.name, ".1e") for row in ran)
     rows = tuple((name, of.sizes.get(name), *(row.differences.get(name) for row in ran)) for name in names)
-    return Table("outputs", "", columns, rows)
+    return Table(columns, rows, name="outputs")
 
 
 def not_run(of: Parity) -> list[str]:

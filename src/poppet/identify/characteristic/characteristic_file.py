@@ -11,7 +11,7 @@ from typing import Any
 from poppet.circuit.circuit import Circuit
 from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
 from poppet.core.files import by_suffix, write_whole
-from poppet.core.tables import Field, read_fields
+from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml import toml_text
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import quantity
@@ -37,15 +37,15 @@ OPTIONS = (
 )  # fmt: skip
 TOP_LEVEL = {
     **dict.fromkeys(("title", "circuit", "passage", "tests", *OPTIONS), Field()),
-    **dict.fromkeys(("recording", "set", "free"), Field(is_table=True)),
+    **dict.fromkeys(("recording", "set", "free"), Field(type="table")),
 }
 WAYS = ("file", "result", "sonic_conductance")
 """Fields of which a test has one: they say where its C and b come from."""
 _POINT = {f"{u}{name}": Field(unit=unit) for u in ("", "u_") for name, unit in UNITS.items()}
 OF_TEST = {
     **dict.fromkeys(("name", "result", "part", "file"), Field()),
-    **dict.fromkeys(("set", "recording"), Field(is_table=True)),
-    "stroke": Field(is_required=True, unit="m"),
+    **dict.fromkeys(("set", "recording"), Field(type="table")),
+    "stroke": Field(is_required=True, unit="m", example='stroke = "0.5 mm"'),
     **_POINT,
     "correlation": Field(unit="1"),
 }
@@ -182,7 +182,7 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
 
 def _read(file: TomlFile) -> tuple[list[StrokeTest], dict[str, Any]]:
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, "characteristic")
+        data = read_fields(errors, file.content, TOP_LEVEL, table="list of tests")
         tables = data.get("tests")
         if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
             errors.add("characteristic.no_tests")
@@ -223,14 +223,14 @@ def _options(data: Mapping[str, Any], bench: _Bench) -> dict[str, Any]:
 def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
     place = f"tests.{name}"
     with ErrorCollector() as errors:
-        own = read_fields(errors, table, OF_TEST, "stroke", place)
+        own = read_fields(errors, table, OF_TEST, place, table="test")
         ways = [way for way in WAYS if way in table]
         if len(ways) != 1:
             errors.add("stroke.one_way", test=name, ways=ways or ["nothing"])
         # A misspelt field is one mistake, not two.
         if ways == ["sonic_conductance"] and not errors.collected:
             for key in _POINT.keys() - table.keys():
-                errors.add("stroke.missing_number", test=name, key=key)
+                errors.extend([missing_field(f"{place}.{key}", OF_TEST[key])])
     if "file" in own:
         return _recorded(own, bench, name)
     if "result" in own:

@@ -45,10 +45,9 @@ from poppet.identify.characteristic.stroke_tests import (
     name_of,
     seen,
 )
-from poppet.identify.claims import upheld
 from poppet.identify.file_argument import or_file
 from poppet.identify.gum import few_runs_probability
-from poppet.identify.result import Estimate, ResidualSummary, Result, judged
+from poppet.identify.result import Estimate, ResidualSummary, Result, judged, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray as Array
 
 Form = Literal["polynomial", "spline"]
@@ -207,7 +206,7 @@ def identify_characteristic(
         parameters=estimates,
         residuals=_residuals(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
-        remarks=(*upheld(said, estimates), *notes_of(notes)),
+        remarks=(*replace_uncertain_findings(said, estimates), *notes_of(notes)),
         conditions=_conditions(choice, fit, evidence, fit is not by_test, common, bootstrap),
         series=_series(fit, evidence, choice, bands),
     )

@@ -14,8 +14,8 @@ from poppet.circuit.circuit import Circuit
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.fit_file import is_same
 from poppet.identify.fit.fit_findings import residual_findings, widening_of
+from poppet.identify.fit.fit_plan import is_same
 from poppet.identify.fit.search import Optimum, optimise
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result

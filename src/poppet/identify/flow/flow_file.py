@@ -25,7 +25,10 @@ LAW = {
 }
 TOP_LEVEL = {
     **shared.TOP_LEVEL,
-    **dict.fromkeys(CHANNELS, Field(is_table=True)),
+    **{
+        name: Field(type="table", is_required=True, example=f'{name} = {{ column = "...", unit = "..." }}')
+        for name in CHANNELS
+    },
     "ambient_pressure_uncertainty": Field(unit="Pa", kind="pressure_difference"),
     **LAW,
 }
@@ -99,10 +102,7 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
 
 def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, "flow")
-        for channel in CHANNELS:
-            if channel not in file.content:
-                errors.add("flow.missing_channel", channel)
+        data = read_fields(errors, file.content, TOP_LEVEL, table="flow bench file")
     ambient = shared.ambient_of(data)
     table = shared.table_of(file.folder, data["file"], data)
     columns: dict[str, Any] = {}
@@ -143,7 +143,7 @@ def _own(errors: ErrorCollector, channel: str, given: Mapping[str, Any], ambient
     }
     if ("column" in given) == ("value" in given):
         errors.add("flow.column_or_value", channel)
-    return read_fields(errors, given, fields, "flow.channel", channel, ambient_pressure=ambient)
+    return read_fields(errors, given, fields, channel, table="channel", ambient_pressure=ambient)
 
 
 def _column(channel: str, own: Mapping[str, Any], table: Table, ambient: float, notes: list[Note]) -> Any:

@@ -11,7 +11,6 @@ import numpy as np
 
 from poppet.core.codes import notes_of
 from poppet.core.errors import ErrorCollector, InputError
-from poppet.identify.claims import upheld
 from poppet.identify.file_argument import or_file
 from poppet.identify.flow.flow_file import read_flow_file
 from poppet.identify.flow.flow_findings import findings, suspicions
@@ -35,7 +34,7 @@ from poppet.identify.gum import (
     few_runs_probability,
     leave_one_out,
 )
-from poppet.identify.result import ResidualSummary, Result, Verdict
+from poppet.identify.result import ResidualSummary, Result, Verdict, replace_uncertain_findings
 from poppet.laws.iso6358.domain import DOMAINS, problem
 
 
@@ -130,7 +129,7 @@ def identify_flow(
     tests, influence = _tests(used), _influence(used)
     doubts = suspicions(fit, estimates, tests, other)
     found = doubts + findings(used, estimates, tests, influence, choked is not None)
-    remarks = upheld(found, estimates) + notes_of(notes)
+    remarks = replace_uncertain_findings(found, estimates) + notes_of(notes)
     if doubts:  # however narrow the intervals are
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}

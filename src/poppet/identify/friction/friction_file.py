@@ -13,7 +13,7 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError
-from poppet.core.tables import Field, read_fields
+from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind, quantity
 from poppet.identify import columns as shared
@@ -29,7 +29,7 @@ COLUMNS = ("time", *MOVED, "force", "torque", *PRESSURES)
 TOP_LEVEL = {
     **shared.TOP_LEVEL,
     **dict.fromkeys(("cylinder", "law", "within"), Field()),
-    **dict.fromkeys(COLUMNS, Field(is_table=True)),
+    **dict.fromkeys(COLUMNS, Field(type="table")),
     **dict.fromkeys(("bore", "rod_diameter", "pulley_radius"), Field(unit="m")),
     "area": Field(unit="m^2"),
     "direction": Field(unit="1"),
@@ -38,6 +38,10 @@ TOP_LEVEL = {
     "offset": Field(),
     **dict.fromkeys(("smoothing", "skip", "until"), Field(unit="s")),
 }
+_FORCE = Field(
+    meaning="force or torque",
+    example='force = { column = "F", unit = "N" }, or torque = { column = "M", unit = "N m" }',
+)
 CHANNEL_FIELDS = ("column", "value", "unit", "uncertainty")
 OPTIONS = ("smoothing", "mass", "inertia", "pulley_radius")
 
@@ -98,7 +102,7 @@ def _read(file: TomlFile) -> tuple[list[FrictionRecord], dict[str, Any]]:
     coordinate = TURNING if "torque" in content else ON_LINE
     with ErrorCollector() as errors:
         offset = {"offset": Field(unit=coordinate.effort_unit, choices=("free",))}
-        data = read_fields(errors, content, TOP_LEVEL | offset, "friction")
+        data = read_fields(errors, content, TOP_LEVEL | offset, table="friction file")
         _check_body(errors, content, coordinate)
         if "velocity" not in data and not {"position", "time"} <= data.keys():
             errors.add("friction.no_velocity", "velocity")
@@ -133,7 +137,7 @@ def _check_body(errors: ErrorCollector, content: Mapping[str, Any], own: Coordin
         errors.add("friction.force_and_torque", "torque")
     unknown = [name for name in content if name not in TOP_LEVEL]
     if own.effort not in content and not get_close_matches("force", unknown, n=1):
-        errors.add("friction.missing.force", "force")
+        errors.extend([missing_field("force", _FORCE)])
     other = ON_LINE if own is TURNING else TURNING
     for name in (other.inertia, *["pulley_radius"] * (own is ON_LINE)):
         if name in content:
@@ -173,7 +177,7 @@ def _own(
         fields["value"] = Field()
     if channel == coordinate.effort:
         fields["uncertainty"] = Field(unit=coordinate.effort_unit)
-    own = read_fields(errors, given, fields, "friction.channel", channel)
+    own = read_fields(errors, given, fields, channel, table="channel")
     if ("column" in given) == ("value" in given):
         errors.add("friction.column_or_value" if channel in PRESSURES else "friction.no_column", channel)
     if "unit" in own:

@@ -70,7 +70,13 @@ class FrictionRecord:
                 arrays[name] = np.full(force.shape, float(array)) if array.ndim == 0 else array
         with ErrorCollector() as errors:
             if self.body not in COORDINATES:
-                errors.add("entry.choice", "body", value=self.body, near=NameSuggestion(self.body, COORDINATES))
+                errors.add(
+                    "fields.not_an_option",
+                    "body",
+                    value=self.body,
+                    meaning="body",
+                    near=NameSuggestion(self.body, COORDINATES),
+                )
             for name, array in arrays.items():
                 if array.shape != force.shape:
                     errors.add("friction.shape", name, shape=str(array.shape), points=force.size)

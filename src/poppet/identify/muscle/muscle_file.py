@@ -28,8 +28,11 @@ COLUMNS: dict[str, tuple[str, Kind]] = {
 TOP_LEVEL = {
     **shared.TOP_LEVEL,
     "law": Field(),
-    **dict.fromkeys(("pressure", "force"), Field(is_table=True, is_required=True)),
-    **dict.fromkeys(("contraction", "length", "time"), Field(is_table=True)),
+    **{
+        name: Field(type="table", is_required=True, example=f'{name} = {{ column = "...", unit = "..." }}')
+        for name in ("pressure", "force")
+    },
+    **dict.fromkeys(("contraction", "length", "time"), Field(type="table")),
     **dict.fromkeys(("nominal_length", "nominal_diameter"), Field(unit="m", is_required=True)),
     "slack_below": Field(unit="N"),
 }
@@ -86,7 +89,7 @@ def read_muscle_file(path: str | Path) -> tuple[MusclePoints, dict[str, Any]]:
 
 def _read(file: TomlFile) -> tuple[MusclePoints, dict[str, Any]]:
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, "force_map")
+        data = read_fields(errors, file.content, TOP_LEVEL, table="force map file")
         if ("contraction" in file.content) == ("length" in file.content):
             errors.add("force_map.contraction_or_length", "contraction")
     ambient = shared.ambient_of(data)
@@ -113,6 +116,8 @@ def _column(channel: str, given: Mapping[str, Any], table: Table, ambient: float
     """Readings in SI, pressures gauge."""
     unit, kind = COLUMNS[channel]
     with ErrorCollector() as errors:
-        own = read_fields(errors, given, {"column": Field(is_required=True), "unit": Field()}, "force_map", channel)
+        own = read_fields(
+            errors, given, {"column": Field(is_required=True, example='column = "F"'), "unit": Field()}, channel
+        )
     values, _, _ = shared.column(channel, own, table, unit, kind, ambient)
     return values - ambient if kind == "pressure" else values

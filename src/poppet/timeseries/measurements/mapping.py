@@ -13,11 +13,12 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError, collect
 from poppet.core.units import Kind, check_unit, convert, quantity, same_dimension, sizes_of, with_state
-from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.checks import FloatArray, split_heading
 from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, Samples, from_first, ordered
 from poppet.timeseries.measurements.measurement import Channel, InputChannel, Measurement
 from poppet.timeseries.measurements.noise import quantum_of
 from poppet.timeseries.measurements.verdicts import heading_verdicts, verdicts
+from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.reading import Table, read_table
 
 _OF_FILE = ("file", "group", "time", "separator", "header_rows", "decimal")
@@ -38,16 +39,23 @@ _SI_BY_ENDING = {
     "velocity": "m/s",
     "force": "N",
 }
-_DIFFERENCE: dict[str, Kind] = {"Pa": "pressure_difference", "K": "temperature_difference", "kg/s": "mass_flow"}
+DIFFERENCE_KINDS: dict[str, Kind] = {"Pa": "pressure_difference", "K": "temperature_difference", "kg/s": "mass_flow"}
 _T = TypeVar("_T")
 
 
 def read_measurement(
-    name: str, table: Mapping[str, Any], folder: Path, *, ambient_pressure: float, other_fields: Sequence[str] = ()
+    name: str,
+    table: Mapping[str, Any],
+    folder: Path,
+    *,
+    ambient_pressure: float,
+    other_fields: Sequence[str] = (),
+    source: Table | None = None,
 ) -> Measurement:
     """Read a `[recordings.NAME]` table and its files.
 
-    `other_fields` are the other valid fields of the table, for suggestions if a field is misspelt.
+    `other_fields` are the other valid fields of the table, for suggestions if a field is misspelt. `source` has the
+    columns of channels and inputs without a file.
 
     Notes
     -----
@@ -65,7 +73,7 @@ def read_measurement(
     >>> read.duration, float(read.channels[0].values[0]), read.channels[0].noise
     (0.17, 680000.0, 2000.0)
     """
-    return _Reader(name, table, folder, other_fields).measurement(ambient_pressure)
+    return _Reader(name, table, folder, other_fields, source).measurement(ambient_pressure)
 
 
 @dataclass(frozen=True)
@@ -89,8 +97,10 @@ class _Column:
 class _Reader:
     """Reader of one table. It continues after an error and reports all errors together."""
 
-    def __init__(self, name: str, table: Mapping[str, Any], folder: Path, other_fields: Sequence[str]) -> None:
-        self.name, self.table, self.folder, self.other_fields = name, table, folder, other_fields
+    def __init__(
+        self, name: str, table: Mapping[str, Any], folder: Path, other_fields: Sequence[str], source: Table | None
+    ) -> None:
+        self.name, self.table, self.folder, self.other_fields, self.source = name, table, folder, other_fields, source
         self.location = f"recordings.{name}"
         self.errors = ErrorCollector()
         self.notes: dict[Note, None] = {}
@@ -119,6 +129,28 @@ class _Reader:
             tuple(self.notes),
             (*self.findings, *verdicts(read, driving, self.ambient, gauge)),
             max(float(channel.time[-1]) for channel in read),
+        )
+
+    def recording(self, ambient_pressure: str | float, title: str) -> Recording:
+        """Return the channels over their common time base; missing samples are NaN."""
+        self.location = "columns"
+        self._check_keys()
+        self.table = {**self.table, "ambient_pressure": ambient_pressure}
+        self.ambient = self._ambient(1e5)
+        columns = self._columns(self.table, _OF_CHANNEL, self.location)
+        self._refuse_all()
+        base = np.unique(np.concatenate([column.samples.time for column in columns]))
+        values = np.full((len(columns), base.size), np.nan)
+        for row, column in zip(values, columns, strict=True):
+            row[np.searchsorted(base, column.samples.time)] = column.samples.values
+        return Recording(
+            base,
+            tuple(column.address for column in columns),
+            tuple(column.unit for column in columns),
+            values,
+            title=title,
+            notes=(*self.findings, *(self.source.notes if self.source else ()), *self.notes),
+            ambient_pressure=self.ambient,
         )
 
     def _refuse_all(self) -> None:
@@ -242,6 +274,8 @@ class _Reader:
 
     def _file(self, fields: Mapping[str, Any], location: str) -> Table | None:
         name = fields.get("file")
+        if name is None and self.source is not None:
+            return self.source
         if not isinstance(name, str):
             self.errors.add("measured.no_file", f"{location}.file")
             return None
@@ -312,7 +346,7 @@ class _Reader:
         location, raw = f"{column.location}.{key}", column.fields.get(key)
         if raw is None:
             return None
-        kind = _DIFFERENCE.get(column.unit, "plain")
+        kind = DIFFERENCE_KINDS.get(column.unit, "plain")
         value = self._attempt(location, lambda: quantity(raw, column.unit, kind=kind, name=location).value)
         if value is not None and value <= 0.0:
             self.errors.add("measured.noise", location, value=raw)
@@ -332,6 +366,76 @@ class _Reader:
             time, values = np.append(time[0] - _INSTANT, time), np.append(first, values)
         self._refuse_slips(column, time, values)
         return InputChannel(column.address, time, values, column.unit, column.delay, column.lag, hold is True)
+
+
+def read_recording(
+    path: str | Path,
+    *,
+    time: str | int | Mapping[str, str] | None = None,
+    columns: Mapping[str, str | int | Mapping[str, str]] | None = None,
+    ambient_pressure: str | float = "1 bar",
+    title: str | None = None,
+    **options: Any,
+) -> Recording:
+    r"""Read a measured file as a recording in SI units, pressures absolute.
+
+    Parameters
+    ----------
+    path : str or Path
+        Table: `.csv`, `.txt`, `.tsv`, `.dat`, `.asc`, `.lvm`, `.log`, `.tdms`, `.mf4`, `.mdf`, `.mat` or `.parquet`.
+    time : str, int or mapping, optional
+        Column of the time with its unit, ``"t [ms]"``; its index; or a table with `column` and `unit`. Default: the
+        column `time`. A time without a unit is in seconds.
+    columns : mapping, optional
+        Address to column with its unit, ``{"tank.pressure": "p_tank [bar g]"}``, or to a table with `column` and
+        `unit`. The default is all columns whose headings are addresses. The unit in the heading of the file is used
+        if none is given here.
+    ambient_pressure : str or float, optional
+        Absolute pressure to which gauge values refer [Pa].
+    title : str, optional
+        Title of the recording; default the name of the file.
+    **options
+        Options of the file: `separator`, `decimal`, `header_rows` of a text, `group` of a TDMS or MDF file.
+
+    Returns
+    -------
+    Recording
+        Series in SI units. An empty cell is NaN.
+
+    Raises
+    ------
+    InputErrors
+        If the file cannot be read, or a column or a unit is unknown.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> import poppet
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     text = "t_ms,p\n" + "".join(f"{10 * k},{6.0 - 0.1 * k}\n" for k in range(20))
+    ...     _ = (Path(folder) / "bench.csv").write_text(text)
+    ...     recording = poppet.read(
+    ...         Path(folder) / "bench.csv", time="t_ms [ms]", columns={"tank.pressure": "p [bar g]"}
+    ...     )
+    >>> float(recording.time[-1]), float(recording["tank.pressure"][0])
+    (0.19, 700000.0)
+    """
+    path = Path(path)
+    source = read_table(path, **options)
+    if columns is None:
+        columns = {name: name for name in source.names if "." in name}
+    fields = {address: _column_fields(column, source) for address, column in columns.items()}
+    clock = {} if time is None else {"time": _column_fields(time, source)}
+    reader = _Reader("columns", {**clock, **fields}, path.parent, (), source)
+    return reader.recording(ambient_pressure, path.stem if title is None else title)
+
+
+def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapping[str, Any]:
+    """Return the table of a column: `p [bar g]` is the column `p` in gauge pressure."""
+    if not isinstance(column, str) or column in source.names:
+        return column if isinstance(column, Mapping) else {"column": column}
+    name, unit = split_heading(column)
+    return {"column": name, "unit": unit} if unit else {"column": name}
 
 
 def _si_unit(address: str, written: str) -> str:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.core.errors import InputError, NameSuggestion
-from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.fit_series import first_value, recursion
 from poppet.identify.result import ResidualSummary, Result
 from poppet.timeseries.checks import FloatArray

@@ -1,8 +1,7 @@
-"""Tests that could be made, for a terminal and as a page: which to make, and what each would tell."""
+"""Report of an experiment design: recommended tests and expected confidence intervals."""
 
 from __future__ import annotations
 
-import html
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -10,68 +9,70 @@ from typing import TYPE_CHECKING
 from poppet.core.message_format import sentence
 from poppet.core.number_format import pretty, readable_unit, scaled
 from poppet.identify import Design, Prediction
-from poppet.report.html_page import document, findings, head, picture, write_page
+from poppet.report.html_page import Section, document, findings, head, items, picture, write_page
 from poppet.report.identification.identification_figures import VERDICT_COLOURS
-from poppet.report.tables import Column, Table
+from poppet.report.tables import Column, Table, numeric
 from poppet.timeseries.plotting.figures import axes_in, new_figure, style, widest
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SHOWN = 12
-"""Candidates that a terminal and a picture show."""
+MAX_CANDIDATES = 12
+"""Maximum number of candidates in a terminal and in the figure."""
 _ROW = 0.27
 
 
 def write_design(design: Design, path: str | Path) -> Path:
-    """Write a design as one page that needs nothing else."""
+    """Write the report of a design as a self-contained page."""
     return write_page(path, lambda: design_page(design))
 
 
 def design_page(design: Design) -> str:
-    """The page as text."""
+    """Return the report of a design as HTML."""
+    lead, caption, explanation, reference = (
+        sentence(f"identification.design.{key}", {}) for key in ("lead", "caption", "explained", "reference")
+    )
     with style("A page of tests that could be made"):
-        chosen = "".join(f"<li>{html.escape(name)}</li>\n" for name in design.chosen)
         sections = [
-            ("", head(design.title, _said("lead"))),
-            ("Make", f"<ol>\n{chosen}</ol>\n{_together(design).html()}" + findings(design.remarks)),
-            (
-                "What each test alone would tell",
-                picture(error_figure(design), "errors", _said("caption"), is_still=True),
-            ),
-            ("All tests", _ranking(design, len(design.tests)).html()),
-            ("How to read this page", f"<p>{_said('explained')}</p>\n"),
-            ("Sources", f"<ul><li>{_said('reference')}</li></ul>\n"),
+            Section("", head(design.title, lead)),
+            Section("Recommended tests", [items(design.chosen, "ol"), _joint_table(design), findings(design.remarks)]),
+            Section("Candidates, each alone", picture(error_figure(design), "errors", caption, is_still=True)),
+            Section("All candidates", _candidate_table(design, len(design.tests))),
+            Section("Explanation", f"<p>{explanation}</p>\n"),
+            Section("Sources", items([reference])),
         ]
     return document(design.title, sections)
 
 
 def design_text(design: Design) -> str:
-    """What a person reads in a terminal."""
-    left = len(design.tests) - SHOWN
+    """Return a design as text for a terminal."""
+    n_omitted = len(design.tests) - MAX_CANDIDATES
     lines = [design.title, "Make:", *(f"  {k}. {name}" for k, name in enumerate(design.chosen, start=1)), ""]
-    lines += [_together(design).text(), "", _ranking(design, SHOWN).text()]
-    lines += [f"  ({left} more: the page and the result file)"] if left > 0 else []
+    lines += [_joint_table(design).text(), "", _candidate_table(design, MAX_CANDIDATES).text()]
+    lines += [f"  ({n_omitted} more: the page and the result file)"] if n_omitted > 0 else []
     return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks)])
 
 
-def _together(design: Design) -> Table:
-    """Numbers after the chosen tests."""
-    columns = Column("number"), Column("about", ".4g"), Column("unit"), Column("+/- 95 %", ".2g"), Column("verdict")
+def _joint_table(design: Design) -> Table:
+    """Return the expected intervals after all recommended tests."""
     rows = []
     for name, p in design.together.items():
         unit = readable_unit(p.unit, p.value)
         half = scaled(p.value + p.half, p.unit, unit) - scaled(p.value, p.unit, unit)
         rows.append((name, scaled(p.value, p.unit, unit), "" if unit == "1" else unit, half, p.verdict))
-    return Table("together", "After these tests, if the circuit is right", columns, tuple(rows))
+    columns = "parameter", Column("about", ".4g"), "unit", Column("+/- 95 %", ".2g"), "verdict"
+    return Table(columns, rows, "After these tests, if the circuit is correct")
 
 
-def _ranking(design: Design, most: int) -> Table:
-    """The best candidates alone: half of each 95 % interval in per cent of the number."""
+def _candidate_table(design: Design, n_max: int) -> Table:
+    """Return half of the relative 95 % intervals after each of the best candidates alone."""
     names = next(iter(design.tests.values())).keys()
-    columns = Column("test"), *(Column(f"{name} [%]", ".2g") for name in names)
     rows = [(test, *(_percent(row[name]) for name in names)) for test, row in design.tests.items()]
-    return Table("tests", "Each test alone, +/- 95 % of the number", columns, tuple(rows[:most]))
+    return Table(
+        ("test", *numeric(*(f"{name} [%]" for name in names), digits=".2g")),
+        rows[:n_max],
+        "Each test alone, +/- 95 % of the parameter",
+    )
 
 
 def _percent(p: Prediction) -> float:
@@ -79,15 +80,15 @@ def _percent(p: Prediction) -> float:
 
 
 def error_figure(design: Design) -> Figure:
-    """Half of each 95 % interval over the number, a row for each of the best candidates, a panel for each number."""
-    tests = dict(list(design.tests.items())[:SHOWN])
+    """Draw the relative 95 % intervals of the best candidates, one panel per parameter."""
+    tests = dict(list(design.tests.items())[:MAX_CANDIDATES])
     names = list(next(iter(tests.values())))
     left, width, gap = 0.3 + widest([*tests], 8.0), 1.75, 0.2
     figure = new_figure(left + len(names) * (width + gap) + 0.2, 0.85 + _ROW * len(tests))
     for k, name in enumerate(names):
         axes = axes_in(figure, left + k * (width + gap), 0.35, width, _ROW * len(tests))
-        for row, (test, found) in enumerate(tests.items()):
-            p = found[name]
+        for row, (test, predictions) in enumerate(tests.items()):
+            p = predictions[name]
             colour = VERDICT_COLOURS[p.verdict]
             ends = [_percent(p), 100.0 * p.half_at_most / (abs(p.value) or 1.0)]
             axes.plot(ends, [row, row], color=colour, linewidth=3, alpha=0.35, solid_capstyle="butt")
@@ -107,7 +108,3 @@ def error_figure(design: Design) -> Figure:
         axes.set_title(name, fontsize=8, parse_math=False)
         axes.set_xlabel(pretty("± % of it"), fontsize=8)
     return figure
-
-
-def _said(code: str) -> str:
-    return sentence(f"identification.design.{code}", {})
