@@ -208,6 +208,13 @@ def test_python_example_runs(capsys):
     assert "highest pressure" in capsys.readouterr().out
 
 
+def test_fit_example_runs(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    runpy.run_path(str(ROOT / "examples" / "fit_circuit.py"))
+    assert "95 % confidence interval" in capsys.readouterr().out
+    assert (tmp_path / "fit_result.toml").exists()
+
+
 def test_make_targets_exist():
     """Every `make ...` that a page names is a target."""
     targets = set(re.findall(r"^([a-z-]+):", (ROOT / "Makefile").read_text(encoding="utf-8"), re.MULTILINE))

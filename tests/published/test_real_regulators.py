@@ -19,7 +19,7 @@ import pytest
 
 from poppet import load
 from poppet.identify import Result, Score, baselines, identify_fit, read_fit_file
-from poppet.identify.baselines import ARX, FIRST_ORDER, GREY_BOX
+from poppet.identify.baseline_models import ARX, FIRST_ORDER, GREY_BOX
 from poppet.signals import Constant
 
 ROOT = Path(__file__).resolve().parents[2]

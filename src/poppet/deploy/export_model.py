@@ -160,7 +160,7 @@ def _numbers(circuit: Circuit, instance: Instance, problem: Problem) -> tuple[Ex
             fixed = "tied" if _is_tied(circuit, address, value, spec) else ""
         low, high = max(spec.ends[0], _beside(spec.above, 1.0)), min(spec.ends[1], _beside(spec.below, -1.0))
         unit, shown = (number.unit, number.display()) if number else (spec.unit, "")
-        found.append(ExportParameter(address, own[k], unit, value, low, high, spec.doc, shown, fixed))
+        found.append(ExportParameter(address, own[k], unit, value, low, high, spec.meaning, shown, fixed))
     return tuple(found)
 
 
@@ -200,9 +200,9 @@ def _inputs(instance: Instance, problem: Problem) -> tuple[ExportInput, ...]:
 
 def without_signals(of: ExportModel) -> ExportModel:
     """The same with inputs that are held where they begin, for targets whose host drives them."""
-    from poppet.engine.problem import held_coefficients
+    from poppet.engine.problem import constant_coefficients
 
     u = np.array([item.value for item in of.inputs])
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
-    problem = replace(of.problem, starts=start, courses=course, coefficients=held_coefficients(u), jumps=jump)
+    problem = replace(of.problem, starts=start, courses=course, coefficients=constant_coefficients(u), jumps=jump)
     return replace(of, problem=problem)

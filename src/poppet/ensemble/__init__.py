@@ -1,5 +1,8 @@
 """Ensembles: runs of a circuit with uncertain parameters."""
 
+import warnings
+from typing import Any
+
 from poppet.ensemble.bands import Bands
 from poppet.ensemble.ensemble_plan import EnsemblePlan
 from poppet.ensemble.ensemble_result import Ensemble, plan_of, run_ensemble, run_plan
@@ -23,3 +26,15 @@ __all__ = [
     "run_plan",
     "size",
 ]
+
+_OLD_NAMES = {"Plan": EnsemblePlan, "Index": SobolIndex, "Range": TornadoRange, "Case": WorstCase}
+"""Old names, which work until version 1.0."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _OLD_NAMES:
+        raise AttributeError(f"module 'poppet.ensemble' has no attribute {name!r}")
+    renamed = _OLD_NAMES[name]
+    message = f"poppet.ensemble.{name} is now called {renamed.__name__}."
+    warnings.warn(message, DeprecationWarning, stacklevel=2)
+    return renamed

@@ -44,7 +44,7 @@ class Bands:
 
     curves: tuple[str, ...]
     time: Array  # (n_times,) [s]
-    band_edges: Array  # (n_curves, n_times, 2)
+    edges: Array  # (n_curves, n_times, 2)
     counts: NDArray[np.int64]  # (n_curves, n_times, BINS + 2); the first and the last count values outside the bins
 
     @staticmethod

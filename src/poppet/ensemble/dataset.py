@@ -171,7 +171,9 @@ class Dataset:
             table = table_in(path, columns)
             yield {name: table[name].to_numpy() for name in table.column_names}
 
-    def columns(self, kind: str, columns: list[str] | None = None, max_rows: int | None = None) -> dict[str, NDArray[Any]]:
+    def columns(
+        self, kind: str, columns: list[str] | None = None, max_rows: int | None = None
+    ) -> dict[str, NDArray[Any]]:
         """Return the columns of all shards, or of the first `max_rows` runs."""
         parts: list[dict[str, NDArray[Any]]] = []
         count = 0

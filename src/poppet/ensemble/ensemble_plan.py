@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient, GasChoice
+from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.tables import Field, read_fields
 from poppet.ensemble.distributions import MAX_INVALID_PROBABILITY, Distribution, read_distribution
@@ -46,7 +47,8 @@ FIELDS = {
     "keep": Field(choices=STORED, meaning="stored data"),
     "curves": Field(meaning="addresses of the outputs whose bands or curves are stored"),
     "indices": Field(meaning="base sample size of the Sobol indices"),
-    "numbers": Field(type="table"),
+    "parameters": Field(type="table"),
+    "numbers": Field(type="table"),  # old name of `parameters`
     "metrics": Field(type="table"),
 }
 """Fields of the table `ensemble`."""
@@ -83,6 +85,7 @@ class EnsemblePlan:
     keep: str = "metrics"
     curves: tuple[str, ...] = ()  # addresses of the outputs with stored bands or curves
     indices: int = 0  # base sample size of Sobol indices, 0 for none
+    notes: tuple[Note, ...] = ()  # on the tables
 
     @cached_property
     def addresses(self) -> tuple[str, ...]:
@@ -173,10 +176,11 @@ def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) 
             curves = tuple(dict.fromkeys(metric.of[0] for metric in metrics.values()))
         if not metrics and not curves:
             errors.add("ensemble.no_metric", "ensemble.metrics")
+    notes = (Note("ensemble.old_numbers", "ensemble.numbers"),) if "numbers" in read else ()
     plan = EnsemblePlan(
         circuit, counts.get("runs", 0), counts.get("seed", 0), numbers.sampling, numbers.alone, numbers.joint,
         numbers.normal, numbers.table, counts.get("levels", LEVELS), tuple(metrics.values()), tuple(required), keep,
-        curves if keep != "metrics" else (), counts.get("indices", 0),
+        curves if keep != "metrics" else (), counts.get("indices", 0), notes,
     )  # fmt: skip
     return _with_run_count(plan, counts)
 
@@ -272,6 +276,10 @@ class _ParameterReader:
 
     def __init__(self, errors: ErrorCollector, circuit: Circuit, read: Mapping[str, Any], folder: Path) -> None:
         self.circuit, self.folder, self.ambient = circuit, folder, circuit.surroundings.pressure
+        key = "numbers" if "numbers" in read and "parameters" not in read else "parameters"
+        self.address = f"ensemble.{key}"
+        if {"numbers", "parameters"} <= read.keys():
+            errors.add("ensemble.numbers_and_parameters", "ensemble.numbers")
         # An invalid method is reported elsewhere.
         self.sampling = read.get("sampling", "random")
         self.specs = varied_specs(circuit)
@@ -280,22 +288,22 @@ class _ParameterReader:
         self.joint: tuple[str, ...] = ()
         self.normal: JointNormal | None = None
         self.table: tuple[tuple[str, ...], Array] | None = None
-        numbers = dict(read.get("numbers", {}))
+        parameters = dict(read.get(key, {}))
         if self.sampling == "file":
             with errors.collecting():
-                self._of_file(errors, read, numbers)
+                self._of_file(errors, read, parameters)
             return
         if "file" in read:
             errors.add("ensemble.not_of_file", "ensemble.file", sampling=self.sampling)
-        fit = numbers.pop("from_fit", None)
-        if not numbers and fit is None:
-            errors.add("ensemble.no_numbers", "ensemble.numbers")
-        for address, raw in numbers.items():
+        fit = parameters.pop("from_fit", None)
+        if not parameters and fit is None:
+            errors.add("ensemble.no_numbers", self.address)
+        for address, raw in parameters.items():
             with errors.collecting():
                 self.alone[address] = self._one(address, raw)
         if fit is not None:
             with errors.collecting():
-                self._of_fit(errors, fit, numbers)
+                self._of_fit(errors, fit, parameters)
 
     def _spec(self, address: str, location: str) -> NumberSpec:
         if address not in self.specs:
@@ -305,13 +313,13 @@ class _ParameterReader:
         return self.specs[address]
 
     def _one(self, address: str, raw: Any) -> Distribution:
-        location = f"ensemble.numbers.{address}"
+        location = f"{self.address}.{address}"
         spec = self._spec(address, location)
         distribution = read_distribution(raw, spec, self.given[address], location, self.ambient)
         return restrict_to_valid(distribution, spec, location)
 
     def _of_fit(self, errors: ErrorCollector, raw: Any, listed: Mapping[str, Any]) -> None:
-        location = "ensemble.numbers.from_fit"
+        location = f"{self.address}.from_fit"
         if not isinstance(raw, str | Result):
             raise InputError("ensemble.no_fit", location, value=raw)
         result = read_result(self.folder / raw) if isinstance(raw, str) else raw
@@ -334,11 +342,11 @@ class _ParameterReader:
         self.joint = tuple(names)
         self.normal = JointNormal(title, means, sigmas, _factor(np.array(rows)))
 
-    def _of_file(self, errors: ErrorCollector, read: Mapping[str, Any], numbers: Mapping[str, Any]) -> None:
+    def _of_file(self, errors: ErrorCollector, read: Mapping[str, Any], listed: Mapping[str, Any]) -> None:
         if not isinstance(read.get("file"), str):
             raise InputError("ensemble.no_file", "ensemble.file")
-        if numbers:
-            errors.add("ensemble.file_and_numbers", "ensemble.numbers")
+        if listed:
+            errors.add("ensemble.file_and_numbers", self.address)
         from poppet.timeseries.tables.reading import read_table
 
         table = read_table(self.folder / read["file"])
@@ -369,8 +377,8 @@ def restrict_to_valid(distribution: Distribution, spec: NumberSpec, location: st
     low, high = spec.ends[0], min(spec.ends[1], spec.below)
     share = distribution.outside(low, high)
     if share > MAX_INVALID_PROBABILITY:
-        facts: dict[str, Any] = {"probability": share, "limits": (low, high), "unit": spec.unit, "meaning": spec.doc}
-        raise OutOfRangeError("ensemble.impossible", location, **facts, name=name)
+        facts: dict[str, Any] = {"probability": share, "limits": (low, high), "unit": spec.unit, "name": name}
+        raise OutOfRangeError("ensemble.impossible", location, **facts, meaning=spec.meaning)
     return distribution.within(low, high)
 
 
@@ -406,6 +414,10 @@ def _in_si(column: Array, unit: str, spec: NumberSpec, name: str, ambient: float
         column = np.asarray(convert(column, unit, spec.unit, ambient_pressure=ambient))
     invalid_rows = np.flatnonzero([not spec.holds(float(value)) for value in column])
     if invalid_rows.size:
-        facts: dict[str, Any] = {"row": int(invalid_rows[0]) + 1, "value": float(column[invalid_rows[0]]), "count": int(invalid_rows.size)}
-        raise OutOfRangeError("ensemble.impossible_rows", location, **facts, unit=spec.unit, meaning=spec.doc)
+        facts: dict[str, Any] = {
+            "row": int(invalid_rows[0]) + 1,
+            "value": float(column[invalid_rows[0]]),
+            "count": int(invalid_rows.size),
+        }
+        raise OutOfRangeError("ensemble.impossible_rows", location, **facts, unit=spec.unit, meaning=spec.meaning)
     return np.asarray(column, dtype=np.float64)

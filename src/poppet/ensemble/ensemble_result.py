@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import tempfile
+import warnings
 import weakref
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -86,6 +87,7 @@ class Ensemble(HtmlMixin):
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
         without = self._without_value()
         return (
+            *self.plan.notes,
             *(Note("ensemble.failed", count=count, runs=runs, outcome=code) for code, count in failed),
             *(Note("ensemble.undefined", count=n, runs=runs, metric=name) for name, n in without.items() if n),
             *(Note("ensemble.noted", count=count, runs=runs, said=code) for code, count in self.noted().items()),
@@ -117,11 +119,13 @@ class Ensemble(HtmlMixin):
         requirements = self.plan.requirements
         n_good, runs = np.zeros(len(requirements) + 1, dtype=np.int64), 0
         for shard in self.dataset.shards("runs", ["done", *(requirement.metric for requirement in requirements)]):
-            is_met = [requirement.met(shard[requirement.metric]) & shard["done"].astype(bool) for requirement in requirements]
+            is_met = [
+                requirement.met(shard[requirement.metric]) & shard["done"].astype(bool) for requirement in requirements
+            ]
             runs += len(shard["done"])
             counts = [np.count_nonzero(requirement) for requirement in is_met]
             n_good += np.array([*counts, np.count_nonzero(np.all(is_met, axis=0)) if is_met else 0])
-        names = [(requirement.name, requirement.text) for requirement in requirements] + ([(ALL, "")] if len(requirements) > 1 else [])
+        names = [(r.name, r.text) for r in requirements] + ([(ALL, "")] if len(requirements) > 1 else [])
         # The last count is that of all together.
         counted = zip(names, n_good.tolist(), strict=len(names) > len(requirements))
         return [Yield(*name, k, runs, *wilson(k, runs)) for name, k in counted]
@@ -184,7 +188,10 @@ class Ensemble(HtmlMixin):
         dict
             Requirement to its runs with the smallest margins; failed runs are first.
         """
-        return {requirement.name: worst_of(self.dataset, self.plan, requirement, count) for requirement in self.plan.requirements}
+        return {
+            requirement.name: worst_of(self.dataset, self.plan, requirement, count)
+            for requirement in self.plan.requirements
+        }
 
     def save_worst(self, folder: str | Path, count: int = 3) -> list[Path]:
         """Write the worst runs as circuit files.
@@ -242,12 +249,25 @@ def run_ensemble(
 def plan_of(circuit: Circuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> EnsemblePlan:
     """Return the plan from the tables of a circuit; `fields` override them."""
     tables, folder = circuit.origin
-    own = tables.get("ensemble", {})
-    if isinstance(own, Mapping):
+    table = tables.get("ensemble", {})
+    fields = with_parameters(fields)
+    if isinstance(table, Mapping):
         # The file of an overridden sampling method is ignored.
-        is_other = fields.get("sampling", "file") != "file"
-        own = {key: value for key, value in own.items() if not (is_other and key == "file")} | fields
-    return read_plan(circuit, own, tables.get("requirements", {}) if requirements is None else requirements, folder)
+        omitted = {"file"} if fields.get("sampling", "file") != "file" else set()
+        omitted |= {"numbers", "parameters"} if "parameters" in fields else set()
+        table = {key: value for key, value in table.items() if key not in omitted} | fields
+    return read_plan(circuit, table, tables.get("requirements", {}) if requirements is None else requirements, folder)
+
+
+def with_parameters(fields: Mapping[str, Any]) -> dict[str, Any]:
+    """Return keyword arguments with `parameters` in place of the old name `numbers`."""
+    renamed = dict(fields)
+    if "numbers" in fields:
+        if "parameters" in fields:
+            raise InputError("ensemble.numbers_and_parameters", "ensemble.numbers")
+        warnings.warn("The argument numbers is now called parameters.", DeprecationWarning, stacklevel=4)
+        renamed["parameters"] = renamed.pop("numbers")
+    return renamed
 
 
 def run_plan(

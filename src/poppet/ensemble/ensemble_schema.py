@@ -28,15 +28,16 @@ def file_schema() -> Schema:
     ['random', 'latin', 'sobol', 'grid', 'file']
     """
     schema = circuit_schema()
-    numbers = {"from_fit": {"type": "string", "description": "result file of an identification"}}
+    parameters = {
+        "type": "object",
+        "properties": {"from_fit": {"type": "string", "description": "result file of an identification"}},
+        "additionalProperties": {"$ref": "#/$defs/distribution"},
+        "propertyNames": {"pattern": r"^(from_fit|.+\..+)$"},
+        "description": "address to distribution",
+    }
     tables = {
-        "numbers": {
-            "type": "object",
-            "properties": numbers,
-            "additionalProperties": {"$ref": "#/$defs/distribution"},
-            "propertyNames": {"pattern": rf"^({'|'.join(numbers)}|.+\..+)$"},
-            "description": "address to distribution",
-        },
+        "parameters": parameters,
+        "numbers": parameters | {"description": "old name of `parameters`", "deprecated": True},
         "metrics": {
             "type": "object",
             "additionalProperties": {"$ref": "#/$defs/metric"},
@@ -45,8 +46,9 @@ def file_schema() -> Schema:
         },
     }
     requirement = {"type": "string", "pattern": f"^{FORM.pattern}$"}
+    ensemble = closed(_fields(FIELDS) | _counts() | tables, (), "uncertain parameters and metrics of many runs")
     schema["properties"] |= {
-        "ensemble": closed(_fields(FIELDS) | _counts() | tables, (), "uncertain numbers and metrics of many runs"),
+        "ensemble": ensemble | {"not": {"required": ["numbers", "parameters"]}},
         "requirements": {
             "type": "object",
             "additionalProperties": requirement,
@@ -72,7 +74,9 @@ def _fields(fields: Mapping[str, Field]) -> Schema:
     """Return the schema of the fields of a table."""
     properties: Schema = {}
     for name, field in fields.items():
-        schema = {"enum": list(field.choices), "default": field.choices[0]} if field.choices else _OTHERS.get(name, _VALUE)
+        schema = (
+            {"enum": list(field.choices), "default": field.choices[0]} if field.choices else _OTHERS.get(name, _VALUE)
+        )
         unit = f" [{field.unit}]" if field.unit else ""
         properties[name] = schema | ({"description": f"{field.meaning}{unit}"} if field.meaning else {})
     return properties
@@ -109,4 +113,8 @@ def _metric_of(kind: str) -> Schema:
     metric_kind = METRIC_KINDS[kind]
     fields = _fields(OF_METRICS) | {"of": {"type": "string", "description": OF_METRICS["of"].meaning}}
     fields |= {"metric": {"const": kind, "description": metric_kind.meaning}} | _fields(metric_kind.fields)
-    return closed(fields, ["of", "metric", *(name for name in metric_kind.fields if metric_kind.fields[name].is_required)], metric_kind.meaning)
+    return closed(
+        fields,
+        ["of", "metric", *(name for name in metric_kind.fields if metric_kind.fields[name].is_required)],
+        metric_kind.meaning,
+    )

@@ -230,7 +230,9 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
         if callable(kind) or (isinstance(kind, str) and ":" in kind):
             is_own = True
         elif kind not in METRIC_KINDS:
-            errors.add("ensemble.metric", f"{address}.metric", value=str(kind), near=NameSuggestion(str(kind), METRIC_KINDS))
+            errors.add(
+                "ensemble.metric", f"{address}.metric", value=str(kind), near=NameSuggestion(str(kind), METRIC_KINDS)
+            )
         addresses = read.get("of", ())
         addresses = (addresses,) if isinstance(addresses, str) else tuple(map(str, addresses))
         if not addresses or (len(addresses) > 1 and not is_own):

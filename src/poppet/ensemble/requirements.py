@@ -51,12 +51,16 @@ def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambien
         raise InputError("ensemble.requirement", address, text=str(text))
     left, sign, metric, relation, right = match.groups()
     if metric not in metrics:
-        raise InputError("ensemble.unknown_metric", address, text=text, name=metric, near=NameSuggestion(metric, metrics))
+        raise InputError(
+            "ensemble.unknown_metric", address, text=text, name=metric, near=NameSuggestion(metric, metrics)
+        )
     if left and relation[0] != "<":  # 1 < x > 2 bounds one side twice
         raise InputError("ensemble.requirement", address, text=text)
     bounds = [(relation, right), *([(_MIRRORED[sign], left)] if left else [])]
     metric_of = metrics[metric]
-    return Requirement(name, text, metric, tuple((r, _bound(raw, metric_of, ambient, address, text)) for r, raw in bounds))
+    return Requirement(
+        name, text, metric, tuple((r, _bound(raw, metric_of, ambient, address, text)) for r, raw in bounds)
+    )
 
 
 def _bound(raw: str, metric: Metric, ambient: float, address: str, text: str) -> float:

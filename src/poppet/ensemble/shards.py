@@ -92,7 +92,7 @@ class PreparedPlan:
             return True
 
     @cached_property
-    def band_edges(self) -> Array:
+    def edges(self) -> Array:
         """Limits of the bins of bands from the first runs, equal in every process."""
         pilot = self.run(self.plan.sample(0, min(self.plan.runs, PILOT)))
         assert pilot.curves is not None
@@ -224,7 +224,12 @@ def shard_files(plan: EnsemblePlan, ready: PreparedPlan, kind: str, number: int)
     columns = {"run": np.arange(first, last)}
     columns |= {address: results.numbers[:, k] for k, address in enumerate(plan.addresses)}
     columns |= {metric.name: results.metrics[:, k] for k, metric in enumerate(plan.metrics)}
-    columns |= {"done": results.is_done, "outcome": results.outcomes, "notes": results.notes, "balance": results.balance}
+    columns |= {
+        "done": results.is_done,
+        "outcome": results.outcomes,
+        "notes": results.notes,
+        "balance": results.balance,
+    }
     files[f"{kind}/{name}"] = _parquet(columns, ready.units)
     return files
 

@@ -120,7 +120,11 @@ def summary_of(dataset: Dataset, metric: Metric, max_values: int) -> Summary:
             count += n
             least, greatest = min(least, float(finite.min())), max(greatest, float(finite.max()))
     values_of_quantiles = np.concatenate(first) if first else np.empty(0)
-    quantiles = dict(zip(LEVELS, np.quantile(values_of_quantiles, LEVELS).tolist(), strict=True)) if values_of_quantiles.size else {}
+    quantiles = (
+        dict(zip(LEVELS, np.quantile(values_of_quantiles, LEVELS).tolist(), strict=True))
+        if values_of_quantiles.size
+        else {}
+    )
     if not count:
         mean = least = greatest = math.nan
     sd = math.sqrt(moment / (count - 1)) if count > 1 else math.nan

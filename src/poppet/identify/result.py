@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
@@ -272,6 +272,28 @@ class Result(HtmlMixin):
         """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+
+
+DEPENDENT_FINDINGS = {
+    "finding.choking.never": ("number", "finding.choking.perhaps_never"),
+    "flow.none_choked": ("", "flow.none_choked_perhaps"),
+    "flow.unusual_conductance": ("", ""),
+}
+"""Findings that need a determined parameter: fact with its address (or the address of the note), and the code of the
+finding that replaces them otherwise."""
+
+
+def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Estimate]) -> tuple[Note, ...]:
+    """Replace or drop the findings that depend on a parameter that is not determined."""
+    findings = []
+    for note in notes:
+        fact, replacement = DEPENDENT_FINDINGS.get(note.code, ("", ""))
+        estimate = estimates.get(note.facts[fact] if fact else note.address)
+        if note.code not in DEPENDENT_FINDINGS or estimate is None or estimate.verdict == "determined":
+            findings.append(note)
+        elif replacement:
+            findings.append(Note(replacement, note.address, **note.facts))
+    return tuple(findings)
 
 
 def fitted_number(estimate: Estimate, title: str) -> Number:

@@ -24,7 +24,7 @@ def validator() -> Any:
     return jsonschema.Draft202012Validator(file_schema())
 
 
-TEXTS = {  # what stands in the example, and by what it is replaced
+TEXTS = {  # text of the example to invalid replacements
     "runs = 500": ["runs = 0", 'runs = "500"', "runs = true", "rnus = 500"],
     "seed = 1": ["seed = -1", "seed = 1.5"],
     '"sobol"': ['"sobel"'],
@@ -46,6 +46,7 @@ TEXTS = {  # what stands in the example, and by what it is replaced
         'metric = "max", band = 0.1',
         'value = "3.9 bar"',
     ],
+    "[ensemble.parameters]": ["[ensemble.numbers]\n[ensemble.parameters]"],
     'quiet = "overshoot < 4.2 %"': ['quiet = "overshoot 4.2 %"', "quiet = 4.2", 'quiet = "< 4.2 %"'],
     '"tank.volume" = {': ["volume = {"],
     "overshoot = {": ['"over shoot" = {', "balance = {"],
@@ -98,3 +99,7 @@ def test_every_distribution_and_metric_is_known_with_what_it_means():
         assert set(own) == {"metric", "of", "unit", "from", "until", *way.fields}
         assert own["metric"]["description"] == way.meaning
         assert all(field["description"] for field in own.values())
+
+
+def test_the_old_name_of_parameters_is_valid(validator):
+    assert validator.is_valid(tomllib.loads(EXAMPLE.replace("[ensemble.parameters]", "[ensemble.numbers]")))

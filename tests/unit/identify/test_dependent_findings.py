@@ -1,4 +1,4 @@
-"""No finding rests on a number that the data do not determine, and each says on which it rests."""
+"""Findings that depend on a parameter are replaced if the data do not determine it."""
 
 from __future__ import annotations
 
@@ -10,8 +10,7 @@ import pytest
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.core.codes import Note
 from poppet.identify import FlowPoints, Result, TankTest, identify_flow, identify_tank
-from poppet.identify.claims import upheld
-from poppet.identify.result import Estimate, Verdict
+from poppet.identify.result import Estimate, Verdict, replace_uncertain_findings
 from poppet.laws.iso6358 import mass_flow_rate
 
 
@@ -28,7 +27,7 @@ def codes(result: Result) -> set[str]:
         ("at bound", ["finding.choking.perhaps_never", "finding.sampled"]),
     ],
 )
-def test_a_claim_falls_with_its_number(verdict: Verdict, said: list[str]) -> None:
+def test_a_finding_depends_on_its_parameter(verdict: Verdict, said: list[str]) -> None:
     b = {"number": "v.critical_ratio", "value": 0.1, "low": 0.0, "high": 1.0}
     notes = [
         Note("finding.choking.never", "v", **b),
@@ -36,7 +35,7 @@ def test_a_claim_falls_with_its_number(verdict: Verdict, said: list[str]) -> Non
         Note("finding.sampled", recordings=("a",)),
     ]
     numbers = {name: Estimate(0.1, "1", 0.1, 0.0, 1.0, verdict) for name in ("v.critical_ratio", "sonic_conductance")}
-    left = upheld(notes, numbers)
+    left = replace_uncertain_findings(notes, numbers)
     assert [note.code for note in left] == said
     assert all(str(note) for note in left)
 
