@@ -365,7 +365,7 @@ def test_impossible_points(field, value):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"form": "splne"}, "characteristic.form"),
+        ({"form": "splne"}, "fields.not_an_option"),
         ({"degree_conductance": -1}, "characteristic.degree"),
         ({"degree_ratio": 2.5}, "characteristic.degree"),
         ({"domain": (1e-3, 0.0)}, "characteristic.empty_domain"),
