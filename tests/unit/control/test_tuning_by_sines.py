@@ -96,7 +96,7 @@ def test_a_linear_plant_gets_the_gains_of_its_linear_model():
     assert ours.gains.integral_time == pytest.approx(linear.gains.integral_time, rel=0.05)
     (plant,) = ours.plants.values()
     exact = linear.plants["100 mm, fill"].response(plant.at(plant.known_frequencies))
-    assert plant.known[0] < 1.0 < 20.0 < plant.known[-1]
+    assert plant.known_frequencies[0] < 1.0 < 20.0 < plant.known_frequencies[-1]
     assert np.max(np.abs(plant.responses / exact - 1.0)) < 0.03
 
 
