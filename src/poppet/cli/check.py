@@ -35,12 +35,13 @@ def _check(file: str) -> None:
     from poppet.core.toml_file import TomlFile
 
     circuit = load(file)
+    notes = list(circuit.static_notes)
     try:
         outputs = _outputs(circuit)
         if "ensemble" in circuit.origin[0]:
             from poppet.ensemble import plan_of
 
-            plan_of(circuit)
+            notes += plan_of(circuit).notes
     except InputError as error:
         raise TomlFile.read(file).located(error) from None
     parts = circuit.parts.values()
@@ -53,7 +54,7 @@ def _check(file: str) -> None:
     }
     listed = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
     print(f"{file}: no mistakes; {listed}.")
-    for note in grouped(circuit.static_notes):
+    for note in grouped(notes):
         print(f"note: {note}", file=sys.stderr)
 
 
