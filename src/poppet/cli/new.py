@@ -27,7 +27,8 @@ def execute(options: argparse.Namespace) -> int:
             print(f"{known_name:<{width}}  {tomllib.loads(path.read_text(encoding='utf-8'))['title']}")
         return 0
     if name not in known:
-        raise InputError("cli.template.unknown", name=name, near=NameSuggestion(name, known))
+        near = NameSuggestion(name, known)
+        raise InputError("fields.not_an_option", "template", value=name, meaning="template", near=near)
     # An `--output` was checked by the parser; the name from the template is checked here.
     target: Path = options.output or output_path(f"{name}.toml", (".toml",))
     if target.exists() and not options.force:

@@ -33,7 +33,8 @@ OPTIONS = (
 def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     if options.kind is not None and options.kind not in KINDS:
-        raise InputError("cli.unknown_kind", kind=options.kind, near=NameSuggestion(options.kind, KINDS))
+        near = NameSuggestion(options.kind, KINDS)
+        raise InputError("fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", near=near)
 
     circuit, _ = loaded(options)
     kinds = KINDS if options.kind is None else (options.kind,)

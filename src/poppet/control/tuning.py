@@ -341,7 +341,8 @@ def _prepared(
     amplitudes: Sequence[Any], progress: ProgressCallback | None,
 ) -> tuple[Plant, list[OperatingPoint]]:  # fmt: skip
     if form not in FORMS:
-        raise InputError("tuning.unknown_form", form=form, near=NameSuggestion(form, FORMS))
+        near = NameSuggestion(form, FORMS)
+        raise InputError("fields.not_an_option", "form", value=form, meaning="form of controller", near=near)
     if not LEAST_BOUND <= bound <= GREATEST_BOUND:
         raise OutOfRangeError("tuning.bound", bound=bound, low=LEAST_BOUND, high=GREATEST_BOUND)
     plant = measured_loop(circuit, controller, amplitudes, progress) if amplitudes else plant_of(circuit, controller)

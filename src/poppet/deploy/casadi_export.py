@@ -147,7 +147,8 @@ def _without(circuit: Circuit, controllers: Sequence[str]) -> Circuit:
     known = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
     for name in controllers:
         if name not in known:
-            raise InputError("tools.no_controller", name, near=NameSuggestion(name, known))
+            near = NameSuggestion(name, known)
+            raise InputError("fields.not_an_option", "without", value=name, meaning="controller", near=near)
         circuit = freed(circuit, name, keeps=False)
     return circuit
 
@@ -165,7 +166,8 @@ def _free_numbers(circuit: Circuit, numbers: Sequence[str]) -> list[int]:
         for name in numbers:
             place, fixed = known.get(name, (-1, ""))
             if place < 0:
-                errors.add("tools.no_number", name, near=NameSuggestion(name, known))
+                near = NameSuggestion(name, known)
+                errors.add("names.unknown", name, meaning="a parameter of the circuit", near=near)
             elif fixed not in ("", "delay"):
                 errors.add("tools.fixed", name)
             places.append(place)
@@ -178,5 +180,6 @@ def _places(wanted: Sequence[str] | None, known: Sequence[str]) -> list[int]:
     with ErrorCollector() as errors:
         for name in wanted:
             if name not in known:
-                errors.add("inputs.unknown", name, near=NameSuggestion(name, known))
+                near = NameSuggestion(name, known)
+                errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
     return [known.index(name) for name in wanted]

@@ -225,7 +225,8 @@ def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
             raise InputError("fields.source_form", name, value=dict(given), unknown=first, empty=not unknown)
         kind = str(given.get("source", "given"))
         if kind not in SOURCE_KINDS:
-            raise InputError("fields.source_kind", name, value=kind, near=NameSuggestion(kind, SOURCE_KINDS))
+            near = NameSuggestion(kind, SOURCE_KINDS)
+            raise InputError("fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", near=near)
         source = Source(kind, str(given.get("locator", "")), str(given.get("note", "")))
         given = given["value"]
     if isinstance(given, Number):

@@ -120,7 +120,7 @@ def test_parameters_keep_their_names_when_values_change():
 def test_with_numbers_replaces_and_refuses():
     curve = PolynomialCurve(plain(1.0, 2.0))
     assert curve.with_numbers({"k2": assumed(5.0, "1", "test")})(0.0) == 5.0
-    with refused("curves.no_number_of_curve", "k3"):
+    with refused("names.unknown", "k3"):
         curve.with_numbers({"k3": assumed(5.0, "1", "test")})
 
 
@@ -202,7 +202,7 @@ def test_nan_is_not_held():
 
 
 def test_extrapolation_is_not_offered():
-    with refused("curves.edge"):
+    with refused("fields.not_an_option"):
         characteristic(edge="extrapolate")
 
 
@@ -329,7 +329,7 @@ def test_with_numbers_changes_what_is_derived():
 
 
 def test_with_numbers_offers_near_misses():
-    with refused("curves.no_number", "sonic_conductance.k4"):
+    with refused("names.unknown", "sonic_conductance.k4"):
         characteristic().with_numbers({"sonic_conductance.k4": assumed(1.0, "1", "test")})
 
 
@@ -504,10 +504,10 @@ def test_mistakes_in_a_table(table, changes, message):
 @pytest.mark.parametrize(
     ("field", "code"),
     [
-        ("sonic_conductance", "curves.missing"),
-        ("critical_ratio", "curves.missing"),
-        ("argument_unit", "curves.missing_argument_unit"),
-        ("domain", "curves.missing_domain"),
+        ("sonic_conductance", "fields.missing"),
+        ("critical_ratio", "fields.missing"),
+        ("argument_unit", "fields.missing"),
+        ("domain", "fields.missing"),
     ],
 )
 def test_missing_field(field, code):

@@ -359,7 +359,8 @@ def plan_of(carried: ExportModel, inputs: Sequence[str] = ()) -> FmuLayout:
     with ErrorCollector() as errors:
         for address in inputs:
             if address not in known:
-                errors.add("deploy.fmu.unknown_input", address, near=NameSuggestion(address, known))
+                near = NameSuggestion(address, known)
+                errors.add("names.unknown", address, meaning="an input or parameter of this circuit", near=near)
             elif known[address]:
                 errors.add("deploy.fmu.fixed_input", address, why=known[address])
     return FmuLayout(carried, frozenset(inputs))

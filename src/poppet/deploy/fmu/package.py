@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, NameSuggestion
 from poppet.deploy.c.c_model import integrator_text, model_text
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.fmu.binaries import PLATFORMS, compilers, kernel_text, linked
@@ -97,10 +97,11 @@ def fmu_of(
     InputErrors
         For a platform or an input that is unknown, and for what no target carries.
     """
-    unknown = [each for each in platforms if each not in PLATFORMS]
-    collect(
-        [InputError("deploy.fmu.platform", platform=each, near=NameSuggestion(each, PLATFORMS)) for each in unknown]
-    )
+    with ErrorCollector() as errors:
+        for platform in platforms:
+            if platform not in PLATFORMS:
+                near = NameSuggestion(platform, PLATFORMS)
+                errors.add("fields.not_an_option", "platform", value=platform, meaning="platform", near=near)
     plan = plan_of(build_export_model(circuit, name), inputs)
     directional_function = directional(plan.carried.model)
     text = kernel_text(plan.carried, {"directional": directional_function})

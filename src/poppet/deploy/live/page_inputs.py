@@ -109,7 +109,8 @@ def _slider(of: ExportModel, circuit: Circuit, address: str) -> Slider:
     if address in inputs:
         address = of.numbers[inputs[address].number].address
     if address not in numbers:
-        raise InputError("deploy.live.unknown", address, near=NameSuggestion(address, [*numbers, *inputs]))
+        near = NameSuggestion(address, [*numbers, *inputs])
+        raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", near=near)
     if not numbers[address].is_free:
         raise InputError(f"deploy.live.{numbers[address].fixed}", address)
     return _of_number(of, numbers[address], circuit)

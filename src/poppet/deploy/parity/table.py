@@ -208,7 +208,8 @@ def parity(circuit: Circuit, *, only: Sequence[str] = (), fmu: Path | None = Non
     known = {each.name: each for each in TARGETS}
     for name in only:
         if name not in known:
-            raise InputError("deploy.parity.unknown", name, near=NameSuggestion(name, known))
+            near = NameSuggestion(name, known)
+            raise InputError("fields.not_an_option", "target", value=name, meaning="target", near=near)
     chosen = [each for each in TARGETS if not only or each.name in only]
     if fmu is not None:
         version = fmi_version(fmu)
