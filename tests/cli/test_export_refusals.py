@@ -96,7 +96,7 @@ def test_sampled_memory_in_continuous_tools():
     for tool in ("to_casadi", "to_control"):
         with refused("tools.sampled", "regulator.sample"):
             getattr(load(CONTROL), tool)()
-        with refused("fields.not_an_option", "tank"):
+        with refused("fields.not_an_option", "without", value="tank"):
             getattr(load(CONTROL), tool)(without="tank")
         with refused("tools.fixed", "ambient.pressure"):
             getattr(load(FILL), tool)(numbers=["ambient.pressure"])
