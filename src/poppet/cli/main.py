@@ -41,7 +41,7 @@ COMMANDS = {
     "export check": "the same run by every target, and how far each is from the kernel",
     "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
     "library": "list or describe published parameter sets, characteristics and gases",
-    "explain": "what the code of a mistake, note or finding means, and what to do",
+    "explain": "cause, example and remedy of a message code",
     "schema": "write the JSON schema of circuit files for editors",
     "paper": "reproduce the figures of Varga & Keski-Honkola 2012",
 }
