@@ -1,8 +1,10 @@
-# make demo      reproduces the paper's figures as one page
-# make docs      the site, into build/site
-# make test      style, types and tests in about five minutes on two cores; where CI is set, the costly ones too (tests/costly.txt)
-# make test-all  every test, the slow ones too
-# Needs Python 3.11 or later with pip and venv; everything else goes into $(VENV).
+# make demo      reproduces the figures of the paper in one report
+# make docs      builds the website in build/site
+# make quick     checks style and types and runs the fastest tests, in about one minute
+# make test      checks style and types and runs the quick tests, in about three minutes on two cores; with CI=true
+#                also the costly tests (tests/costly.txt)
+# make test-all  runs all tests, including the slow ones
+# Requires Python 3.11 or later with pip and venv. All packages are installed into $(VENV).
 
 SHELL := /bin/bash
 PYTHON ?= python3
@@ -10,33 +12,37 @@ VENV ?= .venv
 WORKERS ?= 2
 BIN := $(VENV)/bin
 PIP := $(BIN)/python -m pip install -qq --disable-pip-version-check -c constraints.txt
-# Tests start many processes: what one has compiled is kept for the others. A worker that is done takes from another.
+# Worker processes share compiled code, and an idle worker takes tests from another.
 PYTEST := PYTHONDONTWRITEBYTECODE= $(BIN)/python -m pytest -q --tb=short -n $(WORKERS) --dist worksteal
 
 .DEFAULT_GOAL := help
 .NOTPARALLEL:
-.PHONY: help docs package demo test test-all style types tests tests-all golden integrator benchmark clean
+.PHONY: help docs package demo quick test test-all style types tests tests-all golden integrator benchmark clean
 
 help:
 	@echo "make demo       reproduce the figures of the paper (into paper/)"
-	@echo "make docs       the site, to be read without a network (into build/site)"
-	@echo "make test       style, types and all quick tests; with CI=true the costly ones too"
-	@echo "make test-all   the same with all tests, the slow ones too"
-	@echo "make package    wheel and sdist, tried in empty environments (into dist/)"
-	@echo "make golden     the file of all messages anew, after a change of words; HARVEST=1 adds new codes"
-	@echo "make integrator the compiled integrator's text anew, after a change of engine/integrator.py"
-	@echo "make benchmark  speed and accuracy, measured side by side"
+	@echo "make docs       build the website for offline reading (into build/site)"
+	@echo "make quick      check style and types, run the fastest tests; about one minute"
+	@echo "make test       check style and types, run the quick tests; with CI=true also the costly tests"
+	@echo "make test-all   check style and types, run all tests including the slow ones"
+	@echo "make package    build wheel and sdist and test them in empty environments (into dist/)"
+	@echo "make golden     update the file of all messages after a change of texts; HARVEST=1 adds new codes"
+	@echo "make integrator update the compiled integrator after a change of engine/integrator.py"
+	@echo "make benchmark  measure speed and accuracy side by side"
 	@echo "make clean      remove $(VENV), caches and results"
 
 demo: $(VENV)/installed
 	$(BIN)/poppet paper -o paper
-	@echo "The page lies at $(CURDIR)/paper/report.html"
+	@echo "The report is $(CURDIR)/paper/report.html"
 
 docs: $(VENV)/installed-dev
 	$(BIN)/python website/make_site.py
 
 package: $(VENV)/installed-dev
 	$(BIN)/python tools/package.py
+
+quick: style types
+	$(PYTEST) -m "not slow and not costly" tests/unit tests/exact tests/order
 
 test: style types tests
 
@@ -83,7 +89,7 @@ benchmark: $(VENV)/installed-dev
 	$(BIN)/python benchmarks/export_c.py
 	$(BIN)/python benchmarks/live.py
 
-# The stamps: what they depend on decides when to install again.
+# Stamp files: a change of their prerequisites triggers a new installation.
 $(VENV)/installed: pyproject.toml constraints.txt | $(VENV)/bin/pip
 	$(PIP) -e ".[all]"
 	@touch $@

@@ -21,8 +21,7 @@ from typing import Any
 import numpy as np
 
 from lanes import SPREAD, VARIED, batch_of, final_and_rise
-from poppet import Chamber, Circuit, Orifice, Run
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, Orifice, Run, loads
 from poppet.engine.batch import run_batch
 from staircase import CIRCUIT as STAIRCASE
 

@@ -19,8 +19,7 @@ from pathlib import Path
 import numpy as np
 
 import poppet
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import loads
+from poppet import Circuit, loads
 from poppet.deploy.c.project import c_project
 from poppet.engine.call import Call
 from staircase import CIRCUIT

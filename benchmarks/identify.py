@@ -23,8 +23,7 @@ from scipy.optimize import least_squares
 import poppet
 from peer import NUMBERS, peer_rates, peer_run
 from peer import START as AT_REST
-from poppet import Chamber, Circuit, Orifice
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, Orifice, loads
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.search import Optimum, optimise
 from poppet.identify.fit.statistics import covariance

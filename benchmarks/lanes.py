@@ -19,8 +19,7 @@ import numpy as np
 import poppet
 from chain import chain
 from peer import NUMBERS, START, peer_rates, peer_run
-from poppet import Circuit
-from poppet.circuit.file import loads
+from poppet import Circuit, loads
 from poppet.circuit.options import Run
 from poppet.engine.batch import Rows, run_batch, usable_cores
 from poppet.engine.lane_kernel import WIDTHS, lane_functions, usual_width

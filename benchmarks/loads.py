@@ -12,7 +12,7 @@ import time
 import numpy as np
 
 from loads_peer import peer_run
-from poppet.circuit.file import loads
+from poppet import loads
 
 CIRCUIT = """
 title = "a cylinder lifts 4 kg"

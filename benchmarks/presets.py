@@ -1,6 +1,6 @@
 """What the presets of the valve's electronics do: steps up and down, large and small, into 0.1 to 200 litres.
 
-The rows stand in docs/valve.md. Supply 7 bar; the walls take 45 W/K at 0.2 m3, less in proportion to the surface.
+Its rows are in docs/valve_presets.md. Supply 7 bar; the walls take 45 W/K at 0.2 m3, less in proportion to the surface.
 """
 
 from __future__ import annotations

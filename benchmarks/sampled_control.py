@@ -18,7 +18,7 @@ from functools import partial
 import numpy as np
 
 import poppet
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
 from sampled_peer import WAYS, peer_run

@@ -17,7 +17,7 @@ import numpy as np
 
 import poppet
 from peer import START, peer_rates, peer_run
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.engine.call import Call
 from poppet.engine.solve import solve
 

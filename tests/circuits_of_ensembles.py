@@ -6,8 +6,7 @@ import hashlib
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import loads
+from poppet import Circuit, loads
 
 TANK = """
 title = "A tank runs empty"

@@ -6,8 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from poppet import Chamber, CheckValve, Circuit, Orifice, ReliefValve, Reservoir
-from poppet.circuit.file import load
+from poppet import Chamber, CheckValve, Circuit, Orifice, ReliefValve, Reservoir, load
 from poppet.timeseries.signals import Points
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

@@ -16,10 +16,11 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.deploy.live import page_kernel
 from poppet.deploy.live.page_kernel import PAGE_FUNCTIONS
 from poppet.engine import call, compiled
+from poppet.engine.kernel import compile_kernel
 from poppet.engine.printers.llvm import OF_TWO
 from poppet.engine.problem import Problem
 
@@ -42,7 +43,7 @@ def unfused(circuit: Circuit, monkeypatch: pytest.MonkeyPatch, folder: Path) -> 
     with monkeypatch.context() as changed:
         changed.setenv("POPPET_CACHE_DIR", str(folder))
         changed.setattr(compiled, "_target_machine", machine)
-        kernel, integrator = circuit._compiled(), compiled.INTEGRATOR.compiled()
+        kernel, integrator = compile_kernel(circuit.model), compiled.INTEGRATOR.compiled()
         changed.setattr(call, "integrator", lambda: integrator)
         p = problem.p.copy()
         own = call.Call(replace(problem, kernel=kernel, x0=kernel.start(p), p=p))

@@ -225,6 +225,8 @@ def api_page() -> str:
             thing = getattr(found, name)
             if isinstance(thing, type):
                 body = [f".. autoclass:: {module}.{name}", "   :members:"]
+                if name == "Circuit":  # most of its methods are those of its base class
+                    body.append("   :inherited-members:")
             elif callable(thing):
                 body = [f".. autofunction:: {module}.{name}"]
             else:

@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from poppet.identify import baselines, identify_fit, read_fit_file, score_table
-from poppet.identify.baselines import fit_arx, fit_first_order, responses_of
+from poppet.identify.baseline_models import fit_arx, fit_first_order, responses_of
 
 FOLDER = Path(__file__).parent
 REGULATOR, LUNG = {"arm.pressure": "controller.setpoint"}, {"airway.pressure": "inhale.stroke"}

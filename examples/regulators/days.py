@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 
 from poppet.identify import baselines, identify_fit, read_fit_file
-from poppet.identify.baselines import ARX, FIRST_ORDER, GREY_BOX, Score
+from poppet.identify.baseline_models import ARX, FIRST_ORDER, GREY_BOX, Score
 
 FOLDER = Path(__file__).parent
 CHANNELS = (1, 2, 4, 5)

@@ -5,13 +5,12 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
-from poppet.core import notebook, offered
+from poppet.core.notebook import HtmlMixin
 from poppet.core.version import __version__
 
 if TYPE_CHECKING:
     from poppet import iso6358, library, signals
-    from poppet.circuit.circuit import Circuit
-    from poppet.circuit.file import load
+    from poppet.api import Circuit, load, loads
     from poppet.circuit.options import Ambient, GasChoice, Run
     from poppet.core import units
     from poppet.core.errors import InputError, InputErrors, OutOfRangeError, PoppetError, SimulationError, UnitError
@@ -42,11 +41,13 @@ if TYPE_CHECKING:
         SpoolValve,
         Tube,
     )
+    from poppet.timeseries.measurements import read_recording as read
     from poppet.timeseries.recording import Recording
 
-_PLACES = {
-    "Circuit": "circuit.circuit",
-    "load": "circuit.file",
+_MODULE_OF = {
+    "Circuit": "api",
+    "load": "api",
+    "loads": "api",
     "Characteristic": "laws.curves",
     "Number": "core.provenance",
     "Source": "core.provenance",
@@ -100,41 +101,32 @@ __all__ = [
     "iso6358",
     "library",
     "load",
+    "loads",
+    "read",
     "signals",
     "units",
 ]
 
 
-def _html(thing: Any) -> str | None:
-    text: str | None = importlib.import_module("poppet.report.notebook").html_of(thing)
-    return text
+def _html(shown: HtmlMixin) -> str | None:
+    from poppet.report.notebook import html_of
+
+    return html_of(shown)
 
 
-def _ensemble(*given: Any, **options: Any) -> Any:
-    return importlib.import_module("poppet.ensemble").run_ensemble(*given, **options)
-
-
-def _for_tools(module: str, name: str) -> Any:
-    return lambda *given, **options: getattr(importlib.import_module(f"poppet.deploy.{module}"), name)(
-        *given, **options
-    )
-
-
-notebook.drawn_by(_html)
-offered.done_by("ensemble", _ensemble)
-offered.done_by("to_ode", _for_tools("ode", "to_ode"))
-offered.done_by("to_casadi", _for_tools("casadi_export", "to_casadi"))
-offered.done_by("to_control", _for_tools("casadi_export", "to_control"))
+HtmlMixin.renderer = _html
 
 
 def __getattr__(name: str) -> Any:
-    # Names are looked up when first used: `import poppet` stays fast.
+    # Names are imported on first use: `import poppet` stays fast.
     if name in _MODULES:
         return importlib.import_module(f"poppet.{_MODULES[name]}")
+    if name == "read":
+        return importlib.import_module("poppet.timeseries.measurements").read_recording
     if name not in __all__:
         raise AttributeError(f"module 'poppet' has no attribute {name!r}")
-    place = _PLACES.get(name) or ("core.errors" if name.endswith(("Error", "Errors")) else "parts")
-    return getattr(importlib.import_module(f"poppet.{place}"), name)
+    module = _MODULE_OF.get(name) or ("core.errors" if name.endswith(("Error", "Errors")) else "parts")
+    return getattr(importlib.import_module(f"poppet.{module}"), name)
 
 
 def __dir__() -> list[str]:

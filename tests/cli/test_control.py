@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.control import schedule, tune
 from poppet.core.units import quantity
 
@@ -190,7 +190,6 @@ def test_both_actions_write_pages(poppet, files, tmp_path):
 def test_gains_go_into_every_command(poppet, tmp_path, tuned):
     """As if the circuit file had them, a schedule in place of a gain or the other way; an FMU carries them."""
     from poppet.deploy.fmu.importers import circuit_resources, read_circuit
-    from poppet.deploy.targets import CircuitSource
 
     for name in ("pressure_control.toml", "pressure_control_scheduled.toml"):
         shutil.copy(EXAMPLES / name, tmp_path)
@@ -211,8 +210,8 @@ def test_gains_go_into_every_command(poppet, tmp_path, tuned):
         assert ("regulator.gain" in shown) is not bool(tuned)
     with zipfile.ZipFile(tmp_path / "some.fmu", "w") as archive:
         text = (tmp_path / "pressure_control.toml").read_text()
-        source = CircuitSource(text, "some", {"tank.volume": "2 l"}, str(tmp_path / "gains.toml"))
-        for name, content in circuit_resources(source).items():
+        resources = circuit_resources(text, {"tank.volume": "2 l"}, str(tmp_path / "gains.toml"))
+        for name, content in resources.items():
             archive.writestr(name, content)
     carried = read_circuit(tmp_path / "some.fmu")
     assert gains(carried) == pytest.approx(wanted, rel=1e-5)

@@ -6,8 +6,7 @@ import math
 
 import pytest
 
-from poppet import iso6358
-from poppet.circuit.file import loads
+from poppet import iso6358, loads
 from poppet.core.codes import Note
 
 

@@ -8,7 +8,7 @@ from poppet.core.message_format import every_code, plain
 def test_a_mistake_is_told_in_three_parts(poppet):
     done = poppet("explain", "fields.out_of_range")
     assert done.code == 0
-    assert [line.split()[0] for line in done.out.splitlines()] == ["fields.out_of_range", "given:", "reason:", "cure:"]
+    assert [line.split()[0] for line in done.out.splitlines()] == ["fields.out_of_range", "given:", "reason:", "hint:"]
 
 
 def test_a_note_and_several_at_once(poppet):

@@ -8,8 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from poppet import Chamber, Circuit, Orifice
-from poppet.circuit.file import load
+from poppet import Chamber, Circuit, Orifice, load
 from poppet.cli.main import _dispatch
 from refusals import refused
 

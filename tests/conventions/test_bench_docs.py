@@ -1,4 +1,4 @@
-"""`docs/bench.md` says of every figure, test and channel what the program says."""
+"""The pages of the bench describe each value, test and channel as the program does."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
 from poppet.bench.iso10094.evaluation import VERIFY
 
 ROOT = Path(__file__).parents[2]
-TEXT = (ROOT / "docs" / "bench.md").read_text(encoding="utf-8")
+TEXT = "".join((ROOT / "docs" / name).read_text(encoding="utf-8") for name in ("bench.md", "bench_definitions.md"))
 
 
 def rows(columns: int) -> list[tuple[str, ...]]:

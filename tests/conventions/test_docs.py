@@ -15,7 +15,7 @@ from typing import Any
 import pytest
 
 from c_compiler import compile_c
-from poppet.circuit.file import load, loads
+from poppet import load, loads
 from poppet.cli.commands import COMMANDS
 from poppet.cli.main import command_parser, split_command
 from poppet.deploy.c.project import c_project
@@ -207,6 +207,13 @@ def test_examples_are_listed():
 def test_python_example_runs(capsys):
     runpy.run_path(str(ROOT / "examples" / "first_steps.py"))
     assert "highest pressure" in capsys.readouterr().out
+
+
+def test_fit_example_runs(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    runpy.run_path(str(ROOT / "examples" / "fit_circuit.py"))
+    assert "95 % confidence interval" in capsys.readouterr().out
+    assert (tmp_path / "fit_result.toml").exists()
 
 
 def test_make_targets_exist():

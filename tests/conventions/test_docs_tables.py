@@ -61,7 +61,7 @@ def declared(kind: Any, prefix: str = "", from_data: bool | None = None) -> Iter
             yield f"{prefix}{name}", ("body", "required", "a mass, joint or guide")
         elif isinstance(spec, MemberSpec) and spec.part.kind not in KINDS:  # which stands nowhere else
             inner = declared(spec.part, f"{prefix}{name}.", from_data)
-            told = {f"{prefix}{name}.{each}" for each in spec.told}
+            told = {f"{prefix}{name}.{each}" for each in spec.inherited}
             yield from ((own, row) for own, row in inner if own not in told and own.rpartition(".")[0] not in told)
         elif isinstance(spec, GroupSpec):
             yield from declared(spec.group, f"{prefix}{name}.", from_data and not spec.optional)

@@ -138,7 +138,11 @@ def class_problems(node: ast.ClassDef, where: str) -> list[str]:
         found = problem(where, given, signature(constructor, bound=True))
     overridden = {each.name for base in bases(node) for each in base.body if isinstance(each, ast.FunctionDef)}
     for each in node.body:
-        if isinstance(each, ast.FunctionDef) and is_public(each.name) and "setter" not in decorators(each):
+        if (
+            isinstance(each, ast.FunctionDef)
+            and is_public(each.name)
+            and not {"setter", "overload"} & {*decorators(each)}
+        ):
             found += function_problems(
                 each, f"{where}.{each.name}", bound=True, inherited=each.name in overridden or not bases_known(node)
             )

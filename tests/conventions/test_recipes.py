@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.circuit.schema import circuit_schema
 from poppet.core import message_format
 from poppet.core.errors import OutOfRangeError
@@ -20,8 +20,9 @@ from poppet.core.symbolic import where
 from poppet.laws.iso6358.domain import Domain, check
 from poppet.parts import KINDS
 from poppet.parts.fields import NumberLike, number, port
-from poppet.parts.part import Flow, Gas, Passage, PassageFlows, Scope
-from poppet.report.html_page import document, findings, table, write_page
+from poppet.parts.part import Flow, GasState, Passage, PassageFlows, Scope
+from poppet.report.html_page import Section, document, findings, write_page
+from poppet.report.tables import Table as ReportTable
 from poppet.timeseries.tables import reading
 from poppet.timeseries.tables.table import Table
 
@@ -53,7 +54,7 @@ class Membrane(Passage):
     to: str | None = port("store at the second port")
     permeance: NumberLike = number("kg/(s Pa)", 1e-9, doc="permeance", low=0.0, note="a toy")
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         flow = permeation(gas["from"].pressure, gas["to"].pressure, scope["permeance"])
         enthalpy = scope.surroundings.heat_capacity_pressure * gas["from"].temperature * flow
         return PassageFlows((Flow("flow", "from", "to", flow, enthalpy),), {"mass_flow_rate": (flow, "kg/s")})
@@ -131,7 +132,8 @@ def test_a_report(tmp_path):
 
     def page() -> str:
         rows = [[name, f"{recording[name].max():g}"] for name in recording]
-        return document("Toy", [("Highest", table(("series", "value"), rows)), ("Notes", findings(recording.remarks))])
+        highest = Section("Highest", ReportTable(("series", "value"), rows))
+        return document("Toy", [highest, Section("Notes", findings(recording.remarks))])
 
     text = write_page(tmp_path / "toy.html", page).read_text(encoding="utf-8")
     assert "<td>2</td>" in text.replace(' class="number"', "")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from cantera_tanks import GAS_CONSTANT, KAPPA, SIZE, advanced, ct, ideal_gas, joined, reservoir, tank
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.parts import Chamber, Orifice, Reservoir
 
 CONDUCTANCES = [0.0, 2.0]

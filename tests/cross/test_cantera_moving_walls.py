@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cantera_tanks import KAPPA, SIZE, advanced, ct, joined, reservoir, tank
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.parts import Cylinder, Guide, Orifice, Reservoir
 from poppet.timeseries.signals import Sine
 

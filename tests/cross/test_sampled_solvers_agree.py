@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.engine.reference_solvers.solvers import SOLVERS
 from poppet.parts import Chamber, ProportionalValve, Reservoir
 from poppet.signals import Steps

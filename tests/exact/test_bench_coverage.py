@@ -60,7 +60,7 @@ def test_intervals_of_some_valves_hold_their_figures(part):
 
 @pytest.mark.slow
 def test_intervals_of_two_hundred_valves():
-    """The table of docs/bench.md."""
+    """The table of docs/bench_definitions.md."""
     for name, seen in looked_at(range(9000, 9200)).items():
         share = 100.0 * seen.held / max(1, seen.given)
         rms = float(np.sqrt(np.mean(np.square(seen.distances)))) if seen.distances else 0.0

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from exact.independent_tanks import AIR, KAPPA, ROOM, Tank, course
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.identify import Result, identify_characteristic
 from poppet.identify.characteristic.stroke_tests import StrokeRecording
 from poppet.identify.free_parameter import read_free

@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.parts import Cylinder, Guide, Mass, Orifice
 from poppet.timeseries.signals import Points
 from refusals import refused

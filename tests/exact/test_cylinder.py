@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.parts import Cylinder, Joint, Mass
 from poppet.timeseries.signals import Points, Steps
 

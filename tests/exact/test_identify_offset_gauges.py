@@ -11,7 +11,7 @@ from scipy.stats import binom
 
 from poppet import Chamber, Circuit, Orifice
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import describe
 from poppet.identify.fit.search import optimise
 from poppet.identify.fit.statistics import covariance

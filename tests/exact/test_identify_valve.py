@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.identify import identify_fit
 
 BENCH = """
@@ -73,7 +73,7 @@ def test_numbers_of_pilot_and_main_stage_are_found(tmp_path: Path, seed: int) ->
 
 
 VALVE = Path(__file__).resolve().parents[2] / "examples" / "identify" / "valve"
-PAGE = Path(__file__).resolve().parents[2] / "docs" / "regulators.md"
+PAGE = Path(__file__).resolve().parents[2] / "docs" / "fit_valve.md"
 
 
 def truth() -> dict[str, float]:
@@ -99,7 +99,7 @@ def test_every_step_takes_over_what_those_before_have_found():
 @pytest.mark.slow
 @pytest.mark.parametrize("step", [1, 2, 3, 4])
 def test_the_recipe_finds_what_the_page_says(step: int) -> None:
-    section = PAGE.read_text(encoding="utf-8").partition("\n## Fitting a ")[2]
+    section = PAGE.read_text(encoding="utf-8").partition("\n## Steps\n")[2]
     row = next(line for line in section.splitlines() if line.startswith(f"| {step} | "))
     told = [float(number) for number in re.findall(r"([+-][\d.]+)", row)]
     rms = [float(number) for number in re.findall(r"(\d+) Pa", row)]

@@ -8,8 +8,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet import library
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit, library
 from poppet.circuit.options import GasChoice
 from poppet.iso6358 import conductance_from_effective_area, conductance_from_nominal_flow
 from poppet.parts import Orifice, Reservoir

@@ -9,8 +9,8 @@ import pytest
 
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.identify import Result, TankTest, identify_tank
-from poppet.identify.fit.fit_file import plan_of
-from poppet.identify.fit.identify_fit import fit_plan
+from poppet.identify.fit.fit_plan import plan_fit
+from poppet.identify.fit.identify_fit import run_fit
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import read_free
 from poppet.timeseries.measurements import Channel, Measurement
@@ -50,8 +50,8 @@ def side_by_side(free: dict[str, float], **fixed: float) -> Result:
     pressure = run["tank.pressure"] + np.random.default_rng(1).normal(0.0, 20.0, run.time.size)
     measurement = Measurement("a", (Channel("tank.pressure", run.time, pressure, "Pa"),), duration=12.0)
     numbers = tuple(replace(read_free(name, {}, circuit), start=start) for name, start in free.items())
-    plan = plan_of([circuit.instance], [measurement], ["fit"], numbers, settings=SearchSettings(), title="side by side")
-    return fit_plan(plan)
+    plan = plan_fit([circuit], [measurement], ["fit"], numbers, settings=SearchSettings(), title="side by side")
+    return run_fit(plan)
 
 
 def test_parts_that_may_be_exchanged_are_not_determined() -> None:

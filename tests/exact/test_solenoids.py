@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.circuit.options import Run
 from poppet.engine.solve import solve
 from poppet.parts import PilotStage, Reservoir

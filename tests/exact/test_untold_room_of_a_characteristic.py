@@ -10,7 +10,7 @@ import pytest
 from exact import independent_tanks
 from exact.independent_tanks import AIR, Tank, course
 from exact.test_untold_room import USUAL, WARM, recorded
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.identify import Result, identify_characteristic, identify_tank
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, common_of_result, point_of_result
 from poppet.identify.free_parameter import read_free

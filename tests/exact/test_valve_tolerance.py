@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.parts import Chamber, ProportionalValve, Reservoir
 from poppet.signals import Steps
 from poppet.timeseries.recording import Recording

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.parts import Cylinder, Joint, Mass, Orifice, Reservoir
 from poppet.timeseries.signals import Sine, Steps
 

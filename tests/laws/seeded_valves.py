@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.circuit.options import Run
 from poppet.engine.problem import Problem
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir

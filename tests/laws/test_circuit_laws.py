@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.parts import Chamber, CheckValve, Orifice, Reservoir
 from poppet.timeseries.recording import Recording
 

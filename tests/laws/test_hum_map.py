@@ -6,9 +6,9 @@ import math
 
 import pytest
 
+from poppet import Circuit
 from poppet.bench.limits.maps import limits_plan
 from poppet.bench.limits.stability import stability_point
-from poppet.circuit.circuit import Circuit
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 
 PARTS = {

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.engine.balances import residuals
 from poppet.engine.problem import Outcome
 from poppet.engine.reference_solvers.track import rounding

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.library import main_stage
 from poppet.parts import Chamber, MainStage, Reservoir
 

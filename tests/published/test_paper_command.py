@@ -259,7 +259,7 @@ def test_results_hold_all_digits(result):
 def test_tables_can_be_read_back(result):
     for name, table in result.tables.items():
         rows = list(csv.reader(io.StringIO((result.folder / f"{name}.csv").read_text(encoding="utf-8"))))
-        assert rows[0] == [column.heading for column in table.columns]
+        assert rows[0] == table.headings
         assert len(rows) == len(table.rows) + 1
     strokes = np.loadtxt(result.folder / "strokes.csv", delimiter=",", skiprows=1)
     assert tuple(1e-8 * strokes[:, 1]) == pytest.approx(result.findings.conductances, rel=1e-15)

@@ -1,4 +1,4 @@
-"""Presets are what they are called: fast is there first, precise ends nearest; docs/valve.md shows what they do."""
+"""Presets are what they are called: fast is there first, precise ends nearest; see docs/valve_presets.md."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def test_what_the_dead_zone_and_the_limit_are_for():
 
 @pytest.mark.parametrize("volume", VOLUMES)
 def test_the_table_in_the_docs_is_what_the_presets_do(volume):
-    text = (ROOT / "docs" / "valve.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "valve_presets.md").read_text(encoding="utf-8")
     numbers = re.compile(r"[\d.]+")
     for low, high in STEPS:
         wanted = SCRIPT.row(volume, low, high, [step(preset, volume, low, high) for preset in PRESETS])

@@ -17,9 +17,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.identify import Result, Score, baselines, identify_fit, read_fit_file
-from poppet.identify.baselines import ARX, FIRST_ORDER, GREY_BOX
+from poppet.identify.baseline_models import ARX, FIRST_ORDER, GREY_BOX
 from poppet.signals import Constant
 
 ROOT = Path(__file__).resolve().parents[2]

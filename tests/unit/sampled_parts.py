@@ -6,7 +6,17 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.parts.fields import NumberLike, number
-from poppet.parts.part import NEVER, Control, Controller, Input, Memory, Scope, State, Timer, ticked
+from poppet.parts.part import (
+    NEVER,
+    Controller,
+    ControlOutputs,
+    DiscreteState,
+    Input,
+    Scope,
+    State,
+    Timer,
+    advance_clock,
+)
 
 TIME = {"low": 1e-6}
 
@@ -23,8 +33,8 @@ class Proportional(Controller):
     gain: NumberLike = number("1", 1.0, doc="gain")
     sample_time: NumberLike = number("s", 0.1, doc="sample time", **TIME)
 
-    def memory(self) -> tuple[Memory, ...]:
-        return Memory("output", "1"), Memory("clock_count", "1")
+    def memory(self) -> tuple[DiscreteState, ...]:
+        return DiscreteState("output", "1"), DiscreteState("clock_count", "1")
 
     def timers(self) -> tuple[Timer, ...]:
         return (Timer("clock"),)
@@ -35,12 +45,14 @@ class Proportional(Controller):
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"output": 0.0, "clock_count": 0.0, "clock": 0.0}
 
-    def control(self, scope: Scope) -> Control:
-        return Control({"output": (scope.memory["output"], self.gives), "count": (scope.memory["clock_count"], "1")})
+    def control(self, scope: Scope) -> ControlOutputs:
+        return ControlOutputs(
+            {"output": (scope.memory["output"], self.gives), "count": (scope.memory["clock_count"], "1")}
+        )
 
-    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+    def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         new = {"output": scope["gain"] * (scope.inputs["wanted"] - scope.inputs["measured"])}
-        return new | ticked(scope, timer, scope["sample_time"])
+        return new | advance_clock(scope, timer, scope["sample_time"])
 
 
 class Feeder(Proportional):
@@ -61,9 +73,9 @@ class Clocks(Controller):
     second_period: NumberLike = number("s", 0.1, doc="period", **TIME)
     phase: NumberLike = number("s", 0.0, doc="first tick of the second clock", low=0.0)
 
-    def memory(self) -> tuple[Memory, ...]:
+    def memory(self) -> tuple[DiscreteState, ...]:
         names = ("first_count", "second_count", "order", "common", "last", "seen")
-        return tuple(Memory(name, "1") for name in names)
+        return tuple(DiscreteState(name, "1") for name in names)
 
     def timers(self) -> tuple[Timer, ...]:
         # Declared against their ranks.
@@ -73,14 +85,14 @@ class Clocks(Controller):
         zero = {each.name: 0.0 for each in self.memory()}
         return zero | {"first": 0.0, "second": scope["phase"], "last": -1.0}
 
-    def control(self, scope: Scope) -> Control:
-        return Control({each.name: (scope.memory[each.name], "1") for each in self.memory()})
+    def control(self, scope: Scope) -> ControlOutputs:
+        return ControlOutputs({each.name: (scope.memory[each.name], "1") for each in self.memory()})
 
-    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+    def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         from poppet.core.symbolic import where
 
         phase = scope["phase"] if timer == "second" else 0.0
-        new = ticked(scope, timer, scope[f"{timer}_period"], phase)
+        new = advance_clock(scope, timer, scope[f"{timer}_period"], phase)
         # 1 where the first clock has just ticked at the same instant, seen by the second.
         if timer == "first":
             return new | {"last": scope.time}
@@ -101,8 +113,8 @@ class Chain(Controller):
     links: NumberLike = number("1", 3.0, doc="repeats")
     period: NumberLike = number("s", 0.25, doc="period", **TIME)
 
-    def memory(self) -> tuple[Memory, ...]:
-        return Memory("done", "1"), Memory("total", "1"), Memory("ticks", "1")
+    def memory(self) -> tuple[DiscreteState, ...]:
+        return DiscreteState("done", "1"), DiscreteState("total", "1"), DiscreteState("ticks", "1")
 
     def timers(self) -> tuple[Timer, ...]:
         return Timer("again"), Timer("never", 5)
@@ -110,10 +122,10 @@ class Chain(Controller):
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"done": 0.0, "total": 0.0, "ticks": 0.0, "again": 0.0, "never": NEVER}
 
-    def control(self, scope: Scope) -> Control:
-        return Control({name: (scope.memory[name], "1") for name in ("total", "ticks")})
+    def control(self, scope: Scope) -> ControlOutputs:
+        return ControlOutputs({name: (scope.memory[name], "1") for name in ("total", "ticks")})
 
-    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+    def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         from poppet.core.symbolic import where
 
         if timer == "never":
@@ -148,7 +160,7 @@ class Lag(Controller):
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"output": scope["initial"], "integral": 0.0}
 
-    def control(self, scope: Scope) -> Control:
+    def control(self, scope: Scope) -> ControlOutputs:
         given, states = scope.inputs["input"], scope.states
         rates = {"output": (given - states["output"]) / scope["time_constant"], "integral": given}
-        return Control({name: (states[name], "1") for name in ("output", "integral")}, rates)
+        return ControlOutputs({name: (states[name], "1") for name in ("output", "integral")}, rates)

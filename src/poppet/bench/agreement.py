@@ -1,4 +1,4 @@
-"""Where a linear model and the full one part: bands below, saturation above."""
+"""Range of amplitudes in which the full model follows a linear model."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _OPTIONS = {"pilot_stage": {"drive": "averaged"}}
 
 @dataclass(frozen=True)
 class Agreement:
-    """Amplitudes at which the full model follows the linear one."""
+    """Amplitudes at which the full model follows the linear model."""
 
     # Amplitudes of the input between which they agree, in its unit: 0 and infinity where they agree down and up to the
     # last one tried; both not a number where they agree nowhere.
@@ -45,7 +45,7 @@ class Agreement:
 
 
 def without_bands(circuit: Circuit) -> Circuit:
-    """The same circuit with averaged solenoids, without hold and dead bands, least duties, delays and quantisation."""
+    """Return the circuit with averaged solenoids and without bands, delays and quantisation."""
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():
         members = part.members if isinstance(part, Compound) else {"": part}
@@ -59,7 +59,7 @@ def without_bands(circuit: Circuit) -> Circuit:
 def agreement(
     rig: SineRig, linear: LinearModel, frequency: float, amplitudes: tuple[float, float], *, tolerance: float = 0.1
 ) -> Agreement:
-    """Between which amplitudes a circuit follows a linear model."""
+    """Return the range of amplitudes in which a circuit follows a linear model."""
     if not 0.0 < amplitudes[0] < amplitudes[1]:
         raise InputError("limits.amplitudes", given=amplitudes)
     model = rig.kernel.model
@@ -69,21 +69,21 @@ def agreement(
     def difference(amplitude: float) -> float:
         return float(abs(rig.response(amplitude, frequency).gain - expected) / abs(expected))
 
-    tried = np.geomspace(*amplitudes, SCANNED)
-    found = np.array([difference(a) for a in tried])
+    candidates = np.geomspace(*amplitudes, SCANNED)
+    differences = np.array([difference(a) for a in candidates])
     low = high = np.nan
     # First and last place of every unbroken run of amplitudes that agree.
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], (found <= tolerance).astype(int), [0]])))
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], (differences <= tolerance).astype(int), [0]])))
     if edges.size:
         first, end = max(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[1] - run[0])
-        low = 0.0 if first == 0 else _edge(difference, tried[first], tried[first - 1], tolerance)
-        high = np.inf if end == SCANNED else _edge(difference, tried[end - 1], tried[end], tolerance)
-    return Agreement(low, high, frequency, tolerance, tuple(tried.tolist()), tuple(found.tolist()))
+        low = 0.0 if first == 0 else _edge(difference, candidates[first], candidates[first - 1], tolerance)
+        high = np.inf if end == SCANNED else _edge(difference, candidates[end - 1], candidates[end], tolerance)
+    return Agreement(low, high, frequency, tolerance, tuple(candidates.tolist()), tuple(differences.tolist()))
 
 
-def _edge(difference: Callable[[float], float], good: float, bad: float, tolerance: float) -> float:
-    """The last amplitude that agrees, between one that does and one that does not."""
+def _edge(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
+    """Return the last amplitude that agrees, by bisection between `inside` and `outside`."""
     for _ in range(BISECTIONS):
-        middle = float(np.sqrt(good * bad))
-        good, bad = (middle, bad) if difference(middle) <= tolerance else (good, middle)
-    return good
+        middle = float(np.sqrt(inside * outside))
+        inside, outside = (middle, outside) if difference(middle) <= tolerance else (inside, middle)
+    return inside

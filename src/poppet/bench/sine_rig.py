@@ -1,4 +1,4 @@
-"""A circuit that has settled, driven from there by sines and steps: the full model, as often as needed."""
+"""Settled circuit driven by sines and steps, for repeated runs of the full model."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
-from poppet.circuit.linear_model import SteadyState, place
+from poppet.circuit.linear_model import SteadyState, index_of
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.core.codes import Note
 from poppet.core.errors import SimulationError
 from poppet.engine.call import Call
-from poppet.engine.problem import Problem, RawRun, StopCondition, held_coefficients
+from poppet.engine.problem import Problem, RawRun, StopCondition, constant_coefficients
 from poppet.engine.solve import solve
 
 Array = NDArray[np.float64]
@@ -36,7 +36,7 @@ MOST_ATTEMPTS = 1_500_000
 
 @dataclass(frozen=True)
 class SineResponse:
-    """What a circuit makes of a sine."""
+    """Response of a circuit to a sinusoidal input."""
 
     gain: complex  # fundamental of the output per amplitude of the input, in their units
     mean: float  # of the output, in its unit
@@ -45,7 +45,10 @@ class SineResponse:
 
 
 class SineRig:
-    """A circuit with memory that starts settled: at `rest`, or after a run of `settling` [s] with its inputs held.
+    """Circuit with sampled parts that starts settled, for responses to sines and steps.
+
+    The start is `rest`, or the end of a run of `settling` [s] with constant inputs. `input` and `output` are
+    addresses.
 
     `input` and `output` are the addresses of what is driven and what is looked at.
     """
@@ -55,8 +58,8 @@ class SineRig:
         relative_tolerance: float = 1e-7,
     ) -> None:  # fmt: skip
         model = instance.model
-        self.input = place(tuple(item.name for item in model.inputs), input, "input")
-        self.output = place(model.columns[0], output, "output")
+        self.input = index_of(tuple(item.name for item in model.inputs), input, "input")
+        self.output = index_of(model.columns[0], output, "output")
         self.kernel, self.tolerance = instance.kernel, relative_tolerance
         self.u = instance.held_inputs({}) if rest is None else np.array(list(rest.u.values()))
         self.point = SampledPoint(instance, self.u)
@@ -68,14 +71,14 @@ class SineRig:
 
     @property
     def sample_time(self) -> float:
-        """Time after which all clocks tick together again [s]."""
+        """Period after which all clocks tick together again [s]."""
         return self.point.clock.sample_time
 
     def started_at(self, v: Array) -> SineRig:
-        """The same rig starting at given states and memory."""
-        other = copy(self)
-        (other.x, other.p), other.begin = self.point.at_clock(v), self.point.clock.start
-        return other
+        """Return the rig with a start at given states and discrete states."""
+        rig = copy(self)
+        (rig.x, rig.p), rig.begin = self.point.at_clock(v), self.point.clock.start
+        return rig
 
     @property
     def level(self) -> float:
@@ -85,11 +88,11 @@ class SineRig:
         return float(y[self.output])
 
     def _settled(self, duration: float) -> tuple[Array, Array, float]:
-        """State and memory after a run with held inputs, and the beginning of a sample at which it ends."""
+        """Return states, parameters and time after a run with constant inputs, at a sample instant."""
         clock = self.point.clock
         end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
         x, p = self.point.first()
-        call = Call(self._problem(held_coefficients(self.u), 0.0, np.array([end]), x, p))
+        call = Call(self._problem(constant_coefficients(self.u), 0.0, np.array([end]), x, p))
         run = call.made()
         if not run.outcome.is_success:
             raise SimulationError(
@@ -98,23 +101,25 @@ class SineRig:
         settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
         return settled, np.concatenate([self.point.numbers, call.memory]), end
 
-    def _problem(self, held: Array, begin: float, grid: Array, x: Array, p: Array, **more: object) -> Problem:
-        """A run from a time on; the clocks go on from there."""
+    def _problem(
+        self, coefficients: Array, begin: float, grid: Array, x: Array, p: Array, **options: object
+    ) -> Problem:
+        """Return a run from a start time; the clocks continue from there."""
         return Problem(
-            self.kernel, p.copy(), x.copy(), np.array([begin]), np.zeros(1, dtype=np.int64), held,
-            np.zeros(1, dtype=bool), grid, self.tolerance, most_attempts=MOST_ATTEMPTS, **more,  # type: ignore[arg-type]
+            self.kernel, p.copy(), x.copy(), np.array([begin]), np.zeros(1, dtype=np.int64), coefficients,
+            np.zeros(1, dtype=bool), grid, self.tolerance, most_attempts=MOST_ATTEMPTS, **options,  # type: ignore[arg-type]
         )  # fmt: skip
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
-        """Drive the input with its held value plus a sine."""
-        held = held_coefficients(self.u, self.begin)
-        held[0, self.input, 2:4] = amplitude, frequency
-        return solve(self._problem(held, self.begin, self.begin + grid, self.x, self.p))
+        """Run with a sine added to the constant input."""
+        coefficients = constant_coefficients(self.u, self.begin)
+        coefficients[0, self.input, 2:4] = amplitude, frequency
+        return solve(self._problem(coefficients, self.begin, self.begin + grid, self.x, self.p))
 
     def response(
         self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS
     ) -> SineResponse:
-        """Fundamental of the output when the transient is over."""
+        """Return the fundamental of the output after the transient."""
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):
             part = periods * 2**k * rows
@@ -123,27 +128,29 @@ class SineRig:
             if not run.outcome.is_success:
                 return SineResponse(complex(np.nan), np.nan, np.nan, False)
             y = run.values[self.output]
-            early = fundamental(grid[part : 2 * part], y[part : 2 * part], frequency)
-            late = fundamental(grid[2 * part :], y[2 * part :], frequency)
-            is_steady = abs(late[0] - early[0]) <= SAME * abs(late[0])
-            if is_steady or late[2] > LOUD:
+            first = fundamental(grid[part : 2 * part], y[part : 2 * part], frequency)
+            second = fundamental(grid[2 * part :], y[2 * part :], frequency)
+            is_steady = abs(second[0] - first[0]) <= SAME * abs(second[0])
+            if is_steady or second[2] > LOUD:
                 break
-        return SineResponse(late[0] / amplitude, late[1], late[2], is_steady)
+        return SineResponse(second[0] / amplitude, second[1], second[2], is_steady)
 
-    def rise(self, change: float, wanted: float, part: float, longest: float) -> float:
-        """Time from a step of the input until the output has made its way."""
-        held = held_coefficients(self.u, self.begin)
-        held[0, self.input, 0] += change
-        sign = float(np.sign(wanted))
-        goal = self.level + part * wanted
+    def rise(self, change: float, expected: float, part: float, longest: float) -> float:
+        """Return the time from a step of the input until the output has made its change."""
+        coefficients = constant_coefficients(self.u, self.begin)
+        coefficients[0, self.input, 0] += change
+        sign = float(np.sign(expected))
+        goal = self.level + part * expected
         stop = StopCondition(Note("run.stopped"), (self.output, -1), (sign, 0.0, -sign * goal))
         end = np.array([self.begin + longest])
-        run = solve(self._problem(held, self.begin, end, self.x, self.p, stop_conditions=(stop,)))
+        run = solve(self._problem(coefficients, self.begin, end, self.x, self.p, stop_conditions=(stop,)))
         return float(run.time[-1]) - self.begin if run.stop >= 0 else float("nan")
 
 
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
-    """Wave of one frequency in a series, by least squares under a Hann window.
+    """Return the component of one frequency in a series, its mean, and the relative rms of the rest.
+
+    The Hann window separates sampling sidebands and slow drift from the fundamental.
 
     The window keeps what repeats with the sampling, and a slow drift, out of the fundamental.
 
@@ -157,7 +164,7 @@ def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, 
     angle = 2.0 * np.pi * frequency * time
     window = np.hanning(time.size + 2)[1:-1]
     columns = np.column_stack([np.ones(time.size), np.sin(angle), np.cos(angle)])
-    found = np.linalg.lstsq(columns * window[:, None], values * window, rcond=None)[0]
-    wave = complex(found[1], found[2])
-    left = float(np.sqrt(np.mean((values - columns @ found) ** 2)))
-    return wave, float(found[0]), left * np.sqrt(2.0) / abs(wave) if wave else np.inf
+    coefficients = np.linalg.lstsq(columns * window[:, None], values * window, rcond=None)[0]
+    wave = complex(coefficients[1], coefficients[2])
+    left = float(np.sqrt(np.mean((values - columns @ coefficients) ** 2)))
+    return wave, float(coefficients[0]), left * np.sqrt(2.0) / abs(wave) if wave else np.inf

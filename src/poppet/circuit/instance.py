@@ -1,10 +1,10 @@
-"""An instance of a model: what solvers and analyses need of a circuit, without the parts it was made of."""
+"""Instance of a model: compiled model, parameters and signals for solvers and analyses."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, Protocol, Self
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,72 +25,81 @@ from poppet.timeseries.segments import MergedSegments, SegmentTable, Signal, hel
 
 Array = NDArray[np.float64]
 Series = Callable[[str], Array]
-"""Address of an output, or `time`, to its values at the rows of a run."""
+"""Function from the address of an output, or `time`, to its values at the rows of a run."""
 LENGTHS = 4
-"""Lengths of runs for which the segments of signals are kept."""
+"""Number of run durations for which the segments of signals are cached."""
 TIES = 8
-"""Sets of numbers for which it is kept what follows from them."""
+"""Number of parameter sets whose tied parameters are cached."""
 
 
 class Drive:
-    """The signals of a circuit; their segments are made once for every length of run and shared by its variations."""
+    """Signals of a circuit, with segments that are cached per duration and shared by variants."""
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
         self.signals = signals
-        self._kept: LruCache[MergedSegments] = LruCache(LENGTHS)
+        self._cache: LruCache[MergedSegments] = LruCache(LENGTHS)
 
     def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> MergedSegments:
-        """Segments of every input over a run, not to be written to; inputs without a signal are held at zero."""
+        """Return the read-only segments of all inputs over a run; an input without a signal is zero."""
 
         def table(item: InputInfo, delay: float) -> SegmentTable:
-            if item.slope_of:
-                return self._moving(item.slope_of, duration)
-            signal = self.signals.get(item.name)
+            signal = self.signals.get(item.slope_of or item.name)
             if signal is None:
                 return held(0.0)
+            if item.slope_of:  # rate of change of another input
+                return signal.table(duration).derivative(f"signals.{item.slope_of}")
             return (signal.delayed(delay) if delay > 0.0 else signal).table(duration)
 
-        def make() -> MergedSegments:
-            return merge([table(*each) for each in zip(inputs, delays, strict=True)] or [held(0.0)])
+        def make_segments() -> MergedSegments:
+            return merge([table(item, delay) for item, delay in zip(inputs, delays, strict=True)] or [held(0.0)])
 
-        # Delays are in the key because they move breakpoints; other numbers leave the segments alone.
-        return self._kept.get((tuple(item.name for item in inputs), delays, duration), make)
+        # The key contains the delays because they move breakpoints; other parameters do not change the segments.
+        return self._cache.get((tuple(item.name for item in inputs), delays, duration), make_segments)
 
-    def _moving(self, address: str, duration: float) -> SegmentTable:
-        """How fast an input changes."""
-        signal = self.signals.get(address)
-        if signal is None:
-            return held(0.0)
-        return signal.table(duration).derivative(f"signals.{address}")
+
+class CircuitVariants(Protocol):
+    """Circuit as seen from its instance: source of variants and of notes on results."""
+
+    @property
+    def instance(self) -> Instance:
+        """Instance of this circuit."""
+
+    def with_values(self, values: Mapping[str, Any]) -> Self:
+        """Return a circuit with other values."""
+
+    def with_signals(self, signals: Mapping[str, Signal]) -> Self:
+        """Return a circuit with other signals."""
+
+    def resumed(self, recording: Recording) -> Self:
+        """Return a circuit that starts at the end of a recording."""
+
+    def result_notes(self, series: Series) -> Iterable[Note]:
+        """Yield notes of the parts on the results of a run."""
 
 
 @dataclass(frozen=True, eq=False)
 class Instance:
-    """A compiled model with numbers, signals and surroundings of its own."""
+    """A compiled model with parameters, signals and surroundings, without the parts."""
 
     kernel: Kernel
-    parameters: Mapping[str, float]  # address of every number to its run-time value, SI and absolute, in the order of p
+    parameters: Mapping[str, float]  # address to run-time value, SI and absolute, in the order of p
     drive: Drive
     surroundings: Surroundings
-    remarks: Callable[[Series], Iterable[Note]]  # from the series of a run to what the parts have to say about it
-    # other values and other signals, as keywords, to an instance that was made and checked anew
-    vary: Callable[..., Instance]
-    resume: Callable[[Recording], Instance]  # a recording to the instance that starts where it ends
-    title: str = ""  # shown with every result
-    notes: tuple[Note, ...] = ()  # what a reader of any result has to know about the numbers
-    # address of each stroke to the characteristic that holds over a range of it, and its end stops
+    circuit: CircuitVariants
+    title: str = ""
+    notes: tuple[Note, ...] = ()  # notes on the values of parameters and signals
+    # address of each stroke to its characteristic, which is valid in a range of it, and its end stops
     domains: Mapping[str, tuple[Any, tuple[float, float]]] = field(default_factory=dict)
-    initial: Mapping[str, str] = field(default_factory=dict)  # address of an output to the number that it begins at
-    # series that a picture leaves out: what parts do inside, and inputs that take what another part shows
-    inner: frozenset[str] = frozenset()
-    # every number of the parts by its address, as it was given: with its source
-    sources: Mapping[str, Number] = field(default_factory=dict)
-    holders: Mapping[str, str] = field(default_factory=dict)  # actuator to the body that it moves
+    initial: Mapping[str, str] = field(default_factory=dict)  # address of an output to the parameter of its start value
+    inner: frozenset[str] = frozenset()  # internal outputs, which figures omit by default
+    sources: Mapping[str, Number] = field(default_factory=dict)  # address to value with unit and source, of the parts
+    bodies: Mapping[str, str] = field(default_factory=dict)  # actuator to the body that it moves
+    changes: Mapping[str, float] = field(default_factory=dict)  # parameters that differ from `circuit`
     _ties: LruCache[frozenset[str]] = field(default_factory=lambda: LruCache(TIES), init=False, repr=False)
 
     @property
     def model(self) -> Model:
-        """The traced model: states, inputs, parameters, outputs."""
+        """Traced model: states, inputs, parameters, outputs."""
         return self.kernel.model
 
     @property
@@ -104,106 +113,103 @@ class Instance:
         return tuple(item.name for item in self.model.inputs)
 
     def numbers(self) -> Array:
-        """Run-time numbers, the first part of p."""
+        """Return the run-time values of the parameters, the first part of p."""
         return np.array(list(self.parameters.values()), dtype=np.float64)
 
     def place(self, address: str) -> int:
-        """Index of a number in p."""
+        """Return the index of a parameter in p."""
         return self.model.parameters.index(address)
 
     def start(self) -> tuple[Array, Array]:
-        """Initial state with its quadratures, and p: numbers, behind them the memory at the start."""
-        # The compiled start reads the numbers only, and writes the memory behind them.
+        """Return the initial state with quadratures, and p: parameters, then the discrete state at the start."""
         numbers = self.numbers()
-        # Gas in a guided cylinder begins in the volume of the first moment. The number keeps that value: its input is
-        # driven, so that nothing else reads it, and repeated runs of a fit start from p alone.
+        # The gas in a guided cylinder starts with the volume at t = 0. The parameter gets the value of the signal: the
+        # input is driven, so nothing else reads the parameter, and repeated runs of a fit start from p alone.
         for address in {item.slope_of for item in self.model.inputs if item.slope_of in self.signals}:
             numbers[self.place(address)] = float(self.signals[address].table(1.0).evaluate(0.0))
         p = self.kernel.with_memory(numbers)
         return self.kernel.start(p), p
 
-    # Variations --------------------------------------------------------------------------------------------------
+    # Variants ----------------------------------------------------------------------------------------------------
 
     def with_values(self, values: Mapping[str, Any]) -> Instance:
-        """The same with other numbers or options, read and checked by the parts."""
-        return self.vary(values=values)
+        """Return an instance with other values or options, which the parts read and check."""
+        return self.circuit.with_values({**self.changes, **values}).instance
 
     def with_signals(self, signals: Mapping[str, Signal]) -> Instance:
-        """The same driven by other signals instead of its own."""
-        return self.vary(signals=signals)
+        """Return an instance with these signals in place of its own."""
+        return self._changed_circuit().with_signals(signals).instance
 
     def with_numbers(self, numbers: Mapping[str, float]) -> Instance:
-        """The same with other values in p, SI and absolute, that nobody checks: limits, notes, what follows from them.
+        """Return an instance with other values in p, SI and absolute, without checks, limits or notes.
 
-        Numbers from which others follow are `tied`, and want `with_values`.
+        Dependent parameters are not updated: if a parameter is `tied`, use `with_values`.
         """
+        return replace(self, parameters={**self.parameters, **numbers}, changes={**self.changes, **numbers})
 
-        # What is varied later starts from these numbers; a value that is given then prevails.
-        def vary(values: Mapping[str, Any] | None = None, signals: Mapping[str, Signal] | None = None) -> Instance:
-            return self.vary(values={**numbers, **(values or {})}, signals=signals)
+    def resumed(self, recording: Recording) -> Instance:
+        """Return an instance that starts at the end of a recording."""
+        return self._changed_circuit().resumed(recording).instance
 
-        return replace(self, parameters={**self.parameters, **numbers}, vary=vary)
+    def _changed_circuit(self) -> CircuitVariants:
+        return self.circuit.with_values(self.changes) if self.changes else self.circuit
 
-    def tied(self, moved: Mapping[str, float]) -> frozenset[str]:
-        """Which numbers others follow from; `moved` has another value for each that is asked about."""
-        # Every recording of a fit asks the same.
-        return self._ties.get(tuple(moved.items()), lambda: self._tied(moved))
+    def tied(self, changes: Mapping[str, float]) -> frozenset[str]:
+        """Return the parameters on which others depend; `changes` has another value for each candidate."""
+        # All recordings of a fit have the same candidates.
+        return self._ties.get(tuple(changes.items()), lambda: self._tied(changes))
 
-    def _tied(self, moved: Mapping[str, float]) -> frozenset[str]:
-
-        def others_follow(values: dict[str, float]) -> bool:
+    def _tied(self, changes: Mapping[str, float]) -> frozenset[str]:
+        def has_dependents(values: dict[str, float]) -> bool:
             return bool(self.with_values(values).parameters != {**self.parameters, **values})
 
-        # One look at all of them is the rule, and enough.
-        if not others_follow(dict(moved)):
+        # Usually no parameter is tied: one check of all is enough.
+        if not has_dependents(dict(changes)):
             return frozenset()
-        return frozenset(address for address, value in moved.items() if others_follow({address: value}))
+        return frozenset(address for address, value in changes.items() if has_dependents({address: value}))
 
     # Inputs ------------------------------------------------------------------------------------------------------
 
-    def held_inputs(self, given: Mapping[str, Any]) -> Array:
-        """Every input as given (SI, or text with a unit), else as its signal is at t = 0, else its number."""
-        known = {item.name: item for item in self.model.inputs}
-        values: list[float] = []
+    def held_inputs(self, values: Mapping[str, Any]) -> Array:
+        """Return the value of each input: from `values` (SI or text with a unit), signal at t = 0, or default."""
+        inputs = {item.name: item for item in self.model.inputs}
+        u: list[float] = []
         with ErrorCollector() as errors:
-            for name in given:
-                if name not in known:
-                    errors.add("inputs.unknown", name, near=NameSuggestion(name, known))
-            for name, item in known.items():
+            for name in values:
+                if name not in inputs:
+                    errors.add("inputs.unknown", name, near=NameSuggestion(name, inputs))
+            for name, item in inputs.items():
                 signal = self.signals.get(name)
-                if name in given:
+                if name in values:
                     with errors.collecting():
-                        values.append(self._read(item, given[name]))
+                        u.append(self._read(item, values[name]))
                 else:
-                    values.append(self._default(item) if signal is None else float(signal.table(1.0).evaluate(0.0)))
-        return np.array(values, dtype=float)
+                    u.append(self._number(item.default) if signal is None else float(signal.table(1.0).evaluate(0.0)))
+        return np.array(u, dtype=float)
 
-    def _read(self, item: InputInfo, given: Any) -> float:
-        read = quantity(given, item.unit, kind=item.kind, name=item.name)  # type: ignore[arg-type]
+    def _read(self, item: InputInfo, argument: Any) -> float:
+        read = quantity(argument, item.unit, kind=item.kind, name=item.name)  # type: ignore[arg-type]
         value = read.value + (self.surroundings.pressure if read.reference == "gauge" else 0.0)
         low, high = self._number(item.low), self._number(item.high)
         if not low <= value <= high:
-            raise InputError("inputs.outside", item.name, given=given, low=low, high=high, unit=item.unit)
+            raise InputError("inputs.outside", item.name, given=argument, low=low, high=high, unit=item.unit)
         return value
 
-    def _default(self, item: InputInfo) -> float:
-        return self._number(item.default)
-
-    def _number(self, given: str | float) -> float:
-        return self.parameters[given] if isinstance(given, str) else given
+    def _number(self, value: str | float) -> float:
+        return self.parameters[value] if isinstance(value, str) else value
 
     # Runs --------------------------------------------------------------------------------------------------------
 
     def problem(self, run: Run) -> Problem:
-        """The plain arrays of one run, which has a duration."""
+        """Return the arrays of one run, which must have a duration."""
         grid, inputs = run.grid(), self.model.inputs
         delays = tuple(self.parameters[item.delay] if item.delay else 0.0 for item in inputs)
         starts, courses, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))
-        # Shared with other runs, and the inputs without a signal are about to be written into them.
+        # A copy: other runs share the segments, and values of inputs without a signal are written below.
         coefficients = coefficients.copy()
         for k, item in enumerate(inputs):
             if item.name not in self.signals and not item.slope_of:
-                coefficients[:, k, 0] = self._default(item)
+                coefficients[:, k, 0] = self._number(item.default)
         x, p = self.start()
         return Problem(
             self.kernel, p, x, starts, courses, coefficients, jumps, grid,
@@ -214,7 +220,7 @@ class Instance:
         outputs = dict(self.model.outputs)
         conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
         for address, (curve, stops) in self.domains.items():
-            # Behind those that were asked for: where two hold at once, the run ends as its user wanted.
+            # After the conditions of the user, which have priority if two become true in the same step.
             if curve.edge == "error":
                 conditions += domain_conditions(address, curve.limits(stops), outputs)
         return tuple(conditions)

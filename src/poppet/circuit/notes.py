@@ -1,15 +1,15 @@
-"""From the arrays of a run to a recording that says what a reader has to know."""
+"""Recording of a run with its notes."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import partial
+from functools import lru_cache, partial
 
 import numpy as np
 
-from poppet.circuit.ideal_gas import OF_STATES
+from poppet.circuit.ideal_gas import STATE_CODES
 from poppet.circuit.instance import Array, Instance
-from poppet.circuit.load_metrics import Facts, figures_of
+from poppet.circuit.load_metrics import LoadData, load_metrics
 from poppet.core.codes import Note
 from poppet.engine.balances import Residual, residuals
 from poppet.engine.problem import Outcome, Problem, RawRun, ending, is_failure
@@ -17,38 +17,54 @@ from poppet.parts.part import AMBIENT
 from poppet.timeseries.recording import Recording
 
 
-def recording_of(instance: Instance, problem: Problem, raw: RawRun) -> Recording:
-    """The recording of a run, also of one that failed: see `is_failure`."""
+def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recording:
+    """Return the recording of a run, including a failed run (see `is_failure`).
+
+    Residuals and notes are computed on first use: together they cost a quarter of a short run.
+    """
     names, units = problem.kernel.model.columns
-    balances = residuals(problem, raw)
-    # The run says where the gas is worst, its start included.
-    notes = tuple(note for note in instance.notes if not (raw.time.size and note.code in OF_STATES))
+    balances = lru_cache(maxsize=1)(partial(residuals, problem, raw))
     return Recording(
         raw.time,
         names,
         units,
         raw.values,
         title=instance.title,
-        notes=(*notes, *_run_notes(instance, problem, raw, balances), *raw.notes),
+        notes=lambda: (*_run_notes(instance, problem, raw, balances()), *raw.notes),
         outcome=ending(problem, raw),
         statistics={"accepted_steps": raw.accepted, "rejected_steps": raw.rejected},
         residuals=balances,
         ambient_pressure=instance.surroundings.pressure,
         inner=instance.inner,
-        figures=partial(figures_of, Facts.of(instance, raw)) if problem.kernel.model.bodies else None,
+        figures=partial(load_metrics, LoadData.of(instance, raw)) if problem.kernel.model.bodies else None,
     )
 
 
 def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
-    # Of a run that failed at once there is no row, but its signals still have something to say.
+    """Yield static notes and the notes on signals, domains, parts and balances."""
+    # Notes on gas states at the start are replaced by notes on the gas states of the run.
+    yield from (note for note in instance.notes if not (raw.time.size and note.code in STATE_CODES))
+    # A run that failed in its first step has no row, but its signals can have notes.
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:
         if item.name in instance.signals:
             delay = instance.parameters[item.delay] if item.delay else 0.0
             yield from instance.signals[item.name].notes(end, item.name, delay)
     yield from _domain_notes(instance, problem, raw)
-    yield from _remarks(instance, problem, raw)
-    # A condition that held at the start is nearly always written the wrong way round.
+    if raw.time.size:
+        indices = {name: k for k, (name, _) in enumerate(problem.kernel.model.outputs)}
+
+        def series(address: str) -> Array:
+            if address == "time":
+                return raw.time
+            if address in indices:
+                row: Array = raw.values[indices[address]]
+                return row
+            assert address == f"{AMBIENT}.pressure", address
+            return np.full(raw.time.size, instance.surroundings.pressure)
+
+        yield from instance.circuit.result_notes(series)
+    # A condition that is true at the start has usually the wrong direction.
     if raw.outcome is Outcome.STOPPED and raw.time.size == 1 and not is_failure(problem, raw):
         yield Note("run.nothing_ran", **problem.stop_conditions[raw.stop].reason.facts)
     if raw.outcome.is_success:
@@ -56,20 +72,6 @@ def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tupl
             if not r.is_kept:
                 facts = {"quantity": r.quantity, "error": r.error, "unit": r.unit, "allowed": r.allowed}
                 yield Note("run.not_conserved", r.store, **facts)
-
-
-def _remarks(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:
-    """What parts say about their own results."""
-    places = {name: k for k, (name, _) in enumerate(problem.kernel.model.outputs)}
-    held = {f"{AMBIENT}.pressure": instance.surroundings.pressure}
-
-    def series(address: str) -> Array:
-        if address == "time":
-            return raw.time
-        return raw.values[places[address]] if address in places else np.full(raw.time.size, held[address])
-
-    if raw.time.size:
-        yield from instance.remarks(series)
 
 
 def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:

@@ -200,7 +200,7 @@ def find_bench_limits(options: argparse.Namespace) -> int:
         result = find_limits(plan, progress)
 
     def write_report(path: Path) -> None:
-        from poppet.report.bench.limits import write_limits
+        from poppet.report.bench.limits_report import write_limits
 
         write_limits(result, path)
 

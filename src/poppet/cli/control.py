@@ -56,7 +56,7 @@ def _tune(options: argparse.Namespace) -> int:
     if output is not None:
         write_whole(output, lambda stream: stream.write(tuning.text().encode()))
     if options.report is not None:
-        from poppet.report.control_pages import write_tuning
+        from poppet.report.control_report import write_tuning
 
         write_tuning(tuning, circuit, options.report)
     print_written(output, options.report)
@@ -64,7 +64,7 @@ def _tune(options: argparse.Namespace) -> int:
 
 
 def _tuning_text(tuning: Tuning, file: str) -> str:
-    from poppet.report.control_pages import margin_table, verification_table
+    from poppet.report.control_report import margin_table, verification_table
 
     bounds = f"Bounded: {tuning.bounded}, {tuning.held}"
     if tuning.is_verified:
@@ -101,7 +101,7 @@ def _compare(options: argparse.Namespace) -> int:
 
         plot_comparison(comparison, options.plot, title=title)
     if options.report is not None:
-        from poppet.report.control_pages import write_comparison
+        from poppet.report.control_report import write_comparison
 
         write_comparison(comparison, options.report, title=title)
     print_written(output, options.plot, options.report)
@@ -110,7 +110,7 @@ def _compare(options: argparse.Namespace) -> int:
 
 
 def _comparison_text(comparison: Comparison) -> str:
-    from poppet.report.control_pages import figure_table
+    from poppet.report.control_report import figure_table
 
     sample = "Nominal parameters only; --vary ADDRESS=RANGE makes them uncertain."
     if comparison.draws:

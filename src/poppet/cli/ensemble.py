@@ -54,7 +54,7 @@ def run_ensemble(options: argparse.Namespace) -> int:
 
 def ensemble_summary(ensemble: Ensemble) -> str:
     """Return the tables of yields and metrics."""
-    from poppet.report.ensemble.ensemble_tables import metric_table, yield_table
+    from poppet.report.ensemble.ensemble_report import metric_table, yield_table
 
     lines = [ensemble.plan.circuit.title] if ensemble.plan.circuit.title else []
     for table in (yield_table(ensemble), metric_table(ensemble)):
@@ -67,7 +67,7 @@ def find_size(options: argparse.Namespace) -> int:
     from poppet.core.toml_file import TomlFile
     from poppet.core.units import quantity
     from poppet.ensemble import size
-    from poppet.report.ensemble.sizing import sizing_text, write_sizing
+    from poppet.report.ensemble.sizing_report import sizing_text, write_sizing
 
     require_matplotlib(options.report)
     circuit, notes = load_circuit(options)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import argparse
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -65,7 +64,7 @@ def _identified(options: argparse.Namespace, progress: FitProgress) -> Result:
 def _designed(options: argparse.Namespace) -> int:
     """Rank tests that could be made."""
     from poppet import identify
-    from poppet.report.identification.design import design_text, write_design
+    from poppet.report.identification.design_report import design_text, write_design
 
     with PointProgress(is_quiet=options.quiet) as points:
         design = identify.identify_design(Path(options.file), progress=points)
@@ -76,24 +75,13 @@ def _designed(options: argparse.Namespace) -> int:
 def summary(result: Result, most: int | None = None) -> str:
     """What a person reads in a terminal; `most` findings, or all."""
     from poppet.core.note_groups import grouped
-    from poppet.identify.result import behind
-    from poppet.report.identification.headline import headline, next_step, sorted_out
+    from poppet.report.identification.headline import headline, next_step, split_notes
 
     lines = [result.title] if result.title else []
     lines.append(headline(result, is_plain=True))
     lines += [f"Next: {step}"] if (step := next_step(result)) else []
-    width = max((len(name) for name in result.parameters), default=0)
-    for name, e in result.parameters.items():
-        unit = behind(e.unit)
-        lines.append(
-            f"  {name:<{width}}  {e.value:.6g} +/- {e.standard_error:.2g}{unit}  "
-            f"[{e.low:.5g} ... {e.high:.5g}]  {e.verdict}"
-        )
-    for name, r in result.residuals.items():
-        unit = behind(r.unit)
-        nrmse = f"NRMSE {100.0 * r.nrmse:.2f} %, " if math.isfinite(r.nrmse) else ""
-        lines.append(f"  {name}: rms {r.rms:.4g}{unit}, {nrmse}bias {r.bias:.3g}{unit}")
-    major, minor = sorted_out(result.remarks)
+    lines += result.lines()
+    major, minor = split_notes(result.remarks)
     shown = [*major, *minor] if most is None else [*grouped(major), *grouped(minor)]
     lines += [f"- {remark}" for remark in shown[:most]]
     left = len(shown[most:]) if most is not None else 0

@@ -33,7 +33,7 @@ def linearise_file(options: argparse.Namespace) -> None:
 
 
 def _model_text(linear: Any, units: dict[str, str]) -> str:
-    from poppet.report.modes import mode_rows
+    from poppet.report.result_tables import mode_table
 
     sample_time = getattr(linear, "sample_time", 0.0)
     names_by_kind = {"state": linear.states, "input": linear.inputs, "output": linear.outputs}
@@ -43,7 +43,7 @@ def _model_text(linear: Any, units: dict[str, str]) -> str:
         *([name, units.get(name, ""), f"{value:.6g}"] for name, value in zip(linear.states, linear.x, strict=True)),
     ]
     head = f"Linear model over samples of {sample_time:.6g} s: {counts}" if sample_time else f"Linear model: {counts}"
-    texts = [head, aligned(point, [2]), aligned(mode_rows(linear), [1, 2, 3])]
+    texts = [head, aligned(point, [2]), mode_table(linear).text()]
     if sample_time:
         texts += [_eigenvalue_text(linear), "\n".join(f"- {note}" for note in grouped(linear.notes))]
     return "\n\n".join(text for text in texts if text)

@@ -19,6 +19,7 @@ from poppet.cli.parser import Command, CommandParser
 from poppet.core.command_options import Option
 from poppet.core.errors import InputError, NameSuggestion, PoppetError
 from poppet.core.number_format import printable
+from poppet.core.plugins import PluginWarning
 
 FAILED, WRONG_INPUT, INTERRUPTED = 1, 2, 130
 PROGRAM = Command(
@@ -43,6 +44,8 @@ def run(arguments: Sequence[str] | None = None) -> int:
     if arguments is None and not sys.warnoptions and not os.environ.get("POPPET_DEBUG"):
         # A user of the program gets notes; warnings are for Python code.
         warnings.simplefilter("ignore")
+        warnings.simplefilter("default", PluginWarning)
+        warnings.showwarning = _show_warning
     try:
         code = _dispatch(list(sys.argv[1:] if arguments is None else arguments))
         # Here, where a broken pipe can still be caught, not when the interpreter ends.
@@ -146,6 +149,10 @@ def _report(text: str, code: int, prefix: str = "error: ") -> int:
             print(f"{prefix}{printable(line)}", file=sys.stderr)
         sys.stderr.flush()
     return code
+
+
+def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
+    _report(str(message), 0, "note: ")
 
 
 def _tolerate_narrow_encodings() -> None:

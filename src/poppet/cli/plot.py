@@ -20,7 +20,7 @@ def plot_files(options: argparse.Namespace) -> None:
     from poppet.timeseries.recording import Recording
 
     # A CSV file has names only: the parts declare their internal outputs.
-    internal = {name for kind in KINDS.values() for name in kind.inside}
+    internal = {name for kind in KINDS.values() for name in kind.internal_outputs}
     recordings = []
     for recording in map(Recording.read, paths):
         if not recording.inner:

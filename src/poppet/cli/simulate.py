@@ -28,10 +28,7 @@ def execute(options: argparse.Namespace) -> int:
     """Run a circuit file; print or write the recording."""
     import numpy as np
 
-    from poppet.circuit.notes import recording_of
     from poppet.core.toml_file import TomlFile
-    from poppet.engine.problem import Outcome, ending, is_failure
-    from poppet.engine.solve import solve
     from poppet.timeseries.recording import Recording
 
     selection = OutputSelection.read(options.select, options.units)
@@ -39,26 +36,25 @@ def execute(options: argparse.Namespace) -> int:
     with Spinner("The model is prepared", is_quiet=options.quiet):
         circuit, changed_addresses, notes = _load_changed(options)
         try:
-            instance = circuit.instance
-            problem = instance.problem(circuit.run)
+            problem = circuit.problem(circuit.run)
         except InputError as error:
             if error.address in changed_addresses:
                 raise
             raise TomlFile.read(options.file).located(error) from None
     # A selection or unit that matches no output is rejected before the run.
-    names, units = zip(*instance.model.outputs, strict=True)
+    names, units = zip(*circuit.model.outputs, strict=True)
     selection.apply(Recording(np.zeros(1), names, units, np.ones((len(names), 1))))
-    # Not by `Circuit.simulate`: after Ctrl-C the partial recording must be available.
+    failure = None
     with RunProgress(float(problem.grid[-1]), is_quiet=options.quiet) as progress:
-        run = solve(problem, circuit.run.solver, progress)
-    recording = recording_of(instance, problem, run)
+        try:
+            recording = circuit.simulate(progress=progress)
+        except SimulationError as error:
+            failure, recording = error, error.recording
     print_notes([*notes, *recording.remarks])
     _write(recording, selection, options, circuit)
-    if is_failure(problem, run):
-        failure = SimulationError(ending(problem, run), recording)
-        if run.outcome is Outcome.INTERRUPTED:
-            # Shells expect exit code 130 after Ctrl-C.
-            failure.exit_code = INTERRUPTED
+    if failure is not None:
+        if failure.note.code == "run.ended.interrupted":
+            failure.exit_code = INTERRUPTED  # as shells expect after Ctrl-C
         raise failure
     return 0
 

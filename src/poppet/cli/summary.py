@@ -61,11 +61,11 @@ def run_summary(recording: Recording) -> str:
 
 def load_summary(recording: Recording) -> str:
     """Return the stroke and energy tables of a run with loads."""
-    from poppet.report.loads import ENERGY, STROKES, energy_rows, stroke_rows
+    from poppet.report.result_tables import ENERGY, STROKES, energy_table, stroke_table
 
-    energy = aligned(energy_rows(recording.figures), (1,))
-    strokes = [STROKES, aligned(stroke_rows(recording.figures), range(1, 7)), ""] if recording.figures.strokes else []
-    return "\n".join([*strokes, ENERGY, energy])
+    metrics = recording.figures
+    strokes = [STROKES, stroke_table(metrics).text(), ""] if metrics.strokes else []
+    return "\n".join([*strokes, ENERGY, energy_table(metrics).text()])
 
 
 def extent(recording: Recording) -> str:

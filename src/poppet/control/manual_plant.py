@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from poppet.circuit.instance import Instance
 from poppet.circuit.linear import steady_state
 from poppet.circuit.linear_model import LinearModel
-from poppet.circuit.newton import polished
+from poppet.circuit.newton import refine_steady_state
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sampled_model import SampledModel, model_at
 from poppet.control.loop import SampledPlant
@@ -25,7 +25,7 @@ from poppet.control.plant import NUDGE, OperatingPoint, Plant
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, SimulationError
 from poppet.engine.call import Call
-from poppet.engine.problem import Problem, held_coefficients
+from poppet.engine.problem import Problem, constant_coefficients
 from poppet.parts.quantities import COMMANDS, QUANTITIES, command_of
 
 Array = NDArray[np.float64]
@@ -200,7 +200,9 @@ class _Trim:
             miss = (between.outputs[self.row] - wanted) / self.size
             return np.append(f, miss), np.block([[jacobian, by_u[:, None]], [by_v[None, :], np.array([[last]])]])
 
-        w = polished(scaled, np.append(v, command), size, np.append(self.point.positive, False), conserves=True)
+        w = refine_steady_state(
+            scaled, np.append(v, command), size, np.append(self.point.positive, False), conserves=True
+        )
         found = self.at(float(w[-1]))
         if abs(self.shown(w[:-1], float(w[-1])) - wanted) > _MET * self.size or not found.is_at_rest(w[:-1]):
             return None
@@ -228,7 +230,8 @@ class _Trim:
         call = Call(
             Problem(
                 point.kernel, p.copy(), x.copy(), np.array([begin]), np.zeros(1, dtype=np.int64),
-                held_coefficients(point.u, begin), np.zeros(1, dtype=bool), grid, _TOLERANCE, most_attempts=_ATTEMPTS,
+                constant_coefficients(point.u, begin), np.zeros(1, dtype=bool), grid, _TOLERANCE,
+                most_attempts=_ATTEMPTS,
             )
         )  # fmt: skip
         run = call.made()

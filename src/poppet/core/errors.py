@@ -173,10 +173,10 @@ class ErrorCollector:
     >>> known = ("volume", "thermal")
     >>> with ErrorCollector() as errors:
     ...     for name in ("volum", "termal"):
-    ...         errors.add("fields.unknown", name, near=NameSuggestion(name, known))
+    ...         errors.add("fields.unknown", name, table="part", near=NameSuggestion(name, known))
     Traceback (most recent call last):
-    poppet.core.errors.InputErrors: volum is not a field of this part. Did you mean volume?
-    termal is not a field of this part. Did you mean thermal?
+    poppet.core.errors.InputErrors: volum is not a valid field of a part. Did you mean volume?
+    termal is not a valid field of a part. Did you mean thermal?
     """
 
     def __init__(self) -> None:

@@ -1,24 +1,20 @@
-"""Things that show themselves in a notebook. Who draws them stands floors above, and is named by the front door."""
+"""Base class of objects that a notebook shows as HTML."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
-
-_drawn: Callable[[Any], str | None] | None = None
-
-
-def drawn_by(draw: Callable[[Any], str | None]) -> None:
-    """Name who makes HTML of a `HtmlMixin` thing; None of it means that its text will do."""
-    global _drawn
-    _drawn = draw
+from typing import Any, ClassVar
 
 
 class HtmlMixin:
-    """Something that a notebook shows as HTML."""
+    """Object with an HTML representation in notebooks."""
 
     __slots__ = ()
 
+    renderer: ClassVar[Callable[[Any], str | None] | None] = None
+    """Function that returns the HTML of an object, or None for its text; set by the package above `report`."""
+
     def _repr_html_(self) -> str | None:
-        """For IPython, which takes `repr` where this is None."""
-        return None if _drawn is None else _drawn(self)
+        """Return HTML for IPython, or None: IPython then shows `repr`."""
+        renderer = type(self).renderer
+        return None if renderer is None else renderer(self)

@@ -1,70 +1,170 @@
-"""Tables that people write, read as they are declared: every mistake of a table at once, numbers in SI."""
+"""Declarations of table fields: one declaration reads a table, reports its errors and gives its JSON schema."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import Any
+from functools import cached_property
+from typing import Any, Literal
 
-from poppet.core.errors import ErrorCollector, NameSuggestion
-from poppet.core.units import Kind, quantity
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
+from poppet.core.units import Kind, quantity, sizes_of
 
 
-@dataclass(frozen=True)
-class Field:
-    """What may stand in one field of a table."""
+@dataclass(frozen=True, kw_only=True)
+class NumberRange:
+    """Limits of a number in its SI unit: `low` and `high` are valid values, `above` and `below` are not."""
 
+    unit: str
+    low: float = -math.inf
+    high: float = math.inf
+    above: float = -math.inf
+    below: float = math.inf
+
+    @cached_property
+    def ends(self) -> tuple[float, float]:
+        """Smallest and largest valid value, within the sizes that are plausible for the unit."""
+        smallest, largest = sizes_of(self.unit)
+        return smallest if self.above == 0.0 else self.low, min(self.high, largest)
+
+    def holds(self, value: float) -> bool:
+        """Return True if a value is within the limits; NaN is not."""
+        low, high = self.ends
+        return low <= value <= high and self.above < value < self.below
+
+    def check_range(self, address: str, value: float, shown: str, meaning: str) -> None:
+        """Raise `OutOfRangeError` if a value is outside the limits."""
+        if self.holds(value):
+            return
+        (low, high), limits = self.ends, []
+        if low > -math.inf or self.above > -math.inf:
+            is_open = self.above >= self.low and not self.above < value < low
+            limits += [f"greater than {self.above:g}" if is_open else f"at least {low:g}"]
+        if min(self.high, self.below) < math.inf or value > high:
+            limits += [f"at most {high:g}" if high < self.below else f"less than {self.below:g}"]
+        facts: dict[str, Any] = {"value": value, "shown": shown, "meaning": meaning, "limits": limits}
+        raise OutOfRangeError("fields.out_of_range", address, **facts, unit="" if self.unit == "1" else self.unit)
+
+
+@dataclass(frozen=True, kw_only=True)
+class Field(NumberRange):
+    """Declaration of one field of a table.
+
+    A field with a `unit` is a number. Its `choices` are words that are valid instead of a number. A field without a
+    unit is returned as it is written, if it is one of its `choices` and of its `type`.
+    """
+
+    unit: str = ""
+    kind: Kind = "plain"
+    type: Literal["value", "text", "integer", "table"] = "value"
+    choices: tuple[str, ...] = ()
     is_required: bool = False
-    choices: tuple[str, ...] = ()  # where it has a unit, words that stand for a number
-    unit: str = ""  # SI unit of a number; empty where it is none, and is handed on as it was written
-    kind: Kind = "plain"  # what else a number may be, as `quantity` takes it
-    meaning: str = ""  # for editors
-    is_table: bool = False  # it has fields of its own, which are read elsewhere
+    default: Any = None
+    meaning: str = ""
+    example: str = ""  # TOML text that the message about a missing field shows
+
+    def read(self, raw: Any, address: str, ambient_pressure: float = 0.0) -> Any:
+        """Return a value in SI; gauge pressures become absolute."""
+        name = address.rpartition(".")[2]
+        meaning = self.meaning or name.replace("_", " ")
+        if raw in self.choices:
+            return raw
+        if self.unit:
+            number = quantity(raw, self.unit, kind=self.kind, name=address)
+            value = number.value + (ambient_pressure if number.reference == "gauge" else 0.0)
+            self.check_range(address, value, str(raw), meaning)
+            return value
+        if self.choices:
+            near = NameSuggestion(str(raw), self.choices)
+            raise InputError("fields.not_an_option", address, value=raw, meaning=meaning, near=near)
+        if self.type == "table" and not isinstance(raw, Mapping):
+            raise InputError("fields.no_table", address, value=raw)
+        is_integer = isinstance(raw, int) and not isinstance(raw, bool)
+        if self.type == "integer" and not (is_integer and self.low <= raw <= self.high):
+            limits = ["an integer", f"at least {self.low:g}", f"at most {self.high:g}"]
+            facts = {"value": raw, "shown": str(raw), "meaning": meaning, "limits": limits, "unit": ""}
+            raise OutOfRangeError("fields.out_of_range", address, **facts)
+        return str(raw) if self.type == "text" else raw
+
+    def schema(self) -> dict[str, Any]:
+        """Return the JSON schema of the field."""
+        schema: dict[str, Any] = {}
+        if self.unit:
+            schema = {"type": ["number", "string", "object"]}
+        elif self.choices:
+            schema = {"enum": list(self.choices)}
+        elif self.type != "value":
+            schema = {"type": {"text": "string", "table": "object"}.get(self.type, self.type)}
+        if self.type == "integer":
+            schema |= {"minimum": self.low, "maximum": self.high}
+        if self.default is not None:
+            schema["default"] = self.default
+        description = f"{self.meaning}{f' [{self.unit}]' if self.unit else ''}".strip()
+        return schema | ({"description": description} if description else {})
 
 
 def read_fields(
     errors: ErrorCollector,
-    given: Any,
+    raw: Any,
     fields: Mapping[str, Field],
-    room: str,
     address: str = "",
     *,
+    table: str = "",
     ambient_pressure: float = 0.0,
 ) -> dict[str, Any]:
-    """What a table says, as far as it is no mistake; gauge pressures become absolute.
+    """Read a table as its fields are declared; collect the errors.
 
-    The words of unknown fields stand under `unknown` of a room, those of a missing one under its name in `missing`.
+    The result contains the valid fields and the declared defaults. Gauge pressures become absolute. The message about
+    an unknown field says of what the `table` is, "fit file".
 
     Examples
     --------
-    >>> fields = {"opens": Field(unit="s"), "use": Field(choices=("fit", "validation"))}
+    >>> fields = {"opens": Field(unit="s"), "use": Field(choices=("fit", "validation"), default="fit")}
     >>> with ErrorCollector() as errors:
-    ...     print(read_fields(errors, {"opens": "20 ms", "use": "fit"}, fields, "tank"))
+    ...     print(read_fields(errors, {"opens": "20 ms"}, fields))
     {'opens': 0.02, 'use': 'fit'}
     """
-    if not isinstance(given, Mapping):
-        errors.add("entry.form", address, value=given)
+    if not isinstance(raw, Mapping):
+        errors.add("fields.no_table", address, value=raw)
         return {}
     prefix = f"{address}." if address else ""
-    unknown = [key for key in given if key not in fields]
+    unknown = [key for key in raw if key not in fields]
     for key in unknown:
-        errors.add(f"{room}.unknown", f"{prefix}{key}", near=NameSuggestion(key, fields))
-    found = {}
+        errors.add("fields.unknown", f"{prefix}{key}", table=table, near=NameSuggestion(key, fields))
+    values = {}
     for key, field in fields.items():
-        place = f"{prefix}{key}"
-        if key not in given or (field.is_table and field.is_required and given[key] == {}):
-            # A misspelt field is one mistake, not two.
-            if field.is_required and not get_close_matches(key, unknown, n=1):
-                errors.add(f"{room}.missing.{key}", place)
-        elif field.unit and given[key] not in field.choices:
+        if key in raw and not (field.type == "table" and field.is_required and raw[key] == {}):
             with errors.collecting():
-                read = quantity(given[key], field.unit, kind=field.kind, name=place)
-                found[key] = read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
-        elif field.is_table and not isinstance(given[key], Mapping):
-            errors.add("entry.form", place, value=given[key])
-        elif field.choices and given[key] not in field.choices:
-            errors.add("entry.choice", place, value=given[key], near=NameSuggestion(str(given[key]), field.choices))
-        else:
-            found[key] = given[key]
-    return found
+                values[key] = field.read(raw[key], f"{prefix}{key}", ambient_pressure)
+        elif field.default is not None:
+            values[key] = field.default
+        # A misspelt name is one error, not two.
+        elif field.is_required and not get_close_matches(key, unknown, n=1):
+            errors.extend([missing_field(f"{prefix}{key}", field)])
+    return values
+
+
+def missing_field(address: str, field: Field) -> InputError:
+    """Return the error of a required field that is not given."""
+    meaning = field.meaning or address.rpartition(".")[2].replace("_", " ")
+    unit = "" if field.unit == "1" else field.unit
+    facts: dict[str, Any] = {"meaning": meaning, "unit": "" if field.example else unit, "plain": field.unit == "1"}
+    return InputError("fields.missing", address, **facts, example=field.example)
+
+
+def table_schema(fields: Mapping[str, Field], required: Sequence[str] = ()) -> dict[str, Any]:
+    """Return the JSON schema of a table from the declarations of its fields.
+
+    Examples
+    --------
+    >>> table_schema({"seed": Field(type="integer", low=0, high=9, is_required=True)})["properties"]
+    {'seed': {'type': 'integer', 'minimum': 0, 'maximum': 9}}
+    """
+    return {
+        "type": "object",
+        "properties": {name: field.schema() for name, field in fields.items()},
+        "required": [name for name, field in fields.items() if field.is_required or name in required],
+        "additionalProperties": False,
+    }

@@ -33,9 +33,9 @@ class TomlFile:
     >>> file = TomlFile("[parts.tank]\\nvolume = 1.0\\n", "bench.toml")
     >>> with file.errors() as errors:
     ...     if "volume" in file.content["parts"]["tank"]:
-    ...         errors.add("fields.unknown", "parts.tank.volume", near="Remove it.")
+    ...         errors.add("fields.unknown", "parts.tank.volume", table="part", near="Remove it.")
     Traceback (most recent call last):
-    poppet.core.errors.InputError: bench.toml:2: parts.tank.volume is not a field of this part. Remove it.
+    poppet.core.errors.InputError: bench.toml:2: parts.tank.volume is not a valid field of a part. Remove it.
     """
 
     text: str

@@ -16,7 +16,10 @@ from poppet.engine.model_evaluation import Evaluation
 from poppet.parts.part import Controller
 
 if TYPE_CHECKING:
+    import casadi
+
     from poppet.circuit.circuit import Circuit
+    from poppet.circuit.linear_model import ControlSystem
 
 Array = NDArray[np.float64]
 
@@ -46,9 +49,9 @@ class CasadiModel:
     valves fully open or closed. At the kinks of the model they are one-sided.
     """
 
-    f: Any
-    g: Any
-    start: Any
+    f: casadi.Function
+    g: casadi.Function
+    start: casadi.Function
     states: tuple[str, ...]
     inputs: tuple[str, ...]
     numbers: tuple[str, ...]
@@ -113,7 +116,7 @@ def to_control(
     inputs: Sequence[str] | None = None,
     numbers: Sequence[str] = (),
     without: str | Sequence[str] = (),
-) -> Any:
+) -> ControlSystem:
     """Return a circuit as a system of python-control; see `Circuit.to_control`."""
     with needed("control", "A system of python-control", "control"):
         import control
@@ -134,12 +137,13 @@ def to_control(
 
         return evaluate
 
-    return control.nlsys(
+    system: ControlSystem = control.nlsys(
         adapt(model.f), adapt(model.g),
         inputs=[names[name] for name in model.inputs], outputs=[names[name] for name in model.outputs],
         states=[names[name] for name in model.states],
         params={names[name]: float(value) for name, value in zip(model.numbers, model.p0, strict=True)},
     )  # fmt: skip
+    return system
 
 
 def _without_controllers(circuit: Circuit, controllers: str | Sequence[str]) -> Circuit:

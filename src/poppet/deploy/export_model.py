@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from poppet.circuit.addresses import replaced
+from poppet.circuit.addresses import change_values
 from poppet.circuit.wiring import check_starts
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.deploy.export_files import identifier, identifiers
@@ -237,7 +237,7 @@ def _tied_in_part(
         return tied
     for key, neighbour in neighbours.items():
         try:
-            changed = replaced({"part": part}, {f"part.{key}": neighbour})["part"]
+            changed = change_values({"part": part}, {f"part.{key}": neighbour})["part"]
             check(changed)
             is_tied = changed.parameters(surroundings) != {**values, key: neighbour}
         except InputError:

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.command_options import Option
+from poppet.core.plugins import Registry
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -216,5 +217,9 @@ BUILT_IN = (
 )
 
 
-TARGETS: Mapping[str, Target] = {target.name: target for target in BUILT_IN}
+def _is_target(name: str, value: object) -> bool:
+    return isinstance(value, Target) and value.name == name
+
+
+TARGETS: Registry[Target] = Registry("poppet.targets", {target.name: target for target in BUILT_IN}, _is_target)
 """Targets by name, with those of installed packages."""

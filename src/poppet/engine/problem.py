@@ -67,13 +67,13 @@ class Problem:
     most_attempts: int = MOST_ATTEMPTS  # of steps
 
 
-def held_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **more: float) -> Problem:
+def constant_input_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **more: float) -> Problem:
     """A run from t = 0 on whose inputs u, (n_inputs,), are held; `more` are further fields of a problem."""
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
-    return Problem(kernel, p, x0, start, course, held_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
+    return Problem(kernel, p, x0, start, course, constant_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
 
 
-def held_coefficients(u: Array, begin: float = 0.0) -> Array:
+def constant_coefficients(u: Array, begin: float = 0.0) -> Array:
     """Coefficients of one segment from `begin` on, on which inputs are held; without inputs there is room for one."""
     held = np.zeros((1, max(1, u.size), 7))
     held[0, : u.size, 0], held[:, :, 6] = u, begin

@@ -139,7 +139,7 @@ def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, 
     """Read the distribution of a number that is declared so and has this value."""
     with ErrorCollector() as errors:
         if not isinstance(given, Mapping):
-            errors.add("entry.form", place, value=given)
+            errors.add("fields.no_table", place, value=given)
         elif given.get("distribution") not in FORMS:
             kind = given.get("distribution", "")
             errors.add(
@@ -152,7 +152,7 @@ def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, 
     units = {**dict.fromkeys((*form.factors, relative), one), **dict.fromkeys(form.spreads, spread)}
     fields = {"distribution": Field(), **{key: units.get(key, value) for key in form.names}}
     with ErrorCollector() as errors:
-        read = read_fields(errors, given, fields, "ensemble", place, ambient_pressure=ambient)
+        read = read_fields(errors, given, fields, place, ambient_pressure=ambient)
     middle = number.absolute(ambient)
     if relative in read:
         # Of a gauge pressure the part that was written, not the atmosphere below it.

@@ -44,8 +44,8 @@ FIELDS = {
     "keep": Field(choices=KEPT, meaning="what is kept of the runs"),
     "curves": Field(meaning="addresses of the outputs whose bands or curves are kept"),
     "indices": Field(meaning="base of the Sobol indices"),
-    "numbers": Field(is_table=True),
-    "metrics": Field(is_table=True),
+    "numbers": Field(type="table"),
+    "metrics": Field(type="table"),
 }
 """Fields of the table `ensemble`."""
 
@@ -145,7 +145,7 @@ def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) 
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure
     with ErrorCollector() as errors:
-        read = read_fields(errors, ensemble, FIELDS, "ensemble", "ensemble")
+        read = read_fields(errors, ensemble, FIELDS, "ensemble")
         counts = {key: _whole(errors, read, key, *limits) for key, limits in COUNTS.items() if key in read}
         grid = np.zeros(0)
         with errors.collecting():
@@ -219,7 +219,7 @@ def _requirements(
 ) -> list[Requirement]:
     found = []
     if not isinstance(given, Mapping):
-        errors.add("entry.form", "requirements", value=given)
+        errors.add("fields.no_table", "requirements", value=given)
         return []
     for name, text in given.items():
         with errors.collecting():

@@ -225,7 +225,7 @@ def read_metric(name: str, given: Any, outputs: Mapping[str, str], ambient: floa
         given = {"metric": given}
     with ErrorCollector() as errors:
         fields = {"metric": Field(), **SHARED, "value": Field(), **_SETTLING}
-        read = read_fields(errors, given, fields, "ensemble", place)
+        read = read_fields(errors, given, fields, place)
         kind, is_own = read.get("metric", ""), False
         if callable(kind) or (isinstance(kind, str) and ":" in kind):
             is_own = True

@@ -70,6 +70,11 @@ class FreeParameter:
     recording: str = ""
     prior: NormalPrior | None = None
 
+    @property
+    def bounds(self) -> tuple[float, float]:
+        """Lower and upper bound."""
+        return self.low, self.high
+
     @cached_property
     def scale(self) -> float:
         """A size to measure steps with, never zero."""
@@ -121,7 +126,7 @@ def read_free(
     fields = {key: Field(unit=spec.unit, kind=spec.kind) for key in LIMITS} | {"prior": Field()}
     given = table if isinstance(table, Mapping) else {"start": table}
     with ErrorCollector() as errors:
-        read = read_fields(errors, given, fields, "free", place, ambient_pressure=ambient)
+        read = read_fields(errors, given, fields, place, table="free parameter", ambient_pressure=ambient)
         prior = _prior(errors, read.get("prior"), fields["start"], f"{place}.prior", ambient)
     start = read.get("start", numbers[address].absolute(ambient))
     low = read.get("min", max(spec.low, spec.above))
@@ -137,11 +142,15 @@ def read_free(
 def _prior(errors: ErrorCollector, given: Any, value: Field, place: str, ambient: float) -> NormalPrior | None:
     if given is None:
         return None
-    spread = replace(value, kind=_DIFFERENCE.get(value.kind, value.kind), is_required=True)
-    fields = {"mean": replace(value, is_required=True), "sd": spread}
-    read = read_fields(errors, given, fields, "prior", place, ambient_pressure=ambient)
+    spread = replace(
+        value,
+        kind=_DIFFERENCE.get(value.kind, value.kind),
+        is_required=True,
+        above=0.0,
+        meaning="standard deviation of the prior",
+    )
+    fields = {"mean": replace(value, is_required=True, meaning="mean of the prior"), "sd": spread}
+    read = read_fields(errors, given, fields, place, table="prior", ambient_pressure=ambient)
     if len(read) < 2:
         return None
-    if not read["sd"] > 0.0:
-        errors.add("prior.spread", f"{place}.sd", value=read["sd"])
     return NormalPrior(read["mean"], read["sd"])

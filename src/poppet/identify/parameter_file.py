@@ -99,7 +99,7 @@ def _with_fields(circuit: Circuit, file: TomlFile) -> Circuit:
     values: dict[str, Any] = {}
     for name, fields in tables.items():
         part = circuit.parts.get(name)
-        gone = part.giving_way(fields) if part else ()
+        gone = part.replaced_fields(fields) if part else ()
         values |= {f"{name}.{field}": None for field in gone} | {f"{name}.{key}": v for key, v in fields.items()}
     try:
         return circuit.with_values(values)

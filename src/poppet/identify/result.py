@@ -4,20 +4,25 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import TYPE_CHECKING, Any, Literal, get_args
 
 import numpy as np
 
 from poppet.core.codes import Note, notes_of
-from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.errors import InputError, NameSuggestion, needed
 from poppet.core.files import by_suffix, write_whole
+from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
 from poppet.core.provenance import Number, Source
 from poppet.core.toml import from_json, json_text, toml_text
 from poppet.timeseries.checks import FloatArray
+
+if TYPE_CHECKING:
+    import pandas
+    from matplotlib.figure import Figure
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
@@ -149,6 +154,14 @@ class Result(HtmlMixin):
     series: Mapping[str, Any] = field(default_factory=dict, repr=False, compare=False)
     optima: tuple[Mapping[str, Any], ...] = ()
 
+    def __getitem__(self, address: str) -> Estimate:
+        if address not in self.parameters:
+            raise InputError("result.no_parameter", address, near=NameSuggestion(address, self.parameters))
+        return self.parameters[address]
+
+    def _ipython_key_completions_(self) -> list[str]:
+        return list(self.parameters)
+
     @property
     def findings(self) -> tuple[str, ...]:
         """The remarks in sentences."""
@@ -165,10 +178,74 @@ class Result(HtmlMixin):
         """
         names = self.conditions.get("recordings", [])
         return {
-            address: Number(e.value, e.unit, Source("fitted", self.title, f"+/- {e.standard_error:.3g} ({e.verdict})"))
-            for address, e in self.parameters.items()
-            if address.partition(".")[0] not in names and math.isfinite(e.value)
+            address: fitted_number(estimate, self.title)
+            for address, estimate in self.parameters.items()
+            if address.partition(".")[0] not in names and math.isfinite(estimate.value)
         }
+
+    def summary(self) -> str:
+        """Return the estimates, the residuals and all findings as text.
+
+        Returns
+        -------
+        str
+            One line for each estimate, each channel and each finding.
+        """
+        findings = [f"- {finding}" for finding in grouped(self.remarks)]
+        return "\n".join([*filter(None, [self.title]), *self.lines(), *findings])
+
+    def lines(self) -> list[str]:
+        """Return a line of text for each estimate and for the residuals of each channel.
+
+        Returns
+        -------
+        list of str
+        """
+        lines = []
+        width = max((len(name) for name in self.parameters), default=0)
+        for name, e in self.parameters.items():
+            error, interval = f"{e.standard_error:.2g}{behind(e.unit)}", f"[{e.low:.5g} ... {e.high:.5g}]"
+            lines.append(f"  {name:<{width}}  {e.value:.6g} +/- {error}  {interval}  {e.verdict}")
+        for name, r in self.residuals.items():
+            unit = behind(r.unit)
+            nrmse = f"NRMSE {100.0 * r.nrmse:.2f} %, " if math.isfinite(r.nrmse) else ""
+            lines.append(f"  {name}: rms {r.rms:.4g}{unit}, {nrmse}bias {r.bias:.3g}{unit}")
+        return lines
+
+    def to_frame(self) -> pandas.DataFrame:
+        """Return the estimates as a table.
+
+        Returns
+        -------
+        pandas.DataFrame
+            One row for each parameter: `value`, `unit`, `standard_error`, `low`, `high`, `verdict`, `start`.
+        """
+        with needed("pandas", "A pandas table", "data"):
+            import pandas as pd
+        return pd.DataFrame.from_dict({name: vars(e) for name, e in self.parameters.items()}, orient="index")
+
+    def plot(self, path: str | Path | None = None) -> Figure:
+        """Draw the measured series and the fitted curves with their 95 % confidence bands.
+
+        Parameters
+        ----------
+        path : str or Path, optional
+            File of the figure, `.png`, `.svg` or `.pdf`.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            One panel for each series.
+
+        Raises
+        ------
+        InputError
+            If the result has no series, for example because it was read from a file.
+        """
+        from poppet.timeseries.plotting.fitted_series import plot_fitted_series
+
+        tables = {name: table for name, table in self.series.items() if "measured" in table}
+        return plot_fitted_series(tables, path, title=self.title)
 
     def content(self) -> dict[str, Any]:
         """Everything that is written to a file, as plain tables."""
@@ -195,6 +272,34 @@ class Result(HtmlMixin):
         """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+
+
+DEPENDENT_FINDINGS = {
+    "finding.choking.never": ("number", "finding.choking.perhaps_never"),
+    "flow.none_choked": ("", "flow.none_choked_perhaps"),
+    "flow.unusual_conductance": ("", ""),
+}
+"""Findings that need a determined parameter: fact with its address (or the address of the note), and the code of the
+finding that replaces them otherwise."""
+
+
+def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Estimate]) -> tuple[Note, ...]:
+    """Replace or drop the findings that depend on a parameter that is not determined."""
+    findings = []
+    for note in notes:
+        fact, replacement = DEPENDENT_FINDINGS.get(note.code, ("", ""))
+        estimate = estimates.get(note.facts[fact] if fact else note.address)
+        if note.code not in DEPENDENT_FINDINGS or estimate is None or estimate.verdict == "determined":
+            findings.append(note)
+        elif replacement:
+            findings.append(Note(replacement, note.address, **note.facts))
+    return tuple(findings)
+
+
+def fitted_number(estimate: Estimate, title: str) -> Number:
+    """Return an estimate as a number whose source is `fitted`."""
+    note = f"+/- {estimate.standard_error:.3g} ({estimate.verdict})"
+    return Number(estimate.value, estimate.unit, Source("fitted", title, note))
 
 
 def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:

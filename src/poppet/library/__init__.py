@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
 
 from poppet.core.errors import InputError, NameSuggestion
+from poppet.core.plugins import Registry
 from poppet.core.provenance import Number
 from poppet.laws.curves import Characteristic
 from poppet.library import dmsp, gases, varga2012, vppm_6l
@@ -12,6 +14,7 @@ from poppet.library.gases import Gas
 
 __all__ = [
     "Gas",
+    "ParameterSet",
     "characteristic",
     "characteristics",
     "describe",
@@ -22,19 +25,46 @@ __all__ = [
     "sets",
 ]
 
-_REFERENCES = {varga2012.NAME: varga2012.REFERENCE, vppm_6l.NAME: vppm_6l.REFERENCE, **dmsp.REFERENCES}
-_NUMBERS: dict[str, dict[str, Mapping[str, Mapping[str, Number]]]] = {
-    varga2012.NAME: {"main_stage": varga2012.MAIN_STAGES},
-    vppm_6l.NAME: {
-        "main_stage": {"regulator": vppm_6l.MAIN_STAGE},
-        "pilot_stage": {"": vppm_6l.PILOT_STAGE},
-        "electronics": vppm_6l.ELECTRONICS,
+
+@dataclass(frozen=True)
+class ParameterSet:
+    """A published parameter set.
+
+    Parameters
+    ----------
+    reference : str
+        Source of the set.
+    parts : mapping
+        Kind of part to variant (mode, preset; else empty) to the numbers of the part by dotted name.
+    characteristics : mapping, optional
+        Name of each flow characteristic, `varga2012.closed`, to a function that takes this name.
+    """
+
+    reference: str
+    parts: Mapping[str, Mapping[str, Mapping[str, Number]]]
+    characteristics: Mapping[str, Callable[[str], Characteristic]] = field(default_factory=dict)
+
+
+_SETS: Registry[ParameterSet] = Registry(
+    "poppet.library",
+    {
+        **{name: ParameterSet(dmsp.REFERENCES[name], {"muscle": {"": muscle}}) for name, muscle in dmsp.SETS.items()},
+        varga2012.NAME: ParameterSet(
+            varga2012.REFERENCE, {"main_stage": varga2012.MAIN_STAGES}, varga2012.CHARACTERISTICS
+        ),
+        vppm_6l.NAME: ParameterSet(
+            vppm_6l.REFERENCE,
+            {
+                "main_stage": {"regulator": vppm_6l.MAIN_STAGE},
+                "pilot_stage": {"": vppm_6l.PILOT_STAGE},
+                "electronics": vppm_6l.ELECTRONICS,
+            },
+            {f"{vppm_6l.NAME}.closed": varga2012.closed_characteristic},
+        ),
     },
-    **{name: {"muscle": {"": numbers}} for name, numbers in dmsp.SETS.items()},
-}
-"""Set to kind of part to variant (mode, preset) to numbers."""
+    lambda name, value: isinstance(value, ParameterSet),
+)
 _VARIANTS = {"main_stage": "mode", "electronics": "preset"}
-_CHARACTERISTICS = {**varga2012.CHARACTERISTICS, f"{vppm_6l.NAME}.closed": varga2012.closed_characteristic}
 
 
 def sets() -> tuple[str, ...]:
@@ -50,7 +80,7 @@ def sets() -> tuple[str, ...]:
     >>> sets()
     ('gases', 'dmsp_10_250', 'dmsp_20_300', 'dmsp_40_300', 'varga2012', 'vppm_6l')
     """
-    return ("gases", *sorted(_REFERENCES))
+    return ("gases", *sorted(_SETS))
 
 
 def characteristics() -> tuple[str, ...]:
@@ -66,7 +96,7 @@ def characteristics() -> tuple[str, ...]:
     >>> "varga2012.closed" in characteristics()
     True
     """
-    return tuple(sorted(_CHARACTERISTICS))
+    return tuple(sorted(name for parameter_set in _SETS.values() for name in parameter_set.characteristics))
 
 
 def gas_names() -> tuple[str, ...]:
@@ -108,9 +138,10 @@ def characteristic(name: str) -> Characteristic:
     >>> print(f"{characteristic('varga2012').critical_ratio_at(0.5e-3):.5f}")
     0.42736
     """
-    if name not in _CHARACTERISTICS:
-        raise _unknown("characteristic", name, _CHARACTERISTICS)
-    return _CHARACTERISTICS[name](name)
+    owner = name.partition(".")[0]
+    if owner not in _SETS or name not in _SETS[owner].characteristics:
+        raise _unknown("characteristic", name, characteristics())
+    return _SETS[owner].characteristics[name](name)
 
 
 def main_stage(name: str, mode: str) -> Mapping[str, Number]:
@@ -168,24 +199,24 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
     >>> print(numbers("vppm_6l", "pilot_stage")["volume"])
     5e-06 m^3
     """
-    with_kind = [each for each, parts in _NUMBERS.items() if kind in parts]
-    if name not in with_kind:
-        raise _unknown("data", name, tuple(with_kind))
-    variants = _NUMBERS[name][kind]
+    if name not in _SETS or kind not in _SETS[name].parts:
+        raise _unknown("data", name, [key for key, parameter_set in _SETS.items() if kind in parameter_set.parts])
+    variants = _SETS[name].parts[kind]
     if variant not in variants:
-        raise _unknown(_VARIANTS[kind], variant, variants)
+        raise _unknown(_VARIANTS.get(kind, "data"), variant, variants)
     return variants[variant]
 
 
-def complete_sets(kind: str) -> tuple[str, ...]:
-    """Sets that have numbers for all parts of a part made of parts, `proportional_valve`."""
-    needed = {"proportional_valve": {"main_stage", "pilot_stage", "electronics"}}[kind]
-    return tuple(name for name, parts in _NUMBERS.items() if needed <= set(parts))
+def complete_sets(*kinds: str) -> tuple[str, ...]:
+    """Return the names of the sets that have numbers for all of these kinds of parts."""
+    return tuple(name for name, parameter_set in _SETS.items() if set(kinds) <= set(parameter_set.parts))
 
 
 def every_set(kind: str) -> list[Mapping[str, Number]]:
-    """Numbers of a kind of part in all sets and variants."""
-    return [each for parts in _NUMBERS.values() for each in parts.get(kind, {}).values()]
+    """Return the numbers of a kind of part in all variants of the sets that are loaded."""
+    # A part has numbers of loaded sets only. Each part that is made calls this function: it does not read plugins.
+    loaded = [parameter_set.parts.get(kind, {}) for parameter_set in _SETS.data.values()]
+    return [numbers for variants in loaded for numbers in variants.values()]
 
 
 def gas(name: str) -> Gas:
@@ -242,29 +273,27 @@ def describe(name: str) -> str:
     argon: an ideal gas
     """
     if name == "gases":
-        return "\n\n".join(_gas_text(each) for each in gases.GASES.values())
-    if name in _REFERENCES:
-        return _valve_text(name)
-    if name in _CHARACTERISTICS:
-        return _characteristic_text(characteristic(name))
+        return "\n\n".join(_gas_text(gas) for gas in gases.GASES.values())
     if name in gases.GASES:
         return _gas_text(gases.GASES[name])
+    if name in _SETS:
+        return _set_text(name, _SETS[name])
+    if name in characteristics():
+        return _characteristic_text(characteristic(name))
     raise _unknown("data", name, (*sets(), *characteristics(), *gases.GASES))
 
 
-def _valve_text(name: str) -> str:
-    shown = [each for each in characteristics() if each.split(".")[0] == name]
-    stages = [
-        kind + (f', {_VARIANTS[kind]} = "{variant}"' if variant else "") + f"\n{_number_lines(own)}"
-        for kind, variants in _NUMBERS[name].items()
-        for variant, own in variants.items()
-    ]
-    head = f"{name}: {_REFERENCES[name]}"
-    if shown:
-        return "\n\n".join(
-            [f"{head}\ncharacteristics: {', '.join(shown)}", _characteristic_text(characteristic(shown[0])), *stages]
-        )
-    return "\n\n".join([head, *stages])
+def _set_text(name: str, parameter_set: ParameterSet) -> str:
+    blocks = [f"{name}: {parameter_set.reference}"]
+    if parameter_set.characteristics:
+        names = sorted(parameter_set.characteristics)
+        blocks[0] += f"\ncharacteristics: {', '.join(names)}"
+        blocks.append(_characteristic_text(characteristic(names[0])))
+    for kind, variants in parameter_set.parts.items():
+        for variant, own in variants.items():
+            option = f', {_VARIANTS.get(kind, "variant")} = "{variant}"' if variant else ""
+            blocks.append(f"{kind}{option}\n{_number_lines(own)}")
+    return "\n\n".join(blocks)
 
 
 def _characteristic_text(shown: Characteristic) -> str:
@@ -287,5 +316,5 @@ def _number_lines(numbers: Mapping[str, Number]) -> str:
     )
 
 
-def _unknown(field: str, name: str, known: Mapping[str, object] | tuple[str, ...]) -> InputError:
-    return InputError("library.unknown", field=field, name=name, near=NameSuggestion(name, known))
+def _unknown(what: str, name: str, known: Iterable[str]) -> InputError:
+    return InputError("library.unknown", field=what, name=name, near=NameSuggestion(name, tuple(known)))

@@ -1,11 +1,11 @@
-"""The parts of a circuit, and the register by which a circuit file names them: a module is read when it is needed."""
+"""Parts of circuits and the registry of their kinds."""
 
 from __future__ import annotations
 
 import importlib
-from collections import UserDict
 from typing import TYPE_CHECKING, Any
 
+from poppet.core.plugins import Registry
 from poppet.parts.part import Part, Passage, Store
 
 if TYPE_CHECKING:
@@ -29,47 +29,47 @@ if TYPE_CHECKING:
     from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
 
-class _Register(UserDict[str, Any]):
-    """Kind to class, which is kept by its place until it is asked for."""
-
-    def __getitem__(self, kind: str) -> Any:
-        made = super().__getitem__(kind)
-        return __getattr__(made.partition(".")[2]) if isinstance(made, str) else made
+def _is_part(name: str, value: object) -> bool:
+    return isinstance(value, type) and issubclass(value, Part) and value.kind == name
 
 
-KINDS: UserDict[str, type[Part]] = _Register({
-    "reservoir": "reservoir.Reservoir",
-    "chamber": "chamber.Chamber",
-    "orifice": "orifice.Orifice",
-    "flow_source": "flow_source.FlowSource",
-    "main_stage": "main_stage.MainStage",
-    "pilot_stage": "pilot_stage.PilotStage",
-    "electronics": "electronics.Electronics",
-    "proportional_valve": "proportional_valve.ProportionalValve",
-    "pid": "pid.PID",
-    "pressure_controller": "pressure_controller.PressureController",
-    "check_valve": "valves.CheckValve",
-    "relief_valve": "valves.ReliefValve",
-    "directional_valve": "valves.DirectionalValve",
-    "spool_valve": "spool_valve.SpoolValve",
-    "silencer": "valves.Silencer",
-    "mass": "bodies.Mass",
-    "joint": "bodies.Joint",
-    "guide": "bodies.Guide",
-    "cylinder": "cylinder.Cylinder",
-    "muscle": "muscle.Muscle",
-    "inverse_muscle": "antagonist.InverseMuscle",
-    "antagonist": "antagonist.Antagonist",
-    "tube": "tube.Tube",
-})  # fmt: skip
+KINDS: Registry[type[Part]] = Registry(
+    "poppet.parts",
+    {
+        "reservoir": "poppet.parts.reservoir:Reservoir",
+        "chamber": "poppet.parts.chamber:Chamber",
+        "orifice": "poppet.parts.orifice:Orifice",
+        "flow_source": "poppet.parts.flow_source:FlowSource",
+        "main_stage": "poppet.parts.main_stage:MainStage",
+        "pilot_stage": "poppet.parts.pilot_stage:PilotStage",
+        "electronics": "poppet.parts.electronics:Electronics",
+        "proportional_valve": "poppet.parts.proportional_valve:ProportionalValve",
+        "pid": "poppet.parts.pid:PID",
+        "pressure_controller": "poppet.parts.pressure_controller:PressureController",
+        "check_valve": "poppet.parts.valves:CheckValve",
+        "relief_valve": "poppet.parts.valves:ReliefValve",
+        "directional_valve": "poppet.parts.valves:DirectionalValve",
+        "spool_valve": "poppet.parts.spool_valve:SpoolValve",
+        "silencer": "poppet.parts.valves:Silencer",
+        "mass": "poppet.parts.bodies:Mass",
+        "joint": "poppet.parts.bodies:Joint",
+        "guide": "poppet.parts.bodies:Guide",
+        "cylinder": "poppet.parts.cylinder:Cylinder",
+        "muscle": "poppet.parts.muscle:Muscle",
+        "inverse_muscle": "poppet.parts.antagonist:InverseMuscle",
+        "antagonist": "poppet.parts.antagonist:Antagonist",
+        "tube": "poppet.parts.tube:Tube",
+    },
+    _is_part,
+)
+"""Kind to class. A module is imported when one of its kinds is requested; plugins add kinds (`core/plugins.py`)."""
 
-_GROUPS = {
-    "bodies": ("BodyFriction", "BodyStop", "JointFriction", "JointStop"),
-    "main_stage": ("Contact", "Exhaust", "Friction", "Spring", "Stop"),
-    "solenoid": ("Solenoid",),
+_PATHS = {
+    **{name: f"poppet.parts.bodies:{name}" for name in ("BodyFriction", "BodyStop", "JointFriction", "JointStop")},
+    **{name: f"poppet.parts.main_stage:{name}" for name in ("Contact", "Exhaust", "Friction", "Spring", "Stop")},
+    "Solenoid": "poppet.parts.solenoid:Solenoid",
+    **{str(path).partition(":")[2]: str(path) for path in KINDS.data.values()},
 }
-_MODULES = {name: module for module, names in _GROUPS.items() for name in names}
-_MODULES |= {place.partition(".")[2]: place.partition(".")[0] for place in map(str, KINDS.data.values())}
 
 # Literal, so that type checkers can read it.
 __all__ = [
@@ -114,6 +114,6 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _MODULES:
+    if name not in _PATHS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"{__name__}.{_MODULES[name]}"), name)
+    return getattr(importlib.import_module(_PATHS[name].partition(":")[0]), name)

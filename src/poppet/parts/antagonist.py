@@ -16,7 +16,7 @@ from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, maximum
 from poppet.parts.fields import NumberLike, number, reference
 from poppet.parts.muscle_law import MuscleLawPart
-from poppet.parts.part import AMBIENT, Control, Controller, Input, Quantities, Scope, Surroundings
+from poppet.parts.part import AMBIENT, Controller, ControlOutputs, Input, Quantities, Scope, Surroundings
 
 LEAST_SLOPE = 1e-7
 """Force per pressure below which a muscle counts as at the end of its way [N/Pa]: no division by zero beyond it."""
@@ -51,8 +51,8 @@ class _Inverse(MuscleLawPart, Controller):
     def wanted(self, scope: Scope) -> Quantities:
         """Absolute pressures within the limits, and what else is shown."""
 
-    def control(self, scope: Scope) -> Control:
-        return Control(self.wanted(scope))
+    def control(self, scope: Scope) -> ControlOutputs:
+        return ControlOutputs(self.wanted(scope))
 
     def _limits(self, scope: Scope) -> tuple[Any, Any]:
         """Gauge pressures."""

@@ -101,7 +101,7 @@ class _Moving(Body):
         upper_stop: Any
         initial_position: Any
 
-    def inner_series(self) -> tuple[str, ...]:
+    def list_internal_outputs(self) -> tuple[str, ...]:
         return "acceleration", f"actuator_{self.effort}", f"stop_{self.effort}"
 
     @property
@@ -315,13 +315,13 @@ class Mass(_Moving):
     lower_stop: Any = group(BodyStop, doc="the end stop at small positions", optional=True)
     upper_stop: Any = group(BodyStop, doc="the end stop at large positions", optional=True)
 
-    def first_travel(self) -> float:
+    def initial_travel(self) -> float:
         return float(self.initial_position)  # type: ignore[arg-type]
 
     def motion(self, scope: Scope) -> BodyMotion:
         return BodyMotion(scope.states["position"], scope.states["velocity"])
 
-    def moved(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
+    def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         return self._moved(scope, force, friction, scope["mass"] * GRAVITY * sin(scope["inclination"]))
 
 
@@ -370,14 +370,14 @@ class Joint(_Moving):
     lower_stop: Any = group(JointStop, doc="the end stop at small angles", optional=True)
     upper_stop: Any = group(JointStop, doc="the end stop at large angles", optional=True)
 
-    def first_travel(self) -> float:
+    def initial_travel(self) -> float:
         return float(self.pulley_radius) * float(self.initial_position)  # type: ignore[arg-type]
 
     def motion(self, scope: Scope) -> BodyMotion:
         radius = scope["pulley_radius"]
         return BodyMotion(radius * scope.states["position"], radius * scope.states["velocity"])
 
-    def moved(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
+    def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         radius = scope["pulley_radius"]
         return self._moved(scope, radius * force, radius * friction, 0.0)
 
@@ -405,12 +405,12 @@ class Guide(Body):
     def inputs(self) -> tuple[Input, ...]:
         return Input("position", "m", "position", by_signal=True), Input("velocity", "m/s", 0.0, slope_of="position")
 
-    def first_travel(self) -> float:
+    def initial_travel(self) -> float:
         return float(self.position)  # type: ignore[arg-type]
 
     def motion(self, scope: Scope) -> BodyMotion:
         return BodyMotion(scope.inputs["position"], scope.inputs["velocity"])
 
-    def moved(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
+    def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         # What holds it against its actuators.
         return BodyDynamics({"holding_force": (-force, "N")})

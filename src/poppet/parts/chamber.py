@@ -12,7 +12,7 @@ from poppet.core.symbolic import maximum
 from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import heat_transfer
 from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, number, option
-from poppet.parts.part import Balance, Gas, Quantities, Scope, State, Store, Surroundings
+from poppet.parts.part import GasBalance, GasState, Quantities, Scope, State, Store, Surroundings
 
 _ONLY_ENERGY = (
     "wall_conductance", "wall_temperature", "wall_heat_capacity", "outer_conductance", "ambient_temperature"
@@ -71,7 +71,7 @@ class Chamber(Store):
     kind: ClassVar[str] = "chamber"
     summary: ClassVar[str] = "a volume of gas: isothermal, polytropic, the paper's isentrope, or energy balance"
 
-    inside: ClassVar[tuple[str, ...]] = ("mass", "heat_flow_rate")
+    internal_outputs: ClassVar[tuple[str, ...]] = ("mass", "heat_flow_rate")
 
     volume: NumberLike = number("m^3", doc="volume", above=0.0)
     thermal: str = option("energy", "isothermal", "polytropic", "isentrope", doc="thermal law")
@@ -163,17 +163,17 @@ class Chamber(Store):
         first = scope["initial_pressure"], scope["volume"], scope["initial_temperature"]
         return gas_law.mass(*first, scope.surroundings.gas_constant)
 
-    def gas(self, scope: Scope) -> Gas:
+    def gas(self, scope: Scope) -> GasState:
         mass, gas_constant = scope.states["mass"], scope.surroundings.gas_constant
         if self.thermal == "energy":
             pressure = scope.states["pressure"]
-            return Gas(pressure, gas_law.temperature(pressure, scope["volume"], mass, gas_constant))
+            return GasState(pressure, gas_law.temperature(pressure, scope["volume"], mass, gas_constant))
         temperature = scope["initial_temperature"]
         if self.thermal != "isothermal":
             exponent = self._exponent(scope)
             # In a constant volume the density goes with the mass.
             temperature = temperature * (mass / self._initial_mass(scope)) ** (exponent - 1.0)
-        return Gas(mass * gas_constant * temperature / scope["volume"], temperature)
+        return GasState(mass * gas_constant * temperature / scope["volume"], temperature)
 
     def _exponent(self, scope: Scope) -> Any:
         """Exponent n of p ~ m^n in a constant volume."""
@@ -181,7 +181,7 @@ class Chamber(Store):
             return 1.0
         return scope["polytropic_exponent"] if self.thermal == "polytropic" else scope.surroundings.isentropic_exponent
 
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
         mass_rate = sum(mass for mass, _ in flows)
         enthalpy_rate = sum(enthalpy for _, enthalpy in flows)
         gas, air = self.gas(scope), scope.surroundings
@@ -200,10 +200,15 @@ class Chamber(Store):
             heat = self._exponent(scope) * air.heat_capacity_volume * gas.temperature * mass_rate - enthalpy_rate
             energy = None
         outputs["heat_flow_rate"] = (heat, "W")
-        return Balance(outputs, rates, heat, energy)
+        return GasBalance(outputs, rates, heat, energy)
 
     def _wall_heat(
-        self, scope: Scope, gas: Gas, flows: tuple[tuple[Any, Any], ...], rates: dict[str, Any], outputs: Quantities
+        self,
+        scope: Scope,
+        gas: GasState,
+        flows: tuple[tuple[Any, Any], ...],
+        rates: dict[str, Any],
+        outputs: Quantities,
     ) -> Any:
         """Heat from wall to gas; adds the wall's own rate and output where it has a temperature of its own."""
         is_state = self._has_wall_state
@@ -215,7 +220,7 @@ class Chamber(Store):
             outputs["wall_temperature"] = (wall, "K")
         return heat
 
-    def _conductance(self, scope: Scope, gas: Gas, wall: Any, flows: tuple[tuple[Any, Any], ...]) -> Any:
+    def _conductance(self, scope: Scope, gas: GasState, wall: Any, flows: tuple[tuple[Any, Any], ...]) -> Any:
         if self.heat_transfer == "constant":
             return scope["wall_conductance"]
         around = scope.surroundings

@@ -29,7 +29,7 @@ SEVERAL = 4
 class Compound(Part):
     """A part that joins others to one: wiring, and no equation of its own.
 
-    A subclass declares its members with `fields.member`, and says what each of them is told by the whole (`told`),
+    A subclass declares its members with `fields.member`, and says what each of them is told by the whole (`inherited`),
     which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside. Where
     the members follow from its numbers it makes them itself (`members`, `stores`, `outside`, `numbers`).
     """
@@ -41,7 +41,7 @@ class Compound(Part):
     outlets: ClassVar[Mapping[str, str]] = {}
     """Name of an output outside, in the order of the output, to the member's output."""
 
-    def told(self, member: str) -> dict[str, Any]:
+    def inherited_fields(self, member: str) -> dict[str, Any]:
         """Fields of a member that follow from the whole: its ports, its library set."""
         return {}
 
@@ -57,7 +57,7 @@ class Compound(Part):
             with errors.collecting(name):
                 object.__setattr__(self, attribute(name), self._member(name, spec))
         # What the whole tells its members wrongly is one mistake, of the whole.
-        told = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.told}
+        told = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.inherited}
         for problem in errors.collected:
             if problem.address in told and problem.code != "fields.unknown":
                 problem.address, problem.place = told[problem.address], ""
@@ -70,7 +70,10 @@ class Compound(Part):
         missing = [p for p in problems if p.code == "fields.missing" and "." in (p.address or "")]
         if getattr(self, "data", "") is not None or len(missing) < SEVERAL:
             return problems
-        first, known = [p.address for p in missing[:2]], library.complete_sets(self.kind)[0]
+        first, known = (
+            [p.address for p in missing[:2]],
+            library.complete_sets(*(spec.part.kind for _, spec in self._member_specs()))[0],
+        )
         told = InputError("parts.forgotten_set", "data", count=len(missing), first=first, set=known)
         return [told, *(p for p in problems if p not in missing)]
 
@@ -79,8 +82,8 @@ class Compound(Part):
 
     def _member(self, name: str, spec: MemberSpec) -> Part:
         given, known = getattr(self, attribute(name)), specs(spec.part)
-        told = self.told(name)
-        assert set(told) == set(spec.told), name
+        told = self.inherited_fields(name)
+        assert set(told) == set(spec.inherited), name
         # A missing port is a mistake of the whole, which has been told already.
         needed = [key for key, each in known.items() if isinstance(each, PortSpec) and not each.optional]
         told |= {key: name for key in needed if key in told and told[key] is None}
@@ -117,7 +120,7 @@ class Compound(Part):
 
     def numbers(self) -> dict[str, Number]:
         found = super().numbers()
-        told = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.told}
+        told = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.inherited}
         for name, part in self.members.items():
             found |= {f"{name}.{key}": number for key, number in part.numbers().items()}
         # What the whole tells its members stands with the whole.

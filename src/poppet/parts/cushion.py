@@ -12,7 +12,7 @@ from poppet.laws.iso6358 import conductance_from_effective_area
 from poppet.parts import moving_gas
 from poppet.parts.fields import NumberLike, body, laminar_limit, number, option, port, subsonic_index_m
 from poppet.parts.flow_path import iso_flow
-from poppet.parts.part import SELF, Balance, Gas, Passage, PassageFlows, Scope, State, Store, Surroundings
+from poppet.parts.part import SELF, GasBalance, GasState, Passage, PassageFlows, Scope, State, Store, Surroundings
 
 CAP, ROD = "cap", "rod"
 LEAST_LEFT = 0.01
@@ -105,7 +105,7 @@ class Cushion(Store, Passage):
         if "open_conductance" not in values:
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = conductance_from_effective_area(values["spear_area"], **gas)
-            values["open_conductance"] = ambient.as_stated(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
+            values["open_conductance"] = ambient.stated_size(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
         return values
 
     def states(self) -> tuple[State, ...]:
@@ -114,10 +114,10 @@ class Cushion(Store, Passage):
     def start(self, scope: Scope) -> dict[str, Any]:
         return moving_gas.begun(scope, self._volume(scope)[0])
 
-    def gas(self, scope: Scope) -> Gas:
+    def gas(self, scope: Scope) -> GasState:
         return moving_gas.state_of(scope, self._volume(scope)[0])
 
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
         volume, area = self._volume(scope)
         growth = area * scope["direction"] * scope.body.velocity
         return moving_gas.balance(scope, self.gas(scope), volume, growth, flows)
@@ -131,7 +131,7 @@ class Cushion(Store, Passage):
         least = LEAST_LEFT * scope["dead_volume"]
         return maximum(volume, least), where(volume > least, sign * (area - scope["spear_area"] * closed), 0.0)
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         ends = (gas["port"], self.gas(scope))
         _, closed = spear_way(depth_of(self.side, scope)[0], scope["length"], scope["closing_length"])
         inwards = where(ends[0].pressure > ends[1].pressure, scope["check_conductance"], 0.0)

@@ -32,11 +32,11 @@ from poppet.parts.flow_path import iso_flow
 from poppet.parts.part import (
     AMBIENT,
     Actuator,
-    Balance,
-    Gas,
+    ActuatorForce,
+    GasBalance,
+    GasState,
     Passage,
     PassageFlows,
-    Push,
     Quantities,
     Scope,
     State,
@@ -47,7 +47,7 @@ from poppet.parts.part import (
 DOUBLE, SINGLE = "double", "single"
 _CUSHIONS = ("cap_cushion", "rod_cushion")
 _SIDES = (CAP, ROD, *_CUSHIONS)
-_TOLD = ("side", "outer_diameter", "inner_diameter", "stroke_length", "offset", "direction", "body")
+_INHERITED = ("side", "outer_diameter", "inner_diameter", "stroke_length", "offset", "direction", "body")
 
 
 def piston_position(scope: Scope, travel: Any) -> Any:
@@ -100,10 +100,10 @@ class CylinderChamber(Store):
     def start(self, scope: Scope) -> dict[str, Any]:
         return moving_gas.begun(scope, self._volume(scope, scope.body.position)[0])
 
-    def gas(self, scope: Scope) -> Gas:
+    def gas(self, scope: Scope) -> GasState:
         return moving_gas.state_of(scope, self._volume(scope, scope.body.position)[0])
 
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
         volume, area = self._volume(scope, scope.body.position)
         growth = area * scope["direction"] * scope.body.velocity
         return moving_gas.balance(scope, self.gas(scope), volume, growth, flows)
@@ -175,13 +175,13 @@ class Piston(Actuator, Passage):
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         size = scope["leakage.sonic_conductance"], scope["leakage.critical_ratio"]
         ends = (gas["cap"], gas["rod"])
         flow, outputs = iso_flow(scope, "leakage_mass_flow_rate", ("cap", "rod"), ends, size, regime="leakage_regime")
         return PassageFlows((flow,), outputs)
 
-    def push(self, scope: Scope, gas: Mapping[str, Gas]) -> Push:
+    def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
         direction, travel, speed = scope["direction"], scope.body.position, scope.body.velocity
         bore_area = 0.25 * math.pi * scope["bore"] ** 2
         rod_area = 0.25 * math.pi * scope["rod_diameter"] ** 2
@@ -205,7 +205,7 @@ class Piston(Actuator, Passage):
             "piston_position": (depth, "m"),
             "piston_velocity": (out, "m/s"),
         }
-        return Push(direction * (force + stops), outputs, friction=rubbing)
+        return ActuatorForce(direction * (force + stops), outputs, friction=rubbing)
 
 
 @dataclass(frozen=True)
@@ -276,13 +276,13 @@ class Cylinder(Compound):
     leakage: Any = group(Leakage, doc="the leak past the piston")
     spring: Any = group(ReturnSpring, doc="the return spring")
     end_stop: Any = group(EndStop, doc="the end stops")
-    cap: Any = member(CylinderChamber, doc="the chamber at the cap", told=_TOLD, is_open=True)
-    rod: Any = member(CylinderChamber, doc="the chamber at the rod", told=_TOLD, is_open=True, optional=True)
-    cap_cushion: Any = member(Cushion, doc="the cushion at the cap", told=(*_TOLD, "port"), optional=True)
-    rod_cushion: Any = member(Cushion, doc="the cushion at the rod", told=(*_TOLD, "port"), optional=True)
+    cap: Any = member(CylinderChamber, doc="the chamber at the cap", inherited=_INHERITED, is_open=True)
+    rod: Any = member(CylinderChamber, doc="the chamber at the rod", inherited=_INHERITED, is_open=True, optional=True)
+    cap_cushion: Any = member(Cushion, doc="the cushion at the cap", inherited=(*_INHERITED, "port"), optional=True)
+    rod_cushion: Any = member(Cushion, doc="the cushion at the rod", inherited=(*_INHERITED, "port"), optional=True)
     piston: Any = member(
         Piston, doc="piston and rod",
-        told=("cap", "rod", "cap_port", "rod_port", "body", "acting", "bore", "rod_diameter", "stroke_length",
+        inherited=("cap", "rod", "cap_port", "rod_port", "body", "acting", "bore", "rod_diameter", "stroke_length",
               "offset", "direction", "seal_friction", "end_stop", "spring", "leakage"),
     )  # fmt: skip
 
@@ -301,7 +301,7 @@ class Cylinder(Compound):
             )
         },
     }
-    inside: ClassVar[tuple[str, ...]] = (
+    internal_outputs: ClassVar[tuple[str, ...]] = (
         *(f"{side}.{name}" for side in _SIDES for name in ("mass", "volume", "heat_flow_rate", "work_rate")),
         *(f"{side}.{name}" for side in _CUSHIONS for name in ("temperature", "mass_flow_rate", "regime")),
         *("stop_force", "piston_position", "piston_velocity", "leakage_mass_flow_rate", "leakage_regime"),
@@ -347,7 +347,7 @@ class Cylinder(Compound):
         if not -1e-3 * stroke <= depth <= 1.001 * stroke:
             raise InputError("cylinder.beyond_cover", "stroke_length", value=depth, stroke=stroke)
 
-    def told(self, member: str) -> dict[str, Any]:
+    def inherited_fields(self, member: str) -> dict[str, Any]:
         shared = {name: getattr(self, name) for name in ("body", "stroke_length", "offset", "direction")}
         match member:
             case "cap":
@@ -356,7 +356,7 @@ class Cylinder(Compound):
                 return shared | {"side": ROD, "outer_diameter": self.bore, "inner_diameter": self.rod_diameter}
             case "cap_cushion" | "rod_cushion":
                 side = member.removesuffix("_cushion")
-                return self.told(side) | {"port": f".{side}"}
+                return self.inherited_fields(side) | {"port": f".{side}"}
             case _:
                 names = ("acting", "bore", "rod_diameter", "seal_friction", "end_stop", "spring", "leakage")
                 ends: dict[str, Any] = {CAP: f".{CAP}", ROD: f".{ROD}" if self.has(ROD) else AMBIENT}

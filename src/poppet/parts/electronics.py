@@ -8,7 +8,18 @@ from typing import Any, ClassVar
 from poppet.core.errors import OutOfRangeError
 from poppet.core.symbolic import clip, floor, maximum, where
 from poppet.parts.fields import NumberLike, group, number, option, reference
-from poppet.parts.part import NEVER, Control, Controller, Input, Memory, Scope, State, Surroundings, Timer, ticked
+from poppet.parts.part import (
+    NEVER,
+    Controller,
+    ControlOutputs,
+    DiscreteState,
+    Input,
+    Scope,
+    State,
+    Surroundings,
+    Timer,
+    advance_clock,
+)
 from poppet.parts.quantities import as_difference
 
 SHORTEST_LAG = 1e-6
@@ -29,7 +40,7 @@ class Scaling:
 
 
 @dataclass(frozen=True)
-class Sensor:
+class FirstOrderSensor:
     """A sensor of first order."""
 
     lag: NumberLike = number("s", 0.0, doc="time constant", low=0.0, note="none")
@@ -138,7 +149,7 @@ class Electronics(Controller):
 
     kind: ClassVar[str] = "electronics"
     summary: ClassVar[str] = "sampled pressure control: outer PI(D), inner pilot loop, sensors, converter"
-    inside: ClassVar[tuple[str, ...]] = (
+    internal_outputs: ClassVar[tuple[str, ...]] = (
         "actual_value", "pilot_setpoint", "integral", "fill_duty", "vent_duty", "outlet_sensor_pressure",
         "pilot_sensor_pressure",
     )  # fmt: skip
@@ -149,8 +160,8 @@ class Electronics(Controller):
     setpoint_delay: NumberLike = number("s", 0.0, doc="delay of the setpoint's signal", low=0.0, note="none")
     scaling: Any = group(Scaling, doc="the pressures at 0 % and 100 %")
     zero_suppression: NumberLike = number("1", 0.0, doc="zero-point suppression", low=0.0, below=1.0, note="none")
-    outlet_sensor: Any = group(Sensor, doc="the sensor of the outlet pressure")
-    pilot_sensor: Any = group(Sensor, doc="the sensor of the pilot pressure")
+    outlet_sensor: Any = group(FirstOrderSensor, doc="the sensor of the outlet pressure")
+    pilot_sensor: Any = group(FirstOrderSensor, doc="the sensor of the pilot pressure")
     converter: Any = group(Converter, doc="the converter")
     outer: Any = group(OuterLoop, doc="the outer loop")
     inner: Any = group(InnerLoop, doc="the inner loop")
@@ -179,10 +190,10 @@ class Electronics(Controller):
     def states(self) -> tuple[State, ...]:
         return tuple(State(f"{name}_sensor_pressure", "Pa", 1e5, SENSOR_TOLERANCE) for name in _SENSORS)
 
-    def memory(self) -> tuple[Memory, ...]:
+    def memory(self) -> tuple[DiscreteState, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
         others = ("fill_duty", "vent_duty", "vent_wanted", "vent_ready", "outer_count", "inner_count")
-        return *(Memory(name, "Pa") for name in pressures), *(Memory(name, "1") for name in others)
+        return *(DiscreteState(name, "Pa") for name in pressures), *(DiscreteState(name, "1") for name in others)
 
     def timers(self) -> tuple[Timer, ...]:
         return Timer("outer", 0), Timer("inner", 1), Timer("vent", 2)
@@ -207,11 +218,13 @@ class Electronics(Controller):
         values |= {"outer": 0.0, "inner": 0.0, "vent": NEVER}
         return values | {"actual_pressure": scope.inputs["outlet_pressure"]}
 
-    def inner_series(self) -> tuple[str, ...]:
+    def list_internal_outputs(self) -> tuple[str, ...]:
         # Of a setpoint in volts or amperes it is the target that can be compared with a pressure.
-        return (*self.inside, "target_pressure") if self.setpoint_type == "pressure" else self.inside
+        return (
+            (*self.internal_outputs, "target_pressure") if self.setpoint_type == "pressure" else self.internal_outputs
+        )
 
-    def control(self, scope: Scope) -> Control:
+    def control(self, scope: Scope) -> ControlOutputs:
         rates = {}
         for name in _SENSORS:
             lag = maximum(scope[f"{name}_sensor.lag"], SHORTEST_LAG)
@@ -225,13 +238,13 @@ class Electronics(Controller):
             **{name: (memory[name], "1") for name in ("fill_duty", "vent_duty")},
             **{name: (pressure, "Pa") for name, pressure in scope.states.items()},
         }
-        return Control(outputs, rates)
+        return ControlOutputs(outputs, rates)
 
-    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+    def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         if timer == "vent":
             return {"vent": NEVER, "vent_ready": 1.0, "vent_duty": scope.memory["vent_wanted"]}
         new = self._outer(scope) if timer == "outer" else self._inner(scope)
-        return new | ticked(scope, timer, scope[f"{timer}.sample_time"])
+        return new | advance_clock(scope, timer, scope[f"{timer}.sample_time"])
 
     # Scaling and sensing -----------------------------------------------------------------------------------------
 

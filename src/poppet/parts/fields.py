@@ -7,18 +7,18 @@ A part is a frozen dataclass; `complete` turns what was given into `Number`s and
 from __future__ import annotations
 
 import dataclasses
-import math
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cache, cached_property
+from functools import cache
 from types import MappingProxyType
 from typing import Any, TypeVar
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError, UnitError
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError
 from poppet.core.provenance import SOURCE_KINDS, Number, Source, SourceKind
-from poppet.core.units import Kind, quantity, sizes_of
+from poppet.core.tables import NumberRange
+from poppet.core.units import Kind, quantity
 
 Made = TypeVar("Made")
 MISSING = (
@@ -34,8 +34,8 @@ NumberLike = Number | float | str | Mapping[str, Any] | None
 
 
 @dataclass(frozen=True)
-class NumberSpec:
-    """A number: unit, limits, default and meaning."""
+class NumberSpec(NumberRange):
+    """Declaration of a number: unit, limits, default and meaning."""
 
     unit: str
     doc: str
@@ -44,39 +44,15 @@ class NumberSpec:
     source: SourceKind = "assumed"
     note: str = ""
     optional: bool = False
-    low: float = -math.inf
-    high: float = math.inf
-    above: float = -math.inf
-    below: float = math.inf
-    varies: Callable[[Any], Mapping[str, Any]] | None = None  # what the choices of a part change in it
+    varies: Callable[[Any], Mapping[str, Any]] | None = None  # changes of the declaration under the choices of a part
 
     def within(self, part: Any) -> NumberSpec:
-        """The declaration as it is in a part, under its choices."""
+        """Return the declaration that is valid for a part with its choices."""
         return self if self.varies is None else _varied(self, tuple(self.varies(part).items()))
 
-    @cached_property
-    def ends(self) -> tuple[float, float]:
-        """The smallest and the largest value, of a size that somebody may have."""
-        least, most = sizes_of(self.unit)
-        return least if self.above == 0.0 else self.low, min(self.high, most)
-
-    def holds(self, value: float) -> bool:
-        """True within the limits: `low` and `high` belong to them, `above` and `below` do not; NaN is outside."""
-        low, high = self.ends
-        return low <= value <= high and self.above < value < self.below
-
     def check(self, name: str, value: float, shown: str) -> None:
-        """Raise `OutOfRangeError` when the value lies outside the limits."""
-        if self.holds(value):
-            return
-        (low, high), limits = self.ends, []
-        if low > -math.inf or self.above > -math.inf:
-            is_open = self.above >= self.low and not self.above < value < low
-            limits += [f"greater than {self.above:g}" if is_open else f"at least {low:g}"]
-        if min(self.high, self.below) < math.inf or value > high:
-            limits += [f"at most {high:g}" if high < self.below else f"less than {self.below:g}"]
-        facts: dict[str, Any] = {"value": value, "shown": shown, "meaning": self.doc, "limits": limits}
-        raise OutOfRangeError("fields.out_of_range", name, **facts, unit="" if self.unit == "1" else self.unit)
+        """Raise `OutOfRangeError` if a value is outside the limits."""
+        self.check_range(name, value, shown, self.doc)
 
 
 @cache
@@ -128,9 +104,9 @@ class ReferenceSpec:
 class MemberSpec:
     """A part inside a part; the whole tells it some of its fields."""
 
-    part: type
+    part: Any  # class of the part
     doc: str
-    told: tuple[str, ...]
+    inherited: tuple[str, ...]
     is_open: bool = False  # ports outside may be joined to it
     optional: bool = False  # the whole may be without it
 
@@ -197,9 +173,9 @@ def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     return _field(GroupSpec(kind, doc, optional))
 
 
-def member(kind: type, *, doc: str, told: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
-    """Declare a part inside a part; `told` are the fields that the whole fills in."""
-    return _field(MemberSpec(kind, doc, tuple(told), is_open, optional))
+def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
+    """Declare a part inside a part; `inherited` are the fields that the whole fills in."""
+    return _field(MemberSpec(kind, doc, tuple(inherited), is_open, optional))
 
 
 def reference(*, doc: str) -> Any:
@@ -348,7 +324,7 @@ def _completed(
             value = library.get(address) or default_number(address, spec)
             if value is None and not spec.optional:
                 unit = "" if spec.unit == "1" else spec.unit
-                raise InputError("fields.missing", address, meaning=spec.doc, unit=unit, plain=not unit)
+                raise InputError("fields.missing", address, meaning=spec.doc, unit=unit, plain=not unit, example="")
             return value
         case GroupSpec():
             return _completed_group(given, spec, address, library, errors, whole)
@@ -387,7 +363,7 @@ def _completed_group(
 
 def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputError:
     """The mistake of a field that a part does not have."""
-    return InputError("fields.unknown", address, near=NameSuggestion(name, known))
+    return InputError("fields.unknown", address, table="", near=NameSuggestion(name, known))
 
 
 def flatten(part: Any, path: str = "", whole: Any = None) -> list[tuple[str, NumberSpec, Number]]:

@@ -16,7 +16,7 @@ from poppet.core.symbolic import is_symbolic, where
 from poppet.laws import iso6358
 from poppet.laws.curves import Characteristic, characteristic_from_mapping
 from poppet.parts.fields import NumberLike, laminar_limit, number, reference, subsonic_index_m
-from poppet.parts.part import Flow, Gas, Passage, Quantities, Scope, Surroundings
+from poppet.parts.part import Flow, GasState, Passage, Quantities, Scope, Surroundings
 
 _SIZES = (
     "sonic_conductance",
@@ -145,7 +145,7 @@ class FlowPath(Passage):
         if self.characteristic is not None:
             return values | {f"characteristic.{k}": v for k, v in self.characteristic.parameters().items()}
         if self._size != "sonic_conductance":
-            size = ambient.as_stated(*self._size_with_gas(values, ambient))
+            size = ambient.stated_size(*self._size_with_gas(values, ambient))
             values["sonic_conductance"], values["critical_ratio"] = size
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
 
@@ -202,7 +202,7 @@ def iso_flow(
     scope: Scope,
     name: str,
     ports: tuple[str, str],
-    gas: tuple[Gas, Gas],
+    gas: tuple[GasState, GasState],
     size: tuple[Any, Any],
     *,
     cracking_pressure: Any = 0.0,
@@ -210,7 +210,7 @@ def iso_flow(
     regime: str = "regime",
 ) -> tuple[Flow, Quantities]:
     """One ISO 6358 flow between two ports, with its outputs."""
-    conductance, ratio = scope.surroundings.with_this_gas(*size)
+    conductance, ratio = scope.surroundings.size_with_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
     mass, temperature = iso6358.flow(

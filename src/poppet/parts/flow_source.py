@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from poppet.core.symbolic import where
 from poppet.parts.fields import NumberLike, anr_temperature, number, port
-from poppet.parts.part import Flow, Gas, Input, Passage, PassageFlows, Scope
+from poppet.parts.part import Flow, GasState, Input, Passage, PassageFlows, Scope
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class FlowSource(Passage):
     def inputs(self) -> tuple[Input, ...]:
         return (Input("mass_flow_rate", "kg/s", "mass_flow_rate", kind="mass_flow", delay="delay"),)
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         mass = scope.inputs["mass_flow_rate"]
         temperature = where(mass > 0.0, scope["temperature"], gas["to"].temperature)
         enthalpy = scope.surroundings.heat_capacity_pressure * temperature * mass

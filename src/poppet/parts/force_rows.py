@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from poppet.laws.physics.muscle import ForceTable
 from poppet.parts.fields import NumberSpec
-from poppet.parts.rows import Rows
+from poppet.parts.rows import NumberTable
 
 _COLUMNS = {
     "contraction": NumberSpec("1", "contraction", low=-0.2, below=1.0),
@@ -18,7 +18,7 @@ _COLUMNS = {
 
 
 @dataclass(frozen=True)
-class ForceRows(Rows):
+class ForceRows(NumberTable):
     """Contraction with force per gauge pressure and force without it; straight lines between.
 
     Parameters

@@ -9,13 +9,13 @@ from typing import Any, ClassVar, Self
 from poppet.core.symbolic import clip
 from poppet.parts.fields import NumberSpec
 from poppet.parts.quantities import OPENING, QUANTITIES, gain_unit
-from poppet.parts.rows import Rows
+from poppet.parts.rows import NumberTable
 
 _OTHERWISE = {"derivative_time": 0.0, "vent_factor": 1.0}
 
 
 @dataclass(frozen=True)
-class GainSchedule(Rows):
+class GainSchedule(NumberTable):
     """Gains at operating points; between them straight lines, beyond them those of the last point.
 
     Parameters

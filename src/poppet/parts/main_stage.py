@@ -14,7 +14,7 @@ from poppet.laws.physics import contact
 from poppet.parts.fields import NumberLike, group, laminar_limit, number, option, port, reference, subsonic_index_m
 from poppet.parts.flow_path import characteristic_at, read_characteristic
 from poppet.parts.orifice import way
-from poppet.parts.part import Gas, Input, Passage, PassageFlows, Quantities, Scope, State, Surroundings
+from poppet.parts.part import GasState, Input, Passage, PassageFlows, Quantities, Scope, State, Surroundings
 
 _MODES = ("paper", "regulator")
 # In the order of the columns of a recording: states, flows, then codes.
@@ -131,7 +131,7 @@ class MainStage(Passage):
     """
 
     kind: ClassVar[str] = "main_stage"
-    inside: ClassVar[tuple[str, ...]] = ("velocity",)
+    internal_outputs: ClassVar[tuple[str, ...]] = ("velocity",)
     summary: ClassVar[str] = "main stage of a piloted pressure valve: C(x), b(x), poppet mechanics"
 
     supply: str | None = port("store at port 1")
@@ -209,7 +209,7 @@ class MainStage(Passage):
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         return {"stroke": (self.curve, (float(self.lower_stop.position), float(self.upper_stop.position)))}
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
         lifted = contact.seat_fraction(stroke, scope["contact.width"])
         mass = scope["emptying_mass"] + (scope["moving_mass"] - scope["emptying_mass"]) * lifted
@@ -227,7 +227,7 @@ class MainStage(Passage):
         shared["outlet_pressure"] = gas["outlet"].pressure, "Pa"
         return PassageFlows((supply, exhaust), {name: shown[name] for name in OUTPUTS}, rates, hidden=shared)
 
-    def _springs(self, scope: Scope, gas: Mapping[str, Gas], lifted: Any) -> Any:
+    def _springs(self, scope: Scope, gas: Mapping[str, GasState], lifted: Any) -> Any:
         """Force of both springs and of the seat pressure; the poppet's part acts once the plate has met it."""
         stroke = scope.states["stroke"]
         upper = scope["upper_spring.rate"] * (scope["upper_spring.preload"] + stroke)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from poppet.laws.physics import gas as gas_law
-from poppet.parts.part import Balance, Gas, Quantities, Scope, State
+from poppet.parts.part import GasBalance, GasState, Quantities, Scope, State
 
 STATES = (State("energy", "J", 100.0, positive=True), State("mass", "kg", 1e-3, positive=True))
 """Internal energy and mass: with them the balances of mass and energy are linear in the states, whatever moves."""
@@ -18,13 +18,13 @@ def begun(scope: Scope, volume: Any) -> dict[str, Any]:
     return {"energy": pressure * volume / (air.isentropic_exponent - 1.0), "mass": mass}
 
 
-def state_of(scope: Scope, volume: Any) -> Gas:
+def state_of(scope: Scope, volume: Any) -> GasState:
     """Pressure and temperature in that volume."""
     energy, mass, air = scope.states["energy"], scope.states["mass"], scope.surroundings
-    return Gas((air.isentropic_exponent - 1.0) * energy / volume, energy / (mass * air.heat_capacity_volume))
+    return GasState((air.isentropic_exponent - 1.0) * energy / volume, energy / (mass * air.heat_capacity_volume))
 
 
-def balance(scope: Scope, gas: Gas, volume: Any, growth: Any, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+def balance(scope: Scope, gas: GasState, volume: Any, growth: Any, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
     """U' = sum of enthalpy flows + heat - p V', with `growth` V'."""
     heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
     work = -gas.pressure * growth
@@ -40,4 +40,4 @@ def balance(scope: Scope, gas: Gas, volume: Any, growth: Any, flows: tuple[tuple
         "heat_flow_rate": (heat, "W"),
         "work_rate": (work, "W"),
     }
-    return Balance(outputs, rates, heat, scope.states["energy"], work)
+    return GasBalance(outputs, rates, heat, scope.states["energy"], work)

@@ -26,7 +26,18 @@ from poppet.parts.fields import (
     reference,
 )
 from poppet.parts.muscle_law import MuscleLawPart, braid_of
-from poppet.parts.part import AMBIENT, SELF, Actuator, Balance, Gas, Push, Scope, State, Store, Surroundings
+from poppet.parts.part import (
+    AMBIENT,
+    SELF,
+    Actuator,
+    ActuatorForce,
+    GasBalance,
+    GasState,
+    Scope,
+    State,
+    Store,
+    Surroundings,
+)
 
 LEAST_LEFT = 0.01
 """Part of the nominal volume that remains however far a body is moved beyond what the muscle can do."""
@@ -132,7 +143,7 @@ class Muscle(MuscleLawPart, Store, Actuator):
 
     kind: ClassVar[str] = "muscle"
     summary: ClassVar[str] = "a pneumatic muscle: gas in a volume that follows its contraction, and its pull"
-    inside: ClassVar[tuple[str, ...]] = ("mass", "volume", "heat_flow_rate", "work_rate")
+    internal_outputs: ClassVar[tuple[str, ...]] = ("mass", "volume", "heat_flow_rate", "work_rate")
 
     body: str | None = body("the body that it pulls")
     data: Any = reference(doc="library set")
@@ -197,21 +208,23 @@ class Muscle(MuscleLawPart, Store, Actuator):
 
     # Gas and force --------------------------------------------------------------------------------------------------
 
-    def gas(self, scope: Scope) -> Gas:
+    def gas(self, scope: Scope) -> GasState:
         return moving_gas.state_of(scope, self._volume(scope)[0])
 
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
         volume, area = self._volume(scope)
         growth = area * scope["direction"] * scope.body.velocity
         return moving_gas.balance(scope, self.gas(scope), volume, growth, flows)
 
-    def push(self, scope: Scope, gas: Mapping[str, Gas]) -> Push:
+    def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
         pressure, contraction = gas[SELF].pressure - scope.surroundings.pressure, self._contraction(scope)
         speed, rates = scope["direction"] * scope.body.velocity, dict[str, Any]()
         static = self.force_law(scope.numbers).force(pressure, contraction)
         held = scope["damping"] * speed + self._hysteresis(scope, pressure, speed, rates)
         force = taut(static - held, scope["slack_force"])
-        return Push(scope["direction"] * force, {"contraction": (contraction, "1"), "force": (force, "N")}, rates)
+        return ActuatorForce(
+            scope["direction"] * force, {"contraction": (contraction, "1"), "force": (force, "N")}, rates
+        )
 
     def _hysteresis(self, scope: Scope, pressure: Any, speed: Any, rates: dict[str, Any]) -> Any:
         """Force against the contraction; adds the rates of its elements."""

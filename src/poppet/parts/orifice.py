@@ -10,17 +10,17 @@ from poppet.core.errors import InputError
 from poppet.laws.curves.characteristic import ANYWHERE
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.flow_path import FlowPath, iso_flow
-from poppet.parts.part import Flow, Gas, Input, PassageFlows, Quantities, Scope
+from poppet.parts.part import Flow, GasState, Input, PassageFlows, Quantities, Scope
 
 
-def from_to(scope: Scope, gas: Mapping[str, Gas], size: tuple[Any, Any], **law: Any) -> PassageFlows:
+def from_to(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], **law: Any) -> PassageFlows:
     """The one flow of a passage whose ports are called `from` and `to`."""
     flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
     return PassageFlows((flow,), outputs)
 
 
 def way(
-    scope: Scope, gas: Mapping[str, Gas], name: str, ends: tuple[str, str], size: tuple[Any, Any]
+    scope: Scope, gas: Mapping[str, GasState], name: str, ends: tuple[str, str], size: tuple[Any, Any]
 ) -> tuple[Flow, Quantities]:
     """One of the flows of a part that has several; its outputs begin with its name."""
     first, second = ends
@@ -76,6 +76,6 @@ class Orifice(FlowPath):
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         return {"stroke": (self.characteristic, ANYWHERE)} if self.characteristic is not None else {}
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, scope.inputs.get("stroke"))
         return from_to(scope, gas, (conductance * scope.inputs["opening"], ratio))

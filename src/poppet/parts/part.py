@@ -66,7 +66,7 @@ class Input:
 
 
 @dataclass(frozen=True)
-class Memory:
+class DiscreteState:
     """An element of sampled memory, constant between instants, by its local name and SI unit."""
 
     name: str
@@ -82,7 +82,7 @@ class Timer:
 
 
 @dataclass(frozen=True)
-class Gas:
+class GasState:
     """State of the gas that a store offers: pressure [Pa] and temperature [K]."""
 
     pressure: Any
@@ -98,7 +98,7 @@ class BodyMotion:
 
 
 @dataclass(frozen=True)
-class Push:
+class ActuatorForce:
     """What an actuator does to its body: force towards larger positions and what it adds to its friction [N]."""
 
     force: Any
@@ -140,7 +140,7 @@ class PassageFlows:
 
 
 @dataclass(frozen=True)
-class Balance:
+class GasBalance:
     """What a store does with its flows: rates of its states, outputs, the heat taken from its wall and the work done on
     it [W], and its energy where that is linear in the states [J]."""
 
@@ -153,7 +153,7 @@ class Balance:
 
 
 @dataclass(frozen=True)
-class Control:
+class ControlOutputs:
     """What a controller shows between instants: outputs, and rates of its own states."""
 
     outputs: Quantities
@@ -181,12 +181,12 @@ class Surroundings:
         """Specific heat capacity at constant volume [J/(kg K)]."""
         return self.gas_constant / (self.isentropic_exponent - 1.0)
 
-    def with_this_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
+    def size_with_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
         """C and b that a flow has, of the ones that stand in the circuit."""
         return conductance * self.conductance_factor, ratio + (1.0 - ratio) * self.ratio_shift
 
-    def as_stated(self, conductance: float, ratio: float) -> tuple[float, float]:
-        """C and b that `with_this_gas` makes these."""
+    def stated_size(self, conductance: float, ratio: float) -> tuple[float, float]:
+        """C and b that `size_with_gas` makes these."""
         return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 
 
@@ -225,7 +225,7 @@ class Part(ABC):
     summary: ClassVar[str]
     resume: ClassVar[dict[str, str]] = {}
     """Outputs that say where a run may start again, with the number that each of them becomes."""
-    inside: ClassVar[tuple[str, ...]] = ()
+    internal_outputs: ClassVar[tuple[str, ...]] = ()
     """Series that show how the part works inside: a picture has them by name, or when all are asked for."""
 
     def __post_init__(self) -> None:
@@ -287,7 +287,7 @@ class Part(ABC):
         named = ((name, getattr(self, own)) for name, own, _ in declared(type(self), PortSpec))
         return {name: store for name, store in named if store is not None}
 
-    def met(self) -> dict[str, str]:
+    def outer_ports(self) -> dict[str, str]:
         """Port of another part that names this one, to the store of this one that it is joined to."""
         return {}
 
@@ -295,13 +295,13 @@ class Part(ABC):
         """Local names of the gas states that ports may be joined to; the empty name is the part itself."""
         return ()
 
-    def held_body(self) -> str | None:
+    def body_name(self) -> str | None:
         """Name of the body that the part moves or is moved by."""
         return next((getattr(self, own) for _, own, _ in declared(type(self), BodySpec)), None)
 
-    def inner_series(self) -> tuple[str, ...]:
+    def list_internal_outputs(self) -> tuple[str, ...]:
         """Inner series of the part in its form."""
-        return self.inside
+        return self.internal_outputs
 
     def options(self) -> dict[str, str]:
         """Choices that shape the model."""
@@ -309,9 +309,9 @@ class Part(ABC):
 
     def structure(self) -> Hashable:
         """Everything but values: two parts of equal structure share one compiled model."""
-        return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items())), self.held_body()
+        return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items())), self.body_name()
 
-    def giving_way(self, fields: Iterable[str]) -> tuple[str, ...]:
+    def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
         """Fields that go where a file of numbers brings others which they cannot stand beside."""
         return ()
 
@@ -323,7 +323,7 @@ class Part(ABC):
         """Inputs of the part."""
         return ()
 
-    def memory(self) -> tuple[Memory, ...]:
+    def memory(self) -> tuple[DiscreteState, ...]:
         """Sampled memory of the part, its timers not among them."""
         return ()
 
@@ -336,7 +336,7 @@ class Part(ABC):
         # The scope has neither states nor memory yet; inputs have the values that they begin with.
         return {}
 
-    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+    def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         """New values of memory and timers, that timer among them; what is not named keeps its value."""
         raise NotImplementedError(f"{self.kind} has no timers")
 
@@ -356,11 +356,11 @@ class Store(Part):
         return ("",)
 
     @abstractmethod
-    def gas(self, scope: Scope) -> Gas:
+    def gas(self, scope: Scope) -> GasState:
         """The gas at its ports."""
 
     @abstractmethod
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
         """Rates and outputs for all flows, (mass [kg/s], enthalpy [W]), positive into the store."""
 
 
@@ -368,7 +368,7 @@ class Passage(Part):
     """A part that moves gas between stores."""
 
     @abstractmethod
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         """Flows, rates and outputs for the gas states at its ports, by port name."""
 
 
@@ -376,7 +376,7 @@ class Actuator(Part):
     """A part that pushes a body."""
 
     @abstractmethod
-    def push(self, scope: Scope, gas: Mapping[str, Gas]) -> Push:
+    def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
         """Force on its body for the gas states at its ports, and at itself under `SELF` when it is a store."""
 
 
@@ -384,7 +384,7 @@ class Body(Part):
     """A part that moves."""
 
     @abstractmethod
-    def first_travel(self) -> float:
+    def initial_travel(self) -> float:
         """Travel at the start [m]; a signal may say otherwise."""
 
     @abstractmethod
@@ -392,7 +392,7 @@ class Body(Part):
         """Travel and speed of the point that its actuators hold."""
 
     @abstractmethod
-    def moved(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
+    def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
         """Rates and outputs under the sum of the actuators' forces and of what they add to its friction [N]."""
 
 
@@ -407,7 +407,7 @@ class Controller(Part):
         return {}
 
     @abstractmethod
-    def control(self, scope: Scope) -> Control:
+    def control(self, scope: Scope) -> ControlOutputs:
         """Outputs, and rates of the part's own states."""
 
 
@@ -416,7 +416,7 @@ def is_port(end: str) -> bool:
     return end.partition(".")[2] in PORTS
 
 
-def ticked(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
+def advance_clock(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
     """A clock set to its next instant, counted from the start so that no rounding adds up."""
     count = scope.memory[f"{timer}_count"] + 1.0
     return {timer: phase + count * period, f"{timer}_count": count}

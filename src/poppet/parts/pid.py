@@ -11,7 +11,7 @@ from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, maximum, where
 from poppet.parts.fields import NumberLike, number, option, reference, switch
 from poppet.parts.gain_schedule import GainSchedule
-from poppet.parts.part import Input, Memory, Quantities, Scope, Surroundings
+from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundings
 from poppet.parts.quantities import (
     COMMANDS,
     QUANTITIES,
@@ -95,8 +95,8 @@ class PID(SampledLoop):
     """
 
     kind: ClassVar[str] = "pid"
-    inside: ClassVar[tuple[str, ...]] = (
-        *SampledLoop.inside, "integral", "derivative", "automatic", "manual_command",
+    internal_outputs: ClassVar[tuple[str, ...]] = (
+        *SampledLoop.internal_outputs, "integral", "derivative", "automatic", "manual_command",
     )  # fmt: skip
     summary: ClassVar[str] = "sampled PID control, gains fixed or over operating points"
 
@@ -147,7 +147,7 @@ class PID(SampledLoop):
         if missing and not self.is_of_openings:
             raise InputError("pid.no_limits", missing[0], command=command_of(self), unit=self.command_unit)
 
-    def giving_way(self, fields: Iterable[str]) -> tuple[str, ...]:
+    def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
         return _SCHEDULED if "schedule" in fields else ("schedule",) if "gain" in fields else ()
 
     @property
@@ -192,13 +192,13 @@ class PID(SampledLoop):
             values |= {name: first for name in values if name.endswith("command")}
         return values
 
-    def own_memory(self) -> tuple[Memory, ...]:
+    def law_memory(self) -> tuple[DiscreteState, ...]:
         gain = as_gain(self)["unit"]
-        gains = (Memory("last_gain", gain),) if self.schedule is not None else ()
-        of_command = (Memory(name, self.command_unit) for name in ("integral", "derivative"))
-        return *of_command, *(Memory(n, self.unit) for n in ("origin", "last_measurement", "last_error")), *gains
+        gains = (DiscreteState("last_gain", gain),) if self.schedule is not None else ()
+        of_command = (DiscreteState(name, self.command_unit) for name in ("integral", "derivative"))
+        return *of_command, *(DiscreteState(n, self.unit) for n in ("origin", "last_measurement", "last_error")), *gains
 
-    def own_outputs(self, scope: Scope) -> Quantities:
+    def law_outputs(self, scope: Scope) -> Quantities:
         return {name: (scope.memory[name], self.command_unit) for name in ("integral", "derivative")}
 
     def gains_at(self, scope: Scope, measured: Any, setpoint: Any) -> dict[str, Any]:
@@ -222,7 +222,7 @@ class PID(SampledLoop):
         found: dict[str, Any] = self.schedule.at(measured if self.schedule_by == "measurement" else setpoint, table)
         return found
 
-    def sampled(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
+    def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
         memory, setpoint, time = scope.memory, scope.inputs["setpoint"], scope["sample_time"]
         now = self.gains_at(scope, measured, setpoint)
         gain, first = now["gain"], is_first(scope)

@@ -25,10 +25,10 @@ from poppet.parts.fields import (
 from poppet.parts.orifice import way
 from poppet.parts.part import (
     SELF,
-    Balance,
-    Gas,
+    DiscreteState,
+    GasBalance,
+    GasState,
     Input,
-    Memory,
     Passage,
     PassageFlows,
     Quantities,
@@ -110,7 +110,7 @@ class PilotStage(Store, Passage):
 
     kind: ClassVar[str] = "pilot_stage"
     summary: ClassVar[str] = "pilot volume with fill and vent solenoids: averaged duty or switched"
-    inside: ClassVar[tuple[str, ...]] = (
+    internal_outputs: ClassVar[tuple[str, ...]] = (
         "mass", "volume", "displacement", "fill_duty", "vent_duty", "fill_opening", "vent_opening",
         "fill_mass_flow_rate", "vent_mass_flow_rate", "supply_leak_mass_flow_rate", "exhaust_leak_mass_flow_rate",
     )  # fmt: skip
@@ -159,10 +159,10 @@ class PilotStage(Store, Passage):
         energy = [State("energy", "J", 1.0, positive=True)] if self.thermal == "energy" else []
         return *energy, State("mass", "kg", 1e-5, positive=True), *openings
 
-    def memory(self) -> tuple[Memory, ...]:
+    def memory(self) -> tuple[DiscreteState, ...]:
         if self.drive == AVERAGED:
             return ()
-        return tuple(Memory(f"{name}_{each}", "1") for name in VALVES for each in solenoid.MEMORY)
+        return tuple(DiscreteState(f"{name}_{each}", "1") for name in VALVES for each in solenoid.MEMORY)
 
     def timers(self) -> tuple[Timer, ...]:
         if self.drive == AVERAGED:
@@ -187,14 +187,14 @@ class PilotStage(Store, Passage):
                 values |= {f"{name}_{key}": value for key, value in solenoid.at_rest().items()}
         return values
 
-    def at_instant(self, timer: str, scope: Scope) -> dict[str, Any]:
+    def update(self, timer: str, scope: Scope) -> dict[str, Any]:
         name, _, what = timer.partition("_")
         own = {key.removeprefix(f"{name}_"): value for key, value in scope.memory.items() if key.startswith(f"{name}_")}
         numbers = {key: scope[f"{name}.{key}"] for key in ("frequency", "opening_delay", "closing_delay")}
-        new = solenoid.at_instant(what, scope.time, own, scope.inputs[f"{name}_duty"], **numbers)
+        new = solenoid.update(what, scope.time, own, scope.inputs[f"{name}_duty"], **numbers)
         return {f"{name}_{key}": value for key, value in new.items()}
 
-    def gas(self, scope: Scope) -> Gas:
+    def gas(self, scope: Scope) -> GasState:
         first, gas_constant = scope["initial_temperature"], scope.surroundings.gas_constant
         if self.thermal == "energy":
             return moving_gas.state_of(scope, self._volume(scope))
@@ -202,7 +202,7 @@ class PilotStage(Store, Passage):
         density = scope.states["mass"] / self._volume(scope)
         at_start = gas_law.density(scope["initial_pressure"], first, gas_constant)
         temperature = first * (density / at_start) ** (exponent - 1.0)
-        return Gas(density * gas_constant * temperature, temperature)
+        return GasState(density * gas_constant * temperature, temperature)
 
     def _volume(self, scope: Scope) -> Any:
         return maximum(scope["volume"] + scope.inputs["displacement"], LEAST_LEFT * scope["volume"])
@@ -216,7 +216,7 @@ class PilotStage(Store, Passage):
         numbers = {key: scope[f"{name}.{key}"] for key in ("frequency", "opening_delay", "closing_delay")}
         return solenoid.averaged_opening(scope.inputs[f"{name}_duty"], **numbers)
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         at = {**gas, SELF: self.gas(scope)}
         inward, outward = ("supply", SELF), (SELF, "exhaust")
         flows, outputs = [], {}
@@ -238,7 +238,7 @@ class PilotStage(Store, Passage):
         }
         return PassageFlows(tuple(flows), outputs, rates)
 
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
         gas, volume = self.gas(scope), self._volume(scope)
         if self.thermal == "energy":
             growth = where(volume > LEAST_LEFT * scope["volume"], scope.inputs["displacement_rate"], 0.0)
@@ -249,7 +249,7 @@ class PilotStage(Store, Passage):
             "mass": (scope.states["mass"], "kg"),
             "volume": (volume, "m^3"),
         }
-        return Balance(outputs, {"mass": sum(mass for mass, _ in flows)}, 0.0)
+        return GasBalance(outputs, {"mass": sum(mass for mass, _ in flows)}, 0.0)
 
 
 def too_small(name: str, volume: Any, swept: float) -> list[Note]:

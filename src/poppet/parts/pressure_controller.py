@@ -9,7 +9,7 @@ from poppet.core.symbolic import exp, maximum, where
 from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.laws.physics.pressure_rates import open_rates, openings_for_rate
 from poppet.parts.fields import NumberLike, anr_temperature, group, laminar_limit, number, subsonic_index_m
-from poppet.parts.part import Input, Memory, Quantities, Scope
+from poppet.parts.part import DiscreteState, Input, Quantities, Scope
 from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop, is_first
 
 
@@ -62,7 +62,7 @@ class PressureController(SampledLoop):
     """
 
     kind: ClassVar[str] = "pressure_controller"
-    inside: ClassVar[tuple[str, ...]] = (*SampledLoop.inside, "wanted_rate", "disturbance")
+    internal_outputs: ClassVar[tuple[str, ...]] = (*SampledLoop.internal_outputs, "wanted_rate", "disturbance")
     summary: ClassVar[str] = "feedback-linearising pressure control with two valves"
 
     time_constant: NumberLike = number("s", doc="time constant of the closed loop", above=0.0)
@@ -89,15 +89,19 @@ class PressureController(SampledLoop):
             Input("gas_temperature", "K", "gas_temperature", kind="temperature", low=1.0),
         )
 
-    def own_memory(self) -> tuple[Memory, ...]:
-        return Memory("wanted_rate", "Pa/s"), Memory("disturbance", "Pa/s"), Memory("predicted_pressure", "Pa")
+    def law_memory(self) -> tuple[DiscreteState, ...]:
+        return (
+            DiscreteState("wanted_rate", "Pa/s"),
+            DiscreteState("disturbance", "Pa/s"),
+            DiscreteState("predicted_pressure", "Pa"),
+        )
 
-    def own_outputs(self, scope: Scope) -> Quantities:
+    def law_outputs(self, scope: Scope) -> Quantities:
         return {name: (scope.memory[name], "Pa/s") for name in ("wanted_rate", "disturbance")}
 
     def _open_rates(self, scope: Scope, pressure: Any) -> tuple[Any, Any]:
         sizes = {
-            name: scope.surroundings.with_this_gas(scope[f"{name}.sonic_conductance"], scope[f"{name}.critical_ratio"])
+            name: scope.surroundings.size_with_gas(scope[f"{name}.sonic_conductance"], scope[f"{name}.critical_ratio"])
             for name in ("fill", "vent")
         }
         return open_rates(
@@ -108,7 +112,7 @@ class PressureController(SampledLoop):
             laminar_ratio=scope["laminar_ratio"], fill=sizes["fill"], vent=sizes["vent"],
         )  # fmt: skip
 
-    def sampled(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
+    def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
         pressure, memory, time = measured, scope.memory, scope["sample_time"]
         learning = scope["observer_time"]
         # The quotient is formed where nothing is learnt as well, hence a divisor above zero.

@@ -70,9 +70,9 @@ class ProportionalValve(Compound):
     preset: str = option(*PRESETS, doc="preset")
     setpoint_type: str = option(*SCALES, doc="type of setpoint")
     pilot_exhaust: str | None = port("store into which the pilot is vented", optional=True)
-    main_stage: Any = member(MainStage, doc="the main stage", told=("data", "mode", "supply", "outlet", "exhaust"))
-    pilot: Any = member(PilotStage, doc="the pilot stage", told=("data", "supply", "exhaust"))
-    electronics: Any = member(Electronics, doc="the electronics", told=("data", "preset", "setpoint_type"))
+    main_stage: Any = member(MainStage, doc="the main stage", inherited=("data", "mode", "supply", "outlet", "exhaust"))
+    pilot: Any = member(PilotStage, doc="the pilot stage", inherited=("data", "supply", "exhaust"))
+    electronics: Any = member(Electronics, doc="the electronics", inherited=("data", "preset", "setpoint_type"))
 
     links: ClassVar[Mapping[str, str]] = {
         "main_stage.pilot_pressure": "pilot.pressure",
@@ -96,9 +96,9 @@ class ProportionalValve(Compound):
         )},
         **{name: f"main_stage.{name}" for name in OUTPUTS},
     }  # fmt: skip
-    inside: ClassVar[tuple[str, ...]] = (
-        *Electronics.inside, *MainStage.inside, "pilot_temperature", "pilot_mass",
-        *(name for name in PilotStage.inside if name.endswith(("opening", "mass_flow_rate"))),
+    internal_outputs: ClassVar[tuple[str, ...]] = (
+        *Electronics.internal_outputs, *MainStage.internal_outputs, "pilot_temperature", "pilot_mass",
+        *(name for name in PilotStage.internal_outputs if name.endswith(("opening", "mass_flow_rate"))),
     )  # fmt: skip
     resume: ClassVar[dict[str, str]] = {
         "pilot_pressure": "pilot.initial_pressure",
@@ -108,8 +108,8 @@ class ProportionalValve(Compound):
         "integral": "electronics.initial_integral",
     }
 
-    def inner_series(self) -> tuple[str, ...]:
-        return (*self.inside, *self.electronics.inner_series())
+    def list_internal_outputs(self) -> tuple[str, ...]:
+        return (*self.internal_outputs, *self.electronics.list_internal_outputs())
 
     def options(self) -> dict[str, str]:
         # A preset is a set of numbers and shapes no model.
@@ -140,7 +140,7 @@ class ProportionalValve(Compound):
                     )
         return *remarks, *missed
 
-    def told(self, member: str) -> dict[str, Any]:
+    def inherited_fields(self, member: str) -> dict[str, Any]:
         match member:
             case "main_stage":
                 ports = {name: getattr(self, name) for name in ("supply", "outlet", "exhaust")}

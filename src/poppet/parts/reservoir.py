@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.parts.fields import NumberLike, anr_temperature, number
-from poppet.parts.part import Balance, Gas, Input, Scope, Store
+from poppet.parts.part import GasBalance, GasState, Input, Scope, Store
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Reservoir(Store):
 
     kind: ClassVar[str] = "reservoir"
     summary: ClassVar[str] = "gas at a prescribed pressure and temperature"
-    inside: ClassVar[tuple[str, ...]] = ("mass_flow_rate",)
+    internal_outputs: ClassVar[tuple[str, ...]] = ("mass_flow_rate",)
 
     pressure: NumberLike = number("Pa", doc="pressure", kind="pressure", low=0.0)
     temperature: NumberLike = anr_temperature("temperature")
@@ -44,9 +44,9 @@ class Reservoir(Store):
             Input("temperature", "K", "temperature", kind="temperature", low=1.0),
         )
 
-    def gas(self, scope: Scope) -> Gas:
-        return Gas(scope.inputs["pressure"], scope.inputs["temperature"])
+    def gas(self, scope: Scope) -> GasState:
+        return GasState(scope.inputs["pressure"], scope.inputs["temperature"])
 
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> Balance:
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
         # Its state is prescribed, so flows change nothing but what a flow meter beside it would show.
-        return Balance({}, totals={"mass_flow_rate": (-sum(mass for mass, _ in flows), "kg/s")})
+        return GasBalance({}, totals={"mass_flow_rate": (-sum(mass for mass, _ in flows), "kg/s")})

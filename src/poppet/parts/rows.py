@@ -13,7 +13,7 @@ from poppet.parts.fields import NumberSpec, read_number
 
 
 @dataclass(frozen=True)
-class Rows:
+class NumberTable:
     """Columns of numbers, of which the first rises from row to row."""
 
     columns: Mapping[str, tuple[Number, ...]]

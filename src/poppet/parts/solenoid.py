@@ -66,7 +66,7 @@ def at_rest() -> dict[str, float]:
     return {"period": 0.0, "release": NEVER, "change": NEVER, "period_count": 0.0, "command": 0.0, "open": 0.0}
 
 
-def at_instant(
+def update(
     timer: str, time: Any, own: Mapping[str, Any], duty: Any, frequency: Any, opening_delay: Any, closing_delay: Any
 ) -> dict[str, Any]:
     """What an instant changes in the memory of a switched valve.

@@ -11,7 +11,7 @@ from poppet.core.symbolic import clip
 from poppet.parts.fields import NumberLike, number, option, port
 from poppet.parts.flow_path import FlowPath
 from poppet.parts.orifice import way
-from poppet.parts.part import AMBIENT, Flow, Gas, Input, PassageFlows, Quantities, Scope, State, Surroundings
+from poppet.parts.part import AMBIENT, Flow, GasState, Input, PassageFlows, Quantities, Scope, State, Surroundings
 
 AT_ONCE = 1e-6
 """Time from the centre to an end of a spool whose speed has no limit [s]."""
@@ -149,7 +149,7 @@ class SpoolValve(FlowPath):
         rate = turn * turn * missing - 2.0 * scope["damping"] * turn * velocity
         return {"position": clip(velocity, -fastest, fastest), "velocity": rate}
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         position, leak = scope.states["position"], scope["leak_conductance"]
         flows, outputs = list[Flow](), Quantities(position=(position, "1"))
         for edge, (first, second, side) in EDGES.items():

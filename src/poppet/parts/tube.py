@@ -34,7 +34,7 @@ from poppet.parts.fields import (
     unknown_field,
 )
 from poppet.parts.flow_path import iso_flow
-from poppet.parts.part import TUBE, Flow, Gas, Part, Passage, PassageFlows, Scope, State, Surroundings, is_port
+from poppet.parts.part import TUBE, Flow, GasState, Part, Passage, PassageFlows, Scope, State, Surroundings, is_port
 
 ISO, FRICTION = "iso6358", "friction"
 MOST_CELLS = 200
@@ -74,7 +74,7 @@ class TubeSegment(Passage):
         if self.loss == FRICTION:  # chokes as its cross-section does
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = iso6358.conductance_from_effective_area(0.25 * math.pi * values["bore"] ** 2, **gas)
-            values["sonic_conductance"], _ = ambient.as_stated(nozzle.sonic_conductance, 0.0)
+            values["sonic_conductance"], _ = ambient.stated_size(nozzle.sonic_conductance, 0.0)
         return values
 
     def states(self) -> tuple[State, ...]:
@@ -83,7 +83,7 @@ class TubeSegment(Passage):
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"mass_flow_rate": scope["initial_mass_flow_rate"]} if self.inertia == "true" else {}
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         size = scope["sonic_conductance"], scope["critical_ratio"]
         first, second = gas["from"], gas["to"]
         if self.inertia != "true":
@@ -96,10 +96,10 @@ class TubeSegment(Passage):
         flow = Flow("mass_flow_rate", "from", "to", mass, air.heat_capacity_pressure * temperature * mass)
         return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
 
-    def _temperature_and_loss(self, scope: Scope, mass: Any, first: Gas, second: Gas) -> tuple[Any, Any]:
+    def _temperature_and_loss(self, scope: Scope, mass: Any, first: GasState, second: GasState) -> tuple[Any, Any]:
         """Temperature of the gas that flows, and what friction takes of the pressure."""
         pressures, air = (first.pressure, second.pressure), scope.surroundings
-        conductance, ratio = air.with_this_gas(scope["sonic_conductance"], scope["critical_ratio"])
+        conductance, ratio = air.size_with_gas(scope["sonic_conductance"], scope["critical_ratio"])
         # Per root of the temperature, which follows.
         sonic = conductance * iso6358.REFERENCE_DENSITY * sqrt(iso6358.REFERENCE_TEMPERATURE) * maximum(*pressures)
         temperature = iso6358.temperature_of_flow(
@@ -245,7 +245,7 @@ class Tube(Compound):
         first, second = (CLOSED if end is None else MET if is_port(end) else MADE for end in (self.from_, self.to))
         return first, second
 
-    def met(self) -> dict[str, str]:
+    def outer_ports(self) -> dict[str, str]:
         """Port of another part that names this tube, to the cell that it is joined to."""
         cells = {self.from_: "1", self.to: str(self._count)}
         return {end: cell for end, cell in cells.items() if end is not None and is_port(end)}

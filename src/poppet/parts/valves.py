@@ -11,7 +11,7 @@ from poppet.core.symbolic import clip, smoothstep
 from poppet.parts.fields import NumberLike, number, option, port
 from poppet.parts.flow_path import FlowPath
 from poppet.parts.orifice import from_to, way
-from poppet.parts.part import Gas, Input, PassageFlows, Scope, State
+from poppet.parts.part import GasState, Input, PassageFlows, Scope, State
 
 SPOOL_GAIN = 50.0
 """How sharply the spool stops at its end: it covers the last 1/50 of its way exponentially."""
@@ -44,7 +44,7 @@ class CheckValve(FlowPath):
         "Pa", 0.0, doc="cracking pressure", kind="pressure_difference", low=0.0, note="none by default"
     )
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         size = self.size_at(scope, None)
         return from_to(scope, gas, size, cracking_pressure=scope["cracking_pressure"], one_way=True)
 
@@ -79,7 +79,7 @@ class ReliefValve(FlowPath):
         "Pa", "0.2 bar", doc="accumulation", kind="pressure_difference", above=0.0, note="rise to full opening"
     )
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         begin = scope["set_pressure"]
         opening = smoothstep(gas["from"].pressure, begin, begin + scope["accumulation"])
         conductance, ratio = self.size_at(scope, None)
@@ -165,7 +165,7 @@ class DirectionalValve(FlowPath):
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"position": scope["initial_position"]}
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         position, command = scope.states["position"], scope.inputs["command"]
         target = command if self.normally == "closed" else 1.0 - command
         pull = clip(SPOOL_GAIN * (target - position), -1.0, 1.0)
@@ -205,6 +205,6 @@ class Silencer(FlowPath):
     to: str | None = port("store it vents to")
     clogging: NumberLike = number("1", 0.0, doc="clogging", low=0.0, high=1.0, note="clean by default")
 
-    def passing(self, scope: Scope, gas: Mapping[str, Gas]) -> PassageFlows:
+    def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, None)
         return from_to(scope, gas, (conductance * (1.0 - scope["clogging"]), ratio))

@@ -1,4 +1,4 @@
-"""The picture of a comparison of controllers: responses above, spread of their figures below."""
+"""Figures of controller tuning and of controller comparisons."""
 
 from __future__ import annotations
 
@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.control.comparison import Comparison
+from poppet.control.loop import SampledPlant, step_response
 from poppet.control.metrics import read_in, readable
+from poppet.control.tuning import TunedPoint, Tuning
 from poppet.core.number_format import pretty, scaled
 from poppet.core.units import convert
 from poppet.parts.quantities import OPENING
@@ -28,154 +30,168 @@ from poppet.timeseries.plotting.figures import (
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_SPREAD = ("ITAE", "settling_time", "overshoot", "travel")
-"""Figures whose spread is shown."""
-MARKS = "Dots: draws; bar: median; ring: nominal."
+_SPREAD_METRICS = ("ITAE", "settling_time", "overshoot", "travel")
+MARKERS = "Dots: samples; bar: median; ring: nominal."
 _LEFT, _WIDTH, _GAP, _TOP = 0.75, 3.1, 0.3, 0.62
-_HIGH, _LOW, _STRIP = 1.9, 0.9, 1.3
-_SMALL = 0.3
-"""Openings all below it have an axis of their own size."""
+_UPPER, _LOWER, _STRIP = 1.9, 0.9, 1.3
+_SMALL_OPENING = 0.3
+"""Maximum opening for an axis that is scaled to the openings."""
+_MAX_SAMPLES = 2000
+"""Maximum number of samples of a step response."""
+
+
+def loop_figure(tuning: Tuning) -> Figure:
+    """Draw sensitivity versus frequency, and the step response, for every bounded plant."""
+    figure = new_figure(10.0, 3.9)
+    left, right = (axes_in(figure, edge, 0.75, 4.0, 2.5) for edge in (0.75, 5.75))
+    left.axhline(tuning.sensitivity, color=GREY, linewidth=0.9, linestyle=(0, (2, 2)), label="bound")
+    colours = iter(PALETTE * 4)
+    for point in tuning.points:
+        runs = {run.at: run for run in point.verified}
+        for name, plant in point.plants.items():
+            line = {"color": next(colours), "linewidth": 1.2, "label": name}
+            z = plant.at(plant.frequencies)
+            loop = point.gains.response(z, plant.sample_time) * plant.response(z)
+            left.semilogx(plant.frequencies[::8], np.abs(1.0 / (1.0 + loop))[::8], **line)
+            if isinstance(plant, SampledPlant):
+                step = _step(plant, point)
+                right.plot(plant.sample_time * np.arange(step.size), step, **line)
+            elif name in runs:
+                run = runs[name]
+                right.plot(run.time - run.time[0], (run.measured - run.setpoint[0]) / run.step, **line)
+    left.set_xlabel("frequency [Hz]")
+    left.set_ylabel("sensitivity [1]")
+    right.axhline(1.0, color=GREY, linewidth=0.8)
+    right.set_xlabel("time [s]")
+    right.set_ylabel("measurement per step [1]")
+    handles, labels = left.get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.07, 0.99), ncols=4, fontsize=7.5)
+    return figure
+
+
+def _step(plant: SampledPlant, point: TunedPoint) -> np.ndarray:
+    crossover = max(margins.crossover for margins in point.margins.values())
+    length = max(point.gains.integral_time, 1.0 / (2.0 * np.pi * max(crossover, 1e-9)))
+    samples = min(_MAX_SAMPLES, int(12.0 * length / plant.sample_time))
+    return step_response(plant, point.gains, point.setpoint_weight, max(samples, 2))
 
 
 def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, title: str = "") -> Figure:
-    """Draw a comparison: for each controller the response with its spread and the nominal command, then figures."""
+    """Draw responses, nominal commands and metrics of every controller, and save the figure if `path` is set."""
     if path is not None:
         check_format(path)
     with style("A picture of a comparison"):
-        figure = _draw(comparison, title)
+        width = _total_width(comparison)
+        figure = new_figure(width, _TOP + _UPPER + 0.15 + _LOWER + 0.85 + _STRIP + 0.75)
+        _draw_responses(figure, comparison)
+        _draw_spreads(figure, comparison, _TOP + _UPPER + _LOWER + 1.15)
+        height = figure.get_size_inches()[1]
+        figure.text(_LEFT / width, 1.0 - 0.14 / height, title, va="top", weight="bold", fontsize=11)
+        note = sample_sentence(comparison) + (f" {MARKERS}" if comparison.draws else "")
+        if len(note) >= 150:
+            comma = note.rfind(",", 0, len(note) // 2 + 10)
+            note = f"{note[: comma + 1]}\n{note[comma + 2 :]}"
+        figure.text(_LEFT / width, 0.12 / height, note, color=GREY, fontsize=7.5)
     if path is not None:
         save_figure(figure, path)
     return figure
 
 
 def response_figure(comparison: Comparison) -> Figure:
-    """For each controller the response with its spread, and the nominal command."""
-    width, high = _across(comparison), _TOP + _HIGH + 0.15 + _LOW + 0.55
-    figure = new_figure(width, high)
-    _responses(figure, comparison)
+    """Draw the response with its spread, and the nominal command, for every controller."""
+    figure = new_figure(_total_width(comparison), _TOP + _UPPER + 0.15 + _LOWER + 0.55)
+    _draw_responses(figure, comparison)
     return figure
 
 
 def spread_figure(comparison: Comparison) -> Figure:
-    """Figures of every controller: draws, median, nominal."""
-    figure = new_figure(_across(comparison), _STRIP + 1.0)
-    _spreads(figure, comparison, 0.45)
+    """Draw samples, median and nominal value of the metrics of every controller."""
+    figure = new_figure(_total_width(comparison), _STRIP + 1.0)
+    _draw_spreads(figure, comparison, 0.45)
     return figure
 
 
-def _across(comparison: Comparison) -> float:
+def _total_width(comparison: Comparison) -> float:
     columns = max(len(comparison.responses), 2)
     return _LEFT + columns * _WIDTH + (columns - 1) * _GAP + 0.2
 
 
-def _draw(comparison: Comparison, title: str) -> Figure:
-    width = _across(comparison)
-    figure = new_figure(width, _TOP + _HIGH + 0.15 + _LOW + 0.85 + _STRIP + 0.75)
-    _responses(figure, comparison)
-    _spreads(figure, comparison, _TOP + _HIGH + _LOW + 1.15)
-    figure.text(_LEFT / width, 1.0 - 0.14 / figure.get_size_inches()[1], title, va="top", weight="bold", fontsize=11)
-    words = _two_lines(f"{spread_words(comparison)} {MARKS}" if comparison.draws else spread_words(comparison))
-    figure.text(_LEFT / width, 0.12 / figure.get_size_inches()[1], words, color=GREY, fontsize=7.5)
-    return figure
-
-
-def _responses(figure: Figure, comparison: Comparison) -> None:
+def _draw_responses(figure: Figure, comparison: Comparison) -> None:
     first: Any = None
     for k, name in enumerate(comparison.responses):
         left, colour = _LEFT + k * (_WIDTH + _GAP), PALETTE[k % len(PALETTE)]
-        upper = axes_in(figure, left, _TOP, _WIDTH, _HIGH, sharey=first[0] if first else None)
-        lower = axes_in(
-            figure, left, _TOP + _HIGH + 0.15, _WIDTH, _LOW, sharex=upper, sharey=first[1] if first else None
-        )
-        _response(upper, lower, comparison, name, colour)
-        if first is None:
-            first = upper, lower
-            upper.set_ylabel(f"{words(comparison.quantity)}\n[{_shown(comparison)}]")
-            unit = pretty(readable(comparison.units[1]))
-            is_opening = comparison.command_quantity == OPENING
-            lower.set_ylabel(
-                "opening\n(fill, -vent)" if is_opening else f"{words(comparison.command_quantity)}\n[{unit}]"
-            )
-            upper.legend(loc="best", fontsize=7.5)
-        else:
+        upper = axes_in(figure, left, _TOP, _WIDTH, _UPPER, sharey=first[0] if first else None)
+        top = _TOP + _UPPER + 0.15
+        lower = axes_in(figure, left, top, _WIDTH, _LOWER, sharex=upper, sharey=first[1] if first else None)
+        _draw_response(upper, lower, comparison, name, colour)
+        if first is not None:
             upper.tick_params(labelleft=False)
             lower.tick_params(labelleft=False)
+            continue
+        first = upper, lower
+        units = [pretty(readable(unit)) for unit in comparison.units]
+        reference = ", absolute" if comparison.quantity == "pressure" else ""
+        upper.set_ylabel(f"{comparison.quantity.replace('_', ' ')}\n[{units[0]}{reference}]")
+        is_opening = comparison.command_quantity == OPENING
+        command = f"{comparison.command_quantity.replace('_', ' ')}\n[{units[1]}]"
+        lower.set_ylabel("opening\n(fill, -vent)" if is_opening else command)
+        upper.legend(loc="best", fontsize=7.5)
 
 
-def words(quantity: str) -> str:
-    """A quantity as a label has it."""
-    return quantity.replace("_", " ")
-
-
-def _shown(comparison: Comparison) -> str:
-    unit = pretty(readable(comparison.units[0]))
-    return f"{unit}, absolute" if comparison.quantity == "pressure" else unit
-
-
-def _spreads(figure: Figure, comparison: Comparison, top: float) -> None:
-    begin = max(_LEFT, widest(list(comparison.responses), 8.5) + 0.25)
-    span = (_across(comparison) - begin - 0.2 - (len(_SPREAD) - 1) * _GAP) / len(_SPREAD)
-    for k, key in enumerate(_SPREAD):
-        axes = axes_in(figure, begin + k * (span + _GAP), top, span, _STRIP)
-        _spread(axes, comparison, key, is_first=k == 0)
-
-
-def spread_words(comparison: Comparison) -> str:
-    """What was drawn."""
-    if not comparison.draws:
-        return "Nominal numbers only."
-    ranges = ", ".join(f"{address} ±{100.0 * size:g} %" for address, size in comparison.ranges.items())
-    return f"{comparison.draws} draws, seed {comparison.seed}: {ranges}."
-
-
-def _two_lines(text: str) -> str:
-    half = text.rfind(",", 0, len(text) // 2 + 10)
-    return text if len(text) < 150 else f"{text[: half + 1]}\n{text[half + 2 :]}"
-
-
-def _response(upper: Any, lower: Any, comparison: Comparison, name: str, colour: str) -> None:
+def _draw_response(upper: Any, lower: Any, comparison: Comparison, name: str, colour: str) -> None:
     (unit, command_unit), time = comparison.units, comparison.time
     rows = convert(comparison.responses[name], unit, readable(unit))
     upper.set_title(name, loc="left")
-    whole = rows[~np.isnan(rows[:, -1])]
-    if len(whole) > 1:
-        label = f"range of {len(whole) - 1} draws"
-        upper.fill_between(
-            time, whole.min(axis=0), whole.max(axis=0), color=colour, alpha=0.25, linewidth=0.0, label=label
-        )
+    complete = rows[~np.isnan(rows[:, -1])]
+    if len(complete) > 1:
+        label = f"range of {len(complete) - 1} samples"
+        edges = complete.min(axis=0), complete.max(axis=0)
+        upper.fill_between(time, *edges, color=colour, alpha=0.25, linewidth=0.0, label=label)
     upper.plot(time, rows[0], color=colour, label="nominal")
-    wanted = convert(comparison.setpoint, unit, readable(unit))
-    upper.plot(time, wanted, color=INK, linewidth=0.8, linestyle="--", label="setpoint", drawstyle="steps-post")
+    setpoint = convert(comparison.setpoint, unit, readable(unit))
+    upper.plot(time, setpoint, color=INK, linewidth=0.8, linestyle="--", label="setpoint", drawstyle="steps-post")
     upper.tick_params(labelbottom=False)
     commands = convert(comparison.commands[name], command_unit, readable(command_unit))
-    lower.plot(time, commands, color=colour, linewidth=1.0, drawstyle="steps-post",
-               label="command")  # fmt: skip
-    widest_opening = max(float(np.nanmax(np.abs(each))) for each in comparison.commands.values())
-    if comparison.command_quantity == OPENING and widest_opening > _SMALL:
+    lower.plot(time, commands, color=colour, linewidth=1.0, drawstyle="steps-post", label="command")
+    max_opening = max(float(np.nanmax(np.abs(command))) for command in comparison.commands.values())
+    if comparison.command_quantity == OPENING and max_opening > _SMALL_OPENING:
         lower.set_ylim(-1.1, 1.1)
     lower.set_xlabel("time [s]")
     lower.set_xlim(time[0], time[-1])
 
 
-def _spread(axes: Any, comparison: Comparison, key: str, *, is_first: bool) -> None:
-    given = comparison.kinds[key].unit
+def sample_sentence(comparison: Comparison) -> str:
+    """Return the number, the seed and the ranges of the samples."""
+    if not comparison.draws:
+        return "Nominal parameters only."
+    ranges = ", ".join(f"{address} ±{100.0 * size:g} %" for address, size in comparison.ranges.items())
+    return f"{comparison.draws} samples, seed {comparison.seed}: {ranges}."
+
+
+def _draw_spreads(figure: Figure, comparison: Comparison, top: float) -> None:
+    left = max(_LEFT, widest(list(comparison.responses), 8.5) + 0.25)
+    width = (_total_width(comparison) - left - 0.2 - (len(_SPREAD_METRICS) - 1) * _GAP) / len(_SPREAD_METRICS)
+    for k, key in enumerate(_SPREAD_METRICS):
+        axes = axes_in(figure, left + k * (width + _GAP), top, width, _STRIP)
+        _draw_spread(axes, comparison, key, is_first=k == 0)
+
+
+def _draw_spread(axes: Any, comparison: Comparison, key: str, *, is_first: bool) -> None:
     unit = read_in(comparison.kinds[key], *comparison.units)
-    names = list(comparison.figures)
-    scatter = np.random.default_rng(0)
+    factor, names = scaled(1.0, comparison.kinds[key].unit, unit), list(comparison.figures)
+    jitter = np.random.default_rng(0)
     for k, name in enumerate(names):
-        values = scaled(1.0, given, unit) * comparison.figures[name][key]
-        drawn = values[1:][np.isfinite(values[1:])]
-        y = len(names) - 1 - k
-        colour = PALETTE[k % len(PALETTE)]
-        axes.plot(drawn, y + scatter.uniform(-0.22, 0.22, len(drawn)), ".", color=colour, markersize=3.0, alpha=0.6)
-        if len(drawn):
-            axes.plot([np.median(drawn)] * 2, [y - 0.34, y + 0.34], color=INK, linewidth=1.6)
+        values = factor * comparison.figures[name][key]
+        samples = values[1:][np.isfinite(values[1:])]
+        y, colour = len(names) - 1 - k, PALETTE[k % len(PALETTE)]
+        axes.plot(samples, y + jitter.uniform(-0.22, 0.22, len(samples)), ".", color=colour, markersize=3.0, alpha=0.6)
+        if len(samples):
+            axes.plot([np.median(samples)] * 2, [y - 0.34, y + 0.34], color=INK, linewidth=1.6)
         if np.isfinite(values[0]):
             axes.plot(values[0], y, "o", markersize=6.0, markerfacecolor="none", markeredgecolor=ACCENT)
-        lost = int(np.sum(~np.isfinite(values)))
-        if lost:
-            axes.text(1.0, y, f"{lost} not reached", transform=axes.get_yaxis_transform(), ha="right", va="center",
-                      fontsize=7.0, color=GREY)  # fmt: skip
+        if n_failed := int(np.sum(~np.isfinite(values))):
+            label = {"ha": "right", "va": "center", "fontsize": 7.0, "color": GREY}
+            axes.text(1.0, y, f"{n_failed} not reached", transform=axes.get_yaxis_transform(), **label)
     axes.set_yticks(range(len(names)), list(reversed(names)) if is_first else [""] * len(names))
     axes.set_ylim(-0.6, len(names) - 0.4)
     axes.set_xlim(left=0.0)

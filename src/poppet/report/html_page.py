@@ -1,12 +1,15 @@
-"""The frame of a page that needs nothing else: no fonts, scripts or pictures from elsewhere, on paper and telephone."""
+"""Frame of self-contained pages: style, sections, lists, figures.
+
+A page loads no fonts, scripts or pictures. It is readable on paper and on narrow screens.
+"""
 
 from __future__ import annotations
 
 import html
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
@@ -16,6 +19,7 @@ from poppet.core.number_format import printable
 from poppet.core.version import __version__
 from poppet.report.plots import scripts
 from poppet.report.plots.reading import plot_data
+from poppet.report.tables import Table
 from poppet.timeseries.plotting.figures import figure_bytes
 
 if TYPE_CHECKING:
@@ -39,7 +43,7 @@ figure { margin: .8rem 0 1.6rem; }
 figure svg { display: block; width: 100%; height: auto; }
 figure.narrow svg, figure.narrow .live { max-width: 40rem; }
 figcaption { color: var(--soft); font-size: .92rem; max-width: 50rem; margin-top: .4rem; }
-/* A shadow at the edge where there is more to scroll to. */
+/* A shadow at an edge marks hidden content. */
 .scroll { overflow-x: auto; max-width: 100%; background-attachment: local, local, scroll, scroll; background-image:
   linear-gradient(to right, var(--paper) 1rem, transparent 2rem),
   linear-gradient(to left, var(--paper) 1rem, transparent 2rem),
@@ -70,24 +74,37 @@ td.number, td code { white-space: nowrap; }
   .stack td:first-child { flex: 1 1 100%; font-weight: 600; } .stack td:empty { display: none; }
   .stack td[data-name]::before { content: attr(data-name) " "; color: var(--soft); font-size: .85em; }
 }
-/* What is drawn on white is turned over as a whole: paper and ink change places, hues stay. */
+/* Figures have a white background: invert their lightness and keep their hues. */
 @media screen and (prefers-color-scheme: dark) {
   :root { --paper: #121212; --ink: #e8e8e8; --soft: #a2a9b2; --line: #3a3f46; --wash: #1d2024; --edge: #e8e8e840; }
   figure svg, figure canvas, .key i, .verdict, .tinted { filter: invert(.93) hue-rotate(180deg); }
 }
 @media print { main { padding: 0; } h2, h3 { break-after: avoid; } figure, tr { break-inside: avoid; }
-  /* On paper nothing scrolls. */
+  /* Paper does not scroll. */
   .scroll { overflow: visible; background: none; } .stack table { font-size: .72rem; }
   .stack th.number { overflow-wrap: anywhere; min-width: 2rem; } .stack th, .stack td { padding-right: .6rem; } }
 """
 
+Content: TypeAlias = "str | Table | Iterable[str | Table] | None"
+"""HTML, tables, or a sequence of both."""
 
-_STACKED = 3
-"""Columns from which a telephone shows a table row by row."""
+
+class Section(NamedTuple):
+    """Heading of a page with its content; a section without content is omitted."""
+
+    title: str
+    content: Content
+
+
+def render(content: Content) -> str:
+    """Return tables and HTML as one text."""
+    if content is None or isinstance(content, str):
+        return content or ""
+    return content.html() if isinstance(content, Table) else "".join(map(render, content))
 
 
 def write_page(path: str | Path, text: Callable[[], str]) -> Path:
-    """Write a page as a whole; its name is checked before the work of making it begins."""
+    """Write a page; the file name is checked before `text` is called."""
     target = Path(path)
     if target.suffix.lower() not in (".html", ".htm"):
         raise InputError("page.suffix", path=str(target))
@@ -95,62 +112,82 @@ def write_page(path: str | Path, text: Callable[[], str]) -> Path:
     return write_whole(target, lambda stream: stream.write(content))
 
 
-def document(title: str, sections: Iterable[tuple[str, str]], *, style: str = "", program: str = "") -> str:
-    """A whole page of headings with HTML below them; a section with nothing in it is left out.
+def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str = "", program: str = "") -> str:
+    """Return a page of sections.
 
-    A `program` is a script that runs last, and may run WebAssembly.
+    `program` is a script that runs after all others and may use WebAssembly.
 
     Examples
     --------
-    >>> page = document("a < b", [("", "<p>text</p>"), ("Empty", "")]).splitlines()
+    >>> page = document("a < b", [Section("", "<p>text</p>"), Section("Empty", "")]).splitlines()
     >>> page[6], page[-3][:11]
     ('<title>a &lt; b</title>', '<p>text</p>')
     """
-    body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in sections if text)
+    rendered = [(heading, render(content)) for heading, content in sections]
+    body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in rendered if text)
     body += f'<p class="lead">Written by poppet {__version__}.</p>\n'
     has_plots = scripts.MARK in body
-    run = tuple(filter(None, (scripts.script() if has_plots else "", program)))
-    body = f"<main>\n{body}</main>" + "".join(f"\n<script>{text}</script>\n" for text in run)
-    look = STYLE + (scripts.style() if has_plots else "") + style
+    code = tuple(filter(None, (scripts.script() if has_plots else "", program)))
+    body = f"<main>\n{body}</main>" + "".join(f"\n<script>{text}</script>\n" for text in code)
+    css = STYLE + (scripts.style() if has_plots else "") + style
     meta = '<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-    meta += f"{scripts.policy(*run, computes=bool(program))}<title>{html.escape(title)}</title>\n<style>{look}</style>"
+    meta += f"{scripts.policy(*code, computes=bool(program))}<title>{html.escape(title)}</title>\n<style>{css}</style>"
     return f'<!DOCTYPE html>\n<html lang="en">\n<head>\n{meta}\n</head>\n<body>{body}</body>\n</html>\n'
 
 
 def head(title: str, lead: str) -> str:
-    """Title and first line of a page."""
+    """Return the title and the first line of a page."""
     return f'<h1>{html.escape(title)}</h1>\n<p class="lead">{html.escape(lead)}</p>\n'
 
 
+def paragraph(text: str, *, css_class: str = "", bold: bool = False) -> str:
+    """Return a text as a paragraph, or nothing if it is empty."""
+    content = f"<strong>{html.escape(text)}</strong>" if bold else html.escape(text)
+    kind = f' class="{css_class}"' if css_class else ""
+    return f"<p{kind}>{content}</p>\n" if text else ""
+
+
+def folded(summary: str, content: Content, *, is_open: bool = False) -> str:
+    """Return content that the reader can unfold, or nothing if it is empty."""
+    body, state = render(content), " open" if is_open else ""
+    return f"<details{state}><summary>{html.escape(summary)}</summary>\n{body}</details>\n" if body else ""
+
+
+def items(texts: Iterable[object], tag: str = "ul", css_class: str = "") -> str:
+    """Return a list of texts, or nothing if there are none."""
+    rows = "".join(f"<li>{html.escape(str(text))}</li>\n" for text in texts)
+    kind = f' class="{css_class}"' if css_class else ""
+    return f"<{tag}{kind}>\n{rows}</{tag}>\n" if rows else ""
+
+
 def findings(notes: Iterable[Note | str], tag: str = "ul") -> str:
-    """A list of what a reader has to know, or nothing."""
-    rows = "".join(f"<li>{html.escape(str(note))}</li>\n" for note in grouped(notes))
-    return f'<{tag} class="findings">\n{rows}</{tag}>\n' if rows else ""
+    """Return a list of notes, or nothing if there are none."""
+    return items(grouped(notes), tag, "findings")
 
 
 def picture(
-    drawn: Figure | str, name: str, caption: str, *, label: str = "", kind: str = "", is_still: bool = False
+    figure: Figure | str, name: str, caption: str, *, label: str = "", kind: str = "", is_still: bool = False
 ) -> str:
-    """A figure, or the text of its SVG file, with its caption; whoever cannot see it is told its first words.
+    """Return a figure, or the text of its SVG file, with its caption.
 
-    Where there is something to read off, the numbers of the figure go along, and a plot that one can zoom takes the
-    place of the picture; a figure that `is_still` remains a picture.
+    The first words of the caption are the text for screen readers. If the figure has curves, the page includes their
+    values, and an interactive plot replaces the picture. Set `is_still` to keep the picture.
     """
-    data = None
-    if isinstance(drawn, str):
-        svg = drawn
+    values = None
+    if isinstance(figure, str):
+        svg = figure
     else:
-        svg = figure_bytes(drawn, "svg", name).decode("utf-8")
-        data = None if is_still else plot_data(drawn)
+        svg = figure_bytes(figure, "svg", name).decode("utf-8")
+        values = None if is_still else plot_data(figure)
     svg = inline_svg(svg, name, label or caption.partition(".")[0])
-    mark = f' class="{kind}"' if kind else ""
-    numbers = scripts.data_element(data) if data else ""
-    words = f"<figcaption>{html.escape(caption)}</figcaption>"
-    return f'<figure{mark}><div class="still scroll">{svg}</div>{numbers}{words}</figure>\n'
+    css_class = f' class="{kind}"' if kind else ""
+    element = scripts.data_element(values) if values else ""
+    text = f"<figcaption>{html.escape(caption)}</figcaption>"
+    return f'<figure{css_class}><div class="still scroll">{svg}</div>{element}{text}</figure>\n'
 
 
 def inline_svg(svg: str, name: str, label: str) -> str:
-    """An SVG file as an element of a page.
+    """Return an SVG file as an element of a page.
 
     Examples
     --------
@@ -159,32 +196,9 @@ def inline_svg(svg: str, name: str, label: str) -> str:
     """
     element = svg[svg.index("<svg") :].rstrip()
     opening, rest = element.split(">", 1)
-    # The page's width decides, and HTML knows the name spaces.
+    # The width of the page sets the size. HTML needs no declarations of name spaces.
     opening = re.sub(r' (?:height|width|xmlns(?::\w+)?)="[^"]*"', "", opening)
     opening = opening.replace("<svg", f'<svg role="img" aria-label="{html.escape(label)}"', 1)
     rest = re.sub(r"<metadata>.*?</metadata>\s*", "", rest, flags=re.DOTALL).replace(" xlink:href=", " href=")
-    # Names are unique within a figure only.
+    # Identifiers are unique within one figure only.
     return f"{opening}>" + re.sub(r'( id="|"#|url\(#)', rf"\g<1>{name}-", rest)
-
-
-def table(
-    headings: Sequence[str], rows: Sequence[Sequence[str]], *, numbers: Iterable[int] = (), caption: str = "",
-    kind: str = "",
-) -> str:  # fmt: skip
-    """A table: headings are text, cells HTML, `numbers` the columns of figures; on a telephone its rows are stacked."""
-    figures = set(numbers)
-    is_stacked = len(headings) >= _STACKED
-    marks = [' class="number"' if k in figures else "" for k in range(len(rows[0]) if rows else len(headings))]
-    named = [
-        f' data-name="{html.escape(text)}"' if k and is_stacked and text else "" for k, text in enumerate(headings)
-    ]
-    names = named or [""] * len(marks)
-    top = "".join(f'<th scope="col"{m}>{html.escape(text)}</th>' for m, text in zip(marks, headings, strict=False))
-    top = f"<thead><tr>{top}</tr></thead>\n" if top else ""
-    top = f"<caption>{html.escape(caption)}</caption>\n{top}" if caption else top
-    body = "".join(
-        "<tr>" + "".join(f"<td{m}{n}>{cell}</td>" for m, n, cell in zip(marks, names, row, strict=True)) + "</tr>\n"
-        for row in rows
-    )
-    kind = " ".join(filter(None, ("scroll", kind, "stack" * is_stacked)))
-    return f'<div class="{kind}" tabindex="0"><table>{top}<tbody>\n{body}</tbody></table></div>\n'

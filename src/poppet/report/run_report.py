@@ -1,20 +1,17 @@
-"""The page of a run: what was simulated, with which numbers, what came out, and whether the balances hold."""
+"""Report of a run: curves, circuit, results, balances and parameters."""
 
 from __future__ import annotations
 
-import html
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from poppet.core.number_format import USUAL, digits_of, pretty, with_unit
-from poppet.core.provenance import LEAST_CERTAIN_FIRST, Number
+from poppet.core.number_format import with_unit
+from poppet.core.provenance import LEAST_CERTAIN_FIRST
 from poppet.report.circuit.schematic import draw_circuit
-from poppet.report.html_page import document, findings, head, picture, table, write_page
-from poppet.report.loads import ENERGY, STROKES, energy_rows, stroke_rows
-from poppet.report.tables import Column, Table
+from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
+from poppet.report.result_tables import ENERGY, STROKES, energy_table, extreme_table, stroke_table
+from poppet.report.tables import Column, Markup, Table, code, numeric
 from poppet.timeseries.plotting.figures import style
 from poppet.timeseries.plotting.plots import plot_recordings
 from poppet.timeseries.recording import Recording
@@ -27,31 +24,29 @@ details { margin: .6rem 0; } summary { cursor: pointer; }
 code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
 .numbers td:last-child { color: var(--soft); min-width: 14rem; }
 """
-_NOT_TO_READ = "regime", "contact", "friction_state"
-"""Ends of the names of codes, of which a table of values says nothing."""
 
 
 def write_run(
     circuit: Circuit, recording: Recording, path: str | Path, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, inner: bool = False,
 ) -> Path:  # fmt: skip
-    """Write a run as one page that needs nothing else.
+    """Write the report of a run as a self-contained page.
 
     Parameters
     ----------
     circuit : Circuit
-        What was simulated.
+        The simulated circuit.
     recording : Recording
-        What came out.
+        The result of the simulation.
     path : str or Path
-        Ends in `.html`.
+        File name with the suffix `.html`.
     select, units, inner : optional
-        Which series are drawn, in which units, and whether inner ones are, as `plot_recordings` takes them.
+        Selected outputs, their units, and whether internal outputs are drawn; see `plot_recordings`.
 
     Returns
     -------
     Path
-        Where it was written.
+        The written file.
 
     Examples
     --------
@@ -61,7 +56,7 @@ def write_run(
     >>> circuit = Circuit({"tank": Chamber(volume="10 l", initial_pressure="5 bar"), "vent": vent})
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     page = write_run(circuit, circuit.simulate(1.0), f"{folder}/run.html")
-    ...     "Numbers" in page.read_text(encoding="utf-8")
+    ...     "Parameters" in page.read_text(encoding="utf-8")
     True
     """
     return write_page(path, lambda: run_page(circuit, recording, select=select, units=units, inner=inner))
@@ -71,109 +66,78 @@ def run_page(
     circuit: Circuit, recording: Recording, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, inner: bool = False,
 ) -> str:  # fmt: skip
-    """The page as text."""
+    """Return the report of a run as HTML."""
     title = circuit.title or "A run"
+    lead = f"{len(recording)} outputs"
     with style("A report of a run"):
-        drawn = ""
+        curves = ""
         if recording.time.size:
+            lead = f"{recording.time[0]:.6g} to {recording.time[-1]:.6g} s, {recording.time.size} rows of {lead}"
             figure = plot_recordings({"": recording}, select=select, units=units, inner=inner)
-            figure.texts[0].set_visible(not recording.title)  # the page has its title
-            drawn = picture(figure, "run", "The run; bars at the foot say how each passage flowed.")
+            figure.texts[0].set_visible(not recording.title)  # the page shows the title
+            curves = picture(figure, "run", "The run; bars at the bottom show the regime of each flow path.")
+        start = head(title, lead) + paragraph(recording.outcome, bold=True) + findings(recording.remarks)
         sections = [
-            ("", _head(title, recording)),
-            ("What is asked first", _figures(recording)),
-            ("Run", drawn),
-            ("Circuit", picture(draw_circuit(circuit), "circuit", "The circuit; assumed numbers carry a star.")),
-            ("Values", _values(recording).html() if recording.time.size else ""),
-            ("Balances", _balances(recording)),
-            ("How it was run", _conditions(circuit, recording)),
-            ("Numbers", _numbers(circuit)),
+            Section("", start),
+            Section("Strokes and energy", _loads(recording)),
+            Section("Run", curves),
+            Section("Circuit", picture(draw_circuit(circuit), "circuit", "The circuit; * marks assumed values.")),
+            Section("Values", extreme_table(recording) if recording.time.size else ""),
+            Section("Balances", _balance_table(recording)),
+            Section("Solver", _settings(circuit, recording)),
+            Section("Parameters", _parameters(circuit)),
         ]
     return document(title, sections, style=_STYLE)
 
 
-def _head(title: str, recording: Recording) -> str:
-    lead = f"{len(recording)} series"
-    if recording.time.size:
-        lead = f"{recording.time[0]:.6g} to {recording.time[-1]:.6g} s, {recording.time.size} rows of {lead}"
-    ended = f"<p><strong>{html.escape(recording.outcome)}</strong></p>\n" if recording.outcome else ""
-    return head(title, lead) + ended + findings(recording.remarks)
+def _loads(recording: Recording) -> list[str | Table]:
+    if (metrics := recording.figures) is None:
+        return []
+    content: list[str | Table] = [paragraph(STROKES), stroke_table(metrics)] if metrics.strokes else []
+    energy = [(name, f"{value} {unit}") for name, value, unit in energy_table(metrics).rows]
+    return [*content, Table(("", Column("", "s")), energy, caption=ENERGY)]
 
 
-def _figures(recording: Recording) -> str:
-    """Strokes, air, work and efficiency of a run with loads."""
-    figures = recording.figures
-    if figures is None:
-        return ""
-    heads, *strokes = stroke_rows(figures)
-    shown = [[html.escape(row[0]), *row[1:]] for row in strokes]
-    text = f"<p>{STROKES}</p>\n{table(heads, shown, numbers=range(1, 7))}" if strokes else ""
-    energy = [[html.escape(what), f"{value} {unit}"] for what, value, unit in energy_rows(figures)]
-    return text + table([], energy, numbers=(1,), caption=ENERGY)
-
-
-def _values(recording: Recording) -> Table:
-    """First, last, lowest and highest value of every series that has values, what is inner last."""
-    series = [
-        (name, unit) for name, unit in zip(recording.names, recording.units, strict=True)
-        if not name.endswith(_NOT_TO_READ)
-    ]  # fmt: skip
-    shown = recording.select([name for name, _ in series])
-    shown = shown.converted({name: USUAL[unit] for name, unit in series if unit in USUAL})
-    rows = []
-    for name, unit in sorted(zip(shown.names, shown.units, strict=True), key=lambda each: each[0] in shown.inner):
-        row = shown[name]
-        low, high = int(np.argmin(row)), int(np.argmax(row))
-        largest = float(np.max(np.abs(row)))
-        figures = (digits_of(float(v), largest) for v in (row[0], row[-1], row[low], row[high]))
-        first, last, least, most = figures
-        times = (f"{shown.time[k]:.5g}" for k in (low, high))
-        rows.append((name, pretty(unit) if unit != "1" else "", first, last, least, next(times), most, next(times)))
-    heads = ("first", "last", "lowest", "at [s]", "highest", "at [s]")
-    columns = Column("series"), Column("unit"), *(Column(text, "s") for text in heads)
-    return Table("values", "", columns, tuple(rows))
-
-
-def _numbers(circuit: Circuit) -> str:
-    """The numbers of the circuit by their source, the least certain first."""
-    text, every = "", circuit.numbers()
+def _parameters(circuit: Circuit) -> str:
+    """Return the parameters grouped by their source, the least certain first."""
+    text, ambient = "", circuit.surroundings.pressure
     for kind in LEAST_CERTAIN_FIRST:
-        group = {address: number for address, number in every.items() if number.source.kind == kind}
-        if not group:
-            continue
-        rows = [_number(address, number, circuit) for address, number in group.items()]
-        body = table(["number", "as written", "SI", "where from"], rows, numbers=(2,), kind="numbers")
-        is_open = " open" if kind == "assumed" else ""
-        text += f"<details{is_open}><summary>{kind} ({len(group)})</summary>\n{body}</details>\n"
+        rows = [
+            (
+                code(address),
+                number.display(),
+                with_unit(f"{number.absolute(ambient):.6g}", number.unit),
+                "; ".join(filter(None, (number.source.locator, number.source.note))),
+            )
+            for address, number in circuit.numbers().items()
+            if number.source.kind == kind
+        ]
+        table = Table(("parameter", "as written", Column("SI", "s"), "source"), rows, css_class="numbers")
+        text += folded(f"{kind} ({len(rows)})", table, is_open=kind == "assumed")
     return text
 
 
-def _number(address: str, number: Number, circuit: Circuit) -> list[str]:
-    value = number.absolute(circuit.surroundings.pressure)
-    source = "; ".join(text for text in (number.source.locator, number.source.note) if text)
-    cells = number.display(), with_unit(f"{value:.6g}", number.unit), source
-    return [f"<code>{html.escape(address)}</code>", *map(html.escape, cells)]
-
-
-def _balances(recording: Recording) -> str:
+def _balance_table(recording: Recording) -> Table:
     rows = [
-        [html.escape(each.name), f"{each.error:.2g} {each.unit}", f"{each.allowed:.2g} {each.unit}",
-         f"{each.through:.4g} {each.unit}", "kept" if each.is_kept else "<strong>NOT kept</strong>"]
-        for each in recording.residuals if each.allowed > 0.0
+        (
+            balance.name,
+            *(f"{value} {balance.unit}" for value in (f"{balance.error:.2g}", f"{balance.allowed:.2g}",
+                                                      f"{balance.through:.4g}")),
+            "kept" if balance.is_kept else Markup("<strong>NOT kept</strong>"),
+        )
+        for balance in recording.residuals
+        if balance.allowed > 0.0
     ]  # fmt: skip
-    if not rows:
-        return ""
-    words = "What a store has gained, less what the integrals of its flows say went in."
-    return table(["balance", "residual", "allowed", "went through", ""], rows, numbers=(1, 2, 3), caption=words)
+    caption = "Residual: increase of the stored quantity minus the integrals of the flows into it."
+    return Table(("balance", *numeric("residual", "allowed", "throughput"), ""), rows, caption)
 
 
-def _conditions(circuit: Circuit, recording: Recording) -> str:
-    run = circuit.run
-    steps = recording.statistics
+def _settings(circuit: Circuit, recording: Recording) -> Table:
+    accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
     rows = [
-        ["solver", html.escape(run.solver)],
-        ["relative tolerance", f"{run.numbers()['relative_tolerance'].value:.3g}"],
-        ["steps", f"{steps.get('accepted_steps', 0):.0f} accepted, {steps.get('rejected_steps', 0):.0f} rejected"],
-        ["ambient pressure", f"{recording.ambient_pressure / 1e5:.6g} bar"],
+        ("solver", circuit.run.solver),
+        ("relative tolerance", f"{circuit.run.numbers()['relative_tolerance'].value:.3g}"),
+        ("steps", f"{accepted:.0f} accepted, {rejected:.0f} rejected"),
+        ("ambient pressure", f"{recording.ambient_pressure / 1e5:.6g} bar"),
     ]
-    return table([], rows)
+    return Table(("", ""), rows)

@@ -1,70 +1,130 @@
-"""A table of results, once: as text for a terminal, as HTML for a page, as CSV for whoever calculates on."""
+"""Tables of results: one declaration for text, HTML and CSV."""
 
 from __future__ import annotations
 
 import csv
 import html
 import io
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from poppet.core.number_format import aligned
-from poppet.report.html_page import table
+
+STACKED_COLUMNS = 3
+"""Minimum number of columns for which narrow screens show one block per row."""
+
+
+class Markup(str):
+    """HTML that a table or a page includes as it is; other text is escaped."""
+
+    __slots__ = ()
+
+
+def code(text: object, suffix: str = "") -> Markup:
+    """Return a text as a `code` element, followed by a suffix of HTML."""
+    return Markup(f"<code>{html.escape(str(text))}</code>{suffix}")
+
+
+def with_detail(text: str, detail: str) -> Markup:
+    """Return a cell with a second line in a soft colour; an empty line is omitted."""
+    lines = [html.escape(text), f'<span class="lead">{html.escape(detail)}</span>']
+    return Markup("<br>".join(line for line, content in zip(lines, (text, detail), strict=True) if content))
 
 
 @dataclass(frozen=True)
 class Column:
-    """A column of a table."""
+    """Column of a table: heading with unit, `time [s]`, and number format, `.2f`.
 
-    heading: str  # with its unit, `time [s]`
-    digits: str = ""  # format of its numbers, `.2f`; text is left as it is
+    A column with a format is aligned on the right; the format does not apply to text.
+    """
 
-    def show(self, value: Any) -> str:
-        """A value of the column as a reader sees it."""
+    heading: str
+    digits: str = ""
+
+    def format(self, value: Any) -> str:
+        """Return a value as text; None is a dash."""
         if value is None:
             return "-"
         return format(value, self.digits) if self.digits and not isinstance(value, str) else str(value)
 
 
+def numeric(*headings: str, digits: str = "s") -> tuple[Column, ...]:
+    """Return columns of numbers, or with the default format of numbers that are text already."""
+    return tuple(Column(heading, digits) for heading in headings)
+
+
 @dataclass(frozen=True)
 class Table:
-    """Rows of values under columns with units.
+    """Rows of cells under headings; a cell is a number, text, `Markup` or None.
+
+    A plain text in `columns` is the heading of a column of text. A table without headings has no header row.
 
     Examples
     --------
-    >>> columns = Column("law"), Column("time [s]", ".1f")
-    >>> print(Table("laws", "Tank laws", columns, (("isothermal", 71.111),)).text())
+    >>> table = Table(("law", Column("time [s]", ".1f")), [("isothermal", 71.111)])
+    >>> print(table.text())
     law         time [s]
     isothermal      71.1
+    >>> Table(("", ""), [("a < b", Markup("<b>c</b>"))]).html().splitlines()[1]
+    '<tr><td>a &lt; b</td><td><b>c</b></td></tr>'
     """
 
-    name: str  # of a file, `tank_laws`
-    title: str  # what the table shows
-    columns: tuple[Column, ...]
-    rows: tuple[tuple[Any, ...], ...]  # numbers, text or None
+    columns: Sequence[Column | str]
+    rows: Sequence[Sequence[Any]]
+    caption: str = ""
+    name: str = ""  # of a file, `tank_laws`
+    css_class: str = ""
+
+    def __bool__(self) -> bool:
+        """Return True if the table has rows."""
+        return bool(self.rows)
+
+    def _columns(self) -> list[Column]:
+        return [column if isinstance(column, Column) else Column(column) for column in self.columns]
 
     @property
-    def numbers(self) -> list[int]:
-        """Places of the columns of numbers."""
-        return [k for k, column in enumerate(self.columns) if column.digits]
+    def headings(self) -> list[str]:
+        """Headings of the columns."""
+        return [column.heading for column in self._columns()]
 
-    def shown(self) -> list[list[str]]:
-        """The rows as a reader sees them."""
-        return [[column.show(v) for column, v in zip(self.columns, row, strict=True)] for row in self.rows]
+    def cells(self) -> list[list[str]]:
+        """Return the rows as text."""
+        columns = self._columns()
+        return [[column.format(value) for column, value in zip(columns, row, strict=True)] for row in self.rows]
 
     def text(self) -> str:
-        """The table for a terminal."""
-        return aligned([[column.heading for column in self.columns], *self.shown()], self.numbers)
+        """Return the table for a terminal."""
+        header, cells = self.headings, self.cells()
+        is_number = [k for k, column in enumerate(self._columns()) if column.digits]
+        return aligned([header, *cells] if any(header) else cells, is_number)
 
     def csv(self) -> str:
-        """The table with all digits."""
+        """Return the table as CSV with all digits."""
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
-        writer.writerow([column.heading for column in self.columns])
+        writer.writerow(self.headings)
         writer.writerows(self.rows)
         return stream.getvalue()
 
     def html(self) -> str:
-        """The table as an element of a page."""
-        rows = [[html.escape(cell) for cell in row] for row in self.shown()]
-        return table([c.heading for c in self.columns], rows, numbers=self.numbers, caption=self.title, kind="plain")
+        """Return the table as an element of a page, or nothing if it has no rows."""
+        if not self.rows:
+            return ""
+        columns, is_stacked = self._columns(), len(self.columns) >= STACKED_COLUMNS
+        align = [' class="number"' if column.digits else "" for column in columns]
+        headings = [html.escape(column.heading) for column in columns]
+        names = [f' data-name="{text}"' if k and is_stacked and text else "" for k, text in enumerate(headings)]
+        header = "".join(f'<th scope="col"{kind}>{text}</th>' for kind, text in zip(align, headings, strict=True))
+        header = f"<thead><tr>{header}</tr></thead>\n" if any(headings) else ""
+        header = f"<caption>{html.escape(self.caption)}</caption>\n{header}" if self.caption else header
+        lines = []
+        for row in self.rows:
+            cells = (
+                value if isinstance(value, Markup) else html.escape(column.format(value))
+                for column, value in zip(columns, row, strict=True)
+            )
+            pairs = zip(align, names, cells, strict=True)
+            lines.append(f"<tr>{''.join(f'<td{kind}{name}>{cell}</td>' for kind, name, cell in pairs)}</tr>\n")
+        kinds = " ".join(filter(None, ("scroll", self.css_class, "stack" * is_stacked)))
+        return f'<div class="{kinds}" tabindex="0"><table>{header}<tbody>\n{"".join(lines)}</tbody></table></div>\n'

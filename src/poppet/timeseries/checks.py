@@ -1,4 +1,4 @@
-"""Checks of time bases, series and their headings, shared by signals and recordings."""
+"""Checks of time bases, series and column headings, shared by signals and recordings."""
 
 from __future__ import annotations
 
@@ -14,27 +14,27 @@ from poppet.core.errors import InputError, NameSuggestion
 
 FloatArray = NDArray[np.float64]
 METADATA = "poppet"
-"""The variable, or key, under which a recording keeps what a table of numbers cannot hold, as JSON."""
+"""Name of the variable or key for the metadata of a recording (title, notes, units), in JSON."""
 
 _HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 
 
 def split_heading(heading: str) -> tuple[str, str]:
-    """Name and unit of a column heading.
+    """Return the name and the unit of a column heading.
 
     Examples
     --------
     >>> split_heading("tank.pressure [Pa]")
     ('tank.pressure', 'Pa')
     """
-    found = _HEADING.fullmatch(heading)
-    if found is None or not found["name"]:
+    match = _HEADING.fullmatch(heading)
+    if match is None or not match["name"]:
         raise InputError("series.heading", heading=heading)
-    return found["name"], (found["unit"] or "").strip()
+    return match["name"], (match["unit"] or "").strip()
 
 
 def numbers(name: str, series: ArrayLike) -> FloatArray:
-    """A series as an array of its own."""
+    """Return a series as a new array of floats."""
     try:
         return np.array(series, dtype=float)
     except (TypeError, ValueError) as problem:
@@ -42,33 +42,36 @@ def numbers(name: str, series: ArrayLike) -> FloatArray:
 
 
 def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] | None:
-    """The first sample that breaks a time base, with what is wrong about it; `owner` is whose times they are."""
+    """Return the index and the error of the first invalid sample of a time base.
+
+    The result is None if the time base is valid. `owner` is the name of the series for the error.
+    """
     if time.ndim != 1 or not time.size:
         return 0, InputError("series.time.shape", owner=owner, shape=time.shape)
-    bad = np.flatnonzero(~np.isfinite(time))
-    if bad.size:
-        k = int(bad[0])
+    invalid = np.flatnonzero(~np.isfinite(time))
+    if invalid.size:
+        k = int(invalid[0])
         return k, InputError("series.time.not_finite", owner=owner, place=k, time=float(time[k]))
-    bad = np.flatnonzero(np.diff(time) <= 0.0)
-    if not bad.size:
+    invalid = np.flatnonzero(np.diff(time) <= 0.0)
+    if not invalid.size:
         return None
-    k = int(bad[0])
+    k = int(invalid[0])
     first, then = float(time[k]), float(time[k + 1])
     problem = InputError("series.time.not_increasing", owner=owner, place=k, after=k + 1, time=first, next=then)
     return k + 1, problem
 
 
 def name_problems(names: tuple[str, ...], units: Iterable[str]) -> list[InputError]:
-    """Names given twice, and units of names that are not there."""
-    twice = [name for name in dict.fromkeys(names) if names.count(name) > 1]
+    """Return errors for duplicate names and for units of absent names."""
+    duplicates = [name for name in dict.fromkeys(names) if names.count(name) > 1]
     unnamed = [name for name in units if name not in names]
-    return [InputError("series.twice", name=name) for name in twice] + [
+    return [InputError("series.twice", name=name) for name in duplicates] + [
         InputError("series.no_unit_of", name=name, near=NameSuggestion(name, names)) for name in unnamed
     ]
 
 
 def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[InputError]:
-    """What is wrong with a signal given by points."""
+    """Return the errors of a signal that is defined by points."""
     if times.shape != values.shape or times.ndim != 1:
         return [InputError("signals.lengths", owner=owner, times=times.size, values=values.size)]
     problems = []
@@ -77,22 +80,22 @@ def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[Inp
         problems.append(bad_time[1])
     elif times[0] < 0.0:
         problems.append(InputError("signals.before_run", owner=owner, time=float(times[0])))
-    bad = np.flatnonzero(~np.isfinite(values))
-    if bad.size:
-        k = int(bad[0])
+    invalid = np.flatnonzero(~np.isfinite(values))
+    if invalid.size:
+        k = int(invalid[0])
         problems.append(InputError("signals.not_finite", owner=owner, place=k, value=float(values[k])))
     return problems
 
 
 def not_finite(**fields: float) -> list[InputError]:
-    """Fields that are infinite or no number."""
+    """Return an error for each field that is not a finite number."""
     return [
         InputError("numbers.not_finite", name, value=value) for name, value in fields.items() if not _is_finite(value)
     ]
 
 
 def not_positive(unit: str, **fields: float) -> list[InputError]:
-    """Fields that are not above zero."""
+    """Return an error for each field that is not above zero."""
     return [
         InputError("numbers.not_positive", name, value=value, unit=unit)
         for name, value in fields.items()

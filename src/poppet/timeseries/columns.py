@@ -1,8 +1,9 @@
-"""Columns of numbers over one time base, with names and units: what files hold and figures show."""
+"""Named columns of numbers with units over one time base, the content of files and figures."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from functools import partial
 from typing import Any, Self
 
 import numpy as np
@@ -21,27 +22,29 @@ from poppet.timeseries.checks import (
 )
 
 _NO_NAMES = ("time", "slice", "list", "int")
-"""Keys that cannot name a series, each with a cure of its own."""
+"""Invalid keys of a recording; the error of each one has its own hint."""
 
 
 class Columns(HtmlMixin):
-    """Named columns with units over one time base, and what is known about them.
+    """Named columns with units over one time base, with notes.
 
-    `Recording` has the methods by which a reader works with them; files and figures need no more than this.
-    The constructor trusts its arguments, since every run ends in it; `from_series` checks its own.
+    `Recording` adds the methods for users; files and figures need only this class. The constructor does not check its
+    arguments, because each run calls it; `from_series` checks its arguments.
+
+    Notes, residuals and figures can be functions without arguments, which are called on first use.
     """
 
     __slots__ = (
         "_figures",
         "_index",
+        "_remarks",
+        "_residuals",
         "_time",
         "_values",
         "ambient_pressure",
         "ending",
         "inner",
         "names",
-        "remarks",
-        "residuals",
         "statistics",
         "title",
         "units",
@@ -55,24 +58,25 @@ class Columns(HtmlMixin):
         values: FloatArray,
         *,
         title: str = "",
-        notes: Iterable[Note | str] = (),
+        notes: Iterable[Note | str] | Callable[[], Iterable[Note | str]] = (),
         outcome: Note | str = "",
         statistics: Mapping[str, float] | None = None,
-        residuals: tuple[Any, ...] = (),
+        residuals: tuple[Any, ...] | Callable[[], tuple[Any, ...]] = (),
         ambient_pressure: float = 1e5,
         inner: frozenset[str] = frozenset(),
         figures: Any = None,
     ) -> None:
-        # Views, so that the arrays of the caller stay as writable as they were.
+        # Views: the caller's arrays remain writable.
         self._time, self._values = time.view(), values.view()
         self._time.flags.writeable = self._values.flags.writeable = False
         self._index: dict[str, int] | None = None
-        self._figures = figures
+        self._figures, self._residuals = figures, residuals
+        self._remarks = notes if callable(notes) else notes_of(notes)
         self.names, self.units = names, units
-        self.title, self.remarks = title, notes_of(notes)
+        self.title = title
         self.ending = notes_of([outcome])[0] if outcome else None
         self.statistics: Mapping[str, float] = {} if statistics is None else statistics
-        self.residuals, self.ambient_pressure, self.inner = residuals, ambient_pressure, inner
+        self.ambient_pressure, self.inner = ambient_pressure, inner
 
     @classmethod
     def from_series(
@@ -85,20 +89,20 @@ class Columns(HtmlMixin):
         notes: Iterable[Note | str] = (),
         ambient_pressure: float = 1e5,
     ) -> Self:
-        """A recording of measured or computed arrays, checked.
+        """Return a recording of measured or computed arrays, after checks.
 
         Parameters
         ----------
         time : (n,) array
             Finite, strictly increasing [s].
         series : mapping
-            From `name [unit]`, or a name whose unit stands in `units`, to an (n,) array.
+            Map from `name [unit]`, or from a name whose unit is in `units`, to an (n,) array.
         units : mapping, optional
-            From name to unit; a series named in neither place has the empty unit.
+            Map from name to unit. A series without a unit in its heading or in `units` has the empty unit.
         title : str, optional
-            What it is a recording of.
+            Title of the recording.
         notes : tuple of Note or str, optional
-            What a reader should know.
+            Notes for the reader.
         ambient_pressure : float, optional
             Absolute pressure to which gauge values refer [Pa].
 
@@ -109,16 +113,16 @@ class Columns(HtmlMixin):
         Raises
         ------
         InputError
-            All mistakes at once: time not increasing, lengths that differ, a name given twice.
+            If time does not increase, lengths differ or a name occurs twice; all errors are reported together.
         """
         base = numbers("time", time)
-        given = dict(units or {})
+        units_by_name = dict(units or {})
         headings = [split_heading(heading) for heading in series]
         names = tuple(name for name, _ in headings)
         rows = [numbers(name, row) for name, row in series.items()]
         bad_time = first_bad_time(base)
         problems = [bad_time[1]] if bad_time else []
-        problems += name_problems(names, given)
+        problems += name_problems(names, units_by_name)
         problems += [
             InputError("series.length", name=name, shape=row.shape, times=base.size)
             for name, row in zip(names, rows, strict=True)
@@ -128,7 +132,7 @@ class Columns(HtmlMixin):
         return cls(
             base,
             names,
-            tuple(unit or given.get(name, "") for name, unit in headings),
+            tuple(unit or units_by_name.get(name, "") for name, unit in headings),
             np.array(rows, dtype=float).reshape(len(rows), len(base)),
             title=title,
             notes=notes,
@@ -136,7 +140,7 @@ class Columns(HtmlMixin):
         )
 
     def fields(self) -> dict[str, Any]:
-        """What the constructor takes."""
+        """Return the arguments of the constructor."""
         return {
             "time": self._time,
             "names": self.names,
@@ -152,31 +156,49 @@ class Columns(HtmlMixin):
             "figures": self.figures,
         }
 
+    def __reduce__(self) -> Any:
+        # Values instead of functions, which can contain compiled code.
+        return partial(type(self), **self.fields()), ()
+
+    @property
+    def remarks(self) -> tuple[Note, ...]:
+        """Notes as codes with facts."""
+        if callable(self._remarks):
+            self._remarks = notes_of(self._remarks())
+        return self._remarks
+
+    @property
+    def residuals(self) -> tuple[Any, ...]:
+        """Residuals of the balances of a run."""
+        if callable(self._residuals):
+            self._residuals = self._residuals()
+        return self._residuals
+
     @property
     def figures(self) -> Any:
-        """What an engineer asks first of a run with loads, `poppet.circuit.load_metrics.Figures`; else None."""
-        if callable(self._figures):  # only now: most recordings are never asked
+        """Load metrics of a run (`poppet.circuit.load_metrics.LoadMetrics`), None without loads."""
+        if callable(self._figures):  # evaluated on first use: most recordings do not need it
             self._figures = self._figures()
         return self._figures
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What a reader should know, in words, much of a kind as one; `remarks` has all as codes with numbers."""
+        """Notes as text, grouped by kind; `remarks` has all notes as codes with facts."""
         return tuple(map(str, grouped(self.remarks)))
 
     @property
     def outcome(self) -> str:
-        """How the run ended, in words; `ending` has it as a code with numbers."""
+        """Termination reason as text; `ending` has it as a code with facts."""
         return "" if self.ending is None else str(self.ending)
 
     @property
     def time(self) -> FloatArray:
-        """The time base, read-only, shape (n,) [s]."""
+        """Time base, read-only, shape (n,) [s]."""
         return self._time
 
     @property
     def values(self) -> FloatArray:
-        """All series, read-only, shape (n_series, n), each row in its unit."""
+        """All series, read-only, shape (n_series, n), each row in its own unit."""
         return self._values
 
     def __getitem__(self, name: str) -> FloatArray:
@@ -184,7 +206,7 @@ class Columns(HtmlMixin):
         return row
 
     def _ipython_key_completions_(self) -> list[str]:
-        """Names that an editor offers behind `recording[`."""
+        """Return the names that an editor offers after `recording[`."""
         return list(self.names)
 
     def __contains__(self, name: object) -> bool:
@@ -197,16 +219,16 @@ class Columns(HtmlMixin):
         return len(self.names)
 
     def _row(self, name: str) -> int:
-        if self._index is None:  # only now: a fit makes thousands of recordings, and looks up little in them
-            self._index = {known: i for i, known in enumerate(self.names)}
+        if self._index is None:  # built on first use: a fit makes thousands of recordings and reads few names
+            self._index = {key: i for i, key in enumerate(self.names)}
         row = self._index.get(name) if isinstance(name, str) else None
         if row is None:
-            meant = "time" if name == "time" else type(name).__name__
-            if meant in _NO_NAMES:
-                raise InputError(f"series.key.{meant}", key=repr(name))
+            kind = "time" if name == "time" else type(name).__name__
+            if kind in _NO_NAMES:
+                raise InputError(f"series.key.{kind}", key=repr(name))
             raise InputError("series.unknown", name=str(name), near=NameSuggestion(str(name), self.names))
         return row
 
     def unit(self, name: str) -> str:
-        """The unit of a series."""
+        """Return the unit of a series."""
         return self.units[self._row(name)]

@@ -1,4 +1,4 @@
-"""Named series with units over one time base. Measured and simulated recordings are the same type."""
+"""Named series with units over one time base, of one type for measurements and simulations."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ from poppet.timeseries.columns import Columns
 class Recording(Columns):
     """Named series with units over one time base.
 
+    The constructor does not check its arguments, because each run calls it; `from_series` and `read` check theirs.
+
     The constructor trusts its arguments, since every run ends in it; `from_series` and `read` check theirs.
 
     Parameters
@@ -32,21 +34,21 @@ class Recording(Columns):
     values : (n_series, n) array
         One row per name, in its unit.
     title : str, optional
-        What it is a recording of.
-    notes : tuple of Note or str, optional
-        What a reader should know.
+        Title of the recording.
+    notes : iterable of Note or str, or callable, optional
+        Notes for the reader, or a function that computes them on first use.
     outcome : Note or str, optional
-        How the run ended.
+        Termination reason of the run.
     statistics : mapping, optional
         Counts of the run.
-    residuals : tuple, optional
-        Balances of the run that should be zero.
+    residuals : tuple or callable, optional
+        Residuals of the mass and energy balances, or a function that computes them on first use.
     ambient_pressure : float, optional
         Absolute pressure to which gauge values refer [Pa].
     inner : frozenset of str, optional
-        Names that a picture leaves out unless it is asked for them.
+        Names of the internal outputs, which figures omit by default.
     figures : object, optional
-        What `figures` shows, or a function that makes it.
+        Value of `figures`, or a function that computes it.
 
     Examples
     --------
@@ -70,36 +72,36 @@ class Recording(Columns):
         return Recording(**(self.fields() | changed))
 
     def last(self) -> dict[str, float]:
-        """The last value of every series by name, in its unit."""
+        """Return the last value of every series by name, in the unit of the series."""
         return {name: float(row[-1]) for name, row in zip(self.names, self._values, strict=True)}
 
     def select(self, names: str | Iterable[str]) -> Recording:
-        """Some of the series.
+        """Return a recording of selected series.
 
         Parameters
         ----------
         names : str or iterable of str
-            Names or patterns, `tank.*`; the order given is the order of the result.
+            Names or patterns, `tank.*`, in the order of the result.
 
         Returns
         -------
         Recording
-            With all its notes.
+            Selected series with all notes.
 
         Raises
         ------
         InputError
-            A name or pattern that fits no series.
+            If a name or pattern matches no series.
         """
-        rows: dict[int, None] = {}  # a set that keeps the order
+        rows: dict[int, None] = {}  # an ordered set
         for pattern in [names] if isinstance(names, str) else names:
-            found = [i for i, name in enumerate(self.names) if name == pattern or fnmatchcase(name, pattern)]
-            rows.update(dict.fromkeys(found or [self._row(pattern)]))
-        chosen = list(rows)
+            matches = [i for i, name in enumerate(self.names) if name == pattern or fnmatchcase(name, pattern)]
+            rows.update(dict.fromkeys(matches or [self._row(pattern)]))
+        selected = list(rows)
         return self._with(
-            names=tuple(self.names[i] for i in chosen),
-            units=tuple(self.units[i] for i in chosen),
-            values=self._values[chosen],
+            names=tuple(self.names[i] for i in selected),
+            units=tuple(self.units[i] for i in selected),
+            values=self._values[selected],
         )
 
     def between(self, start: float, stop: float) -> Recording:
@@ -108,12 +110,12 @@ class Recording(Columns):
         Parameters
         ----------
         start, stop : float
-            Ends of the window [s].
+            Limits of the window [s].
 
         Returns
         -------
         Recording
-            At least one sample.
+            Recording with at least one sample.
         """
         first = int(np.searchsorted(self._time, start, side="left"))
         end = int(np.searchsorted(self._time, stop, side="right"))
@@ -123,43 +125,43 @@ class Recording(Columns):
         return self._with(time=self._time[first:end], values=self._values[:, first:end])
 
     def interpolate(self, name: str, times: ArrayLike) -> FloatArray:
-        """A series at other times, straight between its samples.
+        """Return a series at other times by linear interpolation.
 
         Parameters
         ----------
         name : str
-            Of the series.
+            Name of the series.
         times : float or (...) array
-            Within the span of the recording [s].
+            Times within the span of the recording [s].
 
         Returns
         -------
         (...) array
-            In the unit of the series.
+            Values in the unit of the series.
 
         Raises
         ------
         InputError
-            A time outside the span, where nothing was recorded.
+            If a time is outside the span.
         """
-        wanted = np.asarray(times, dtype=float)
+        requested = np.asarray(times, dtype=float)
         row = self._row(name)
-        # Asked this way round, so that NaN is outside.
-        outside = ~((wanted >= self._time[0]) & (wanted <= self._time[-1]))
-        if np.any(outside):
-            raise InputError("series.outside", time=float(wanted[outside].flat[0]), **self._span())
-        return np.asarray(np.interp(wanted, self._time, self._values[row]))
+        # The negated condition is also true for NaN.
+        is_outside = ~((requested >= self._time[0]) & (requested <= self._time[-1]))
+        if np.any(is_outside):
+            raise InputError("series.outside", time=float(requested[is_outside].flat[0]), **self._span())
+        return np.asarray(np.interp(requested, self._time, self._values[row]))
 
     def _span(self) -> dict[str, Any]:
         return {"first": float(self._time[0]), "last": float(self._time[-1])} if self._time.size else {}
 
     def converted(self, units: Mapping[str, str] | Sequence[str]) -> Recording:
-        """The same recording in other units.
+        """Return the recording in other units.
 
         Parameters
         ----------
         units : mapping or sequence of str
-            From name or pattern to unit; or units alone, each for all series of its quantity.
+            Map from name or pattern to unit, or units that each apply to all series of their quantity.
 
         Returns
         -------
@@ -168,62 +170,62 @@ class Recording(Columns):
         Raises
         ------
         UnitError
-            A unit that is unknown or of another quantity than the series.
+            If a unit is unknown or does not have the dimension of the series.
         InputError
-            A name or a unit that fits no series.
+            If a name or a unit matches no series.
         """
-        if isinstance(units, str):  # its letters would be taken for units
+        if isinstance(units, str):  # a string is also a sequence of letters
             units = [units]
         if isinstance(units, Mapping):
-            wanted = {self._row(name): unit for pattern, unit in units.items() for name in self.select(pattern)}
+            unit_by_row = {self._row(name): unit for pattern, unit in units.items() for name in self.select(pattern)}
         else:
-            wanted = self._fitting(units)
+            unit_by_row = self._fitting(units)
         values = self._values.copy()
-        new = list(self.units)
-        for row, unit in wanted.items():
+        row_units = list(self.units)
+        for row, unit in unit_by_row.items():
             check_unit(unit)
             if not same_dimension(self.units[row], unit):
-                name, own = self.names[row], self.units[row]
-                raise UnitError("series.other_quantity", name=name, unit=own, asked=unit)
+                name, row_unit = self.names[row], self.units[row]
+                raise UnitError("series.other_quantity", name=name, unit=row_unit, asked=unit)
             values[row] = convert(values[row], self.units[row], unit, ambient_pressure=self.ambient_pressure)
-            new[row] = unit
-        return self._with(units=tuple(new), values=values)
+            row_units[row] = unit
+        return self._with(units=tuple(row_units), values=values)
 
     def _fitting(self, units: Sequence[str]) -> dict[int, str]:
-        wanted: dict[int, str] = {}
+        unit_by_row: dict[int, str] = {}
         for unit in units:
             check_unit(unit)
-            rows = [i for i, known in enumerate(self.units) if same_dimension(known, unit)]
+            rows = [i for i, row_unit in enumerate(self.units) if same_dimension(row_unit, unit)]
             if not rows:
-                has = tuple(dict.fromkeys(self.units))
-                raise InputError("series.no_such_quantity", unit=unit, units=has)
-            wanted.update(dict.fromkeys(rows, unit))
-        return wanted
+                valid_units = tuple(dict.fromkeys(self.units))
+                raise InputError("series.no_such_quantity", unit=unit, units=valid_units)
+            unit_by_row.update(dict.fromkeys(rows, unit))
+        return unit_by_row
 
     def to_pandas(self) -> Any:
-        """The recording as a table.
+        """Return the recording as a pandas table.
 
         Returns
         -------
         pandas.DataFrame
-            One column per series, the time as its index; `frame.attrs["units"]` maps name to unit.
+            Table with one column per series and the time as index; `frame.attrs["units"]` maps name to unit.
         """
         with needed("pandas", "A pandas table", "data"):
             import pandas as pd
-        # Copies: a table is there to be changed, a recording is not.
+        # Copies: the table is mutable, the recording is not.
         index = pd.Index(self.time.copy(), name="time")
         frame = pd.DataFrame(self.values.T.copy(), index=index, columns=list(self.names))
         frame.attrs["units"] = dict(zip(self.names, self.units, strict=True))
         return frame
 
     def to_xarray(self) -> Any:
-        """The recording as a labelled data set.
+        """Return the recording as an xarray data set.
 
         Returns
         -------
         xarray.Dataset
-            One variable per series over the coordinate `time`, each with its unit in `attrs["units"]`; title, outcome
-            and notes, in words, and the ambient pressure [Pa] in the `attrs` of the whole.
+            Data set with one variable per series over the coordinate `time`, each with its unit in `attrs["units"]`.
+            The `attrs` of the data set contain title, outcome, notes and ambient pressure [Pa].
         """
         with needed("xarray", "An xarray data set", "data"):
             import xarray as xr
@@ -237,22 +239,22 @@ class Recording(Columns):
         return xr.Dataset(series, {"time": ("time", self.time.copy(), {"units": "s"})}, about)
 
     def save(self, path: str | Path) -> Path:
-        """Write the recording; an existing file is replaced as a whole or not at all.
+        """Write the recording; replace an existing file completely or not at all.
 
         Parameters
         ----------
         path : str or Path
-            Ends in `.csv`, `.parquet` or `.mat`.
+            Path that ends in `.csv`, `.parquet` or `.mat`.
 
         Returns
         -------
         Path
-            Where it was written.
+            Path of the written file.
 
         Notes
         -----
-        CSV holds names, units and numbers, 17 digits each; Parquet and MAT also title, notes, outcome,
-        statistics and ambient pressure. Residuals are not written.
+        A CSV file contains names, units and values with 17 digits. Parquet and MAT files also contain title, notes,
+        outcome, statistics and ambient pressure. Residuals are not written.
         """
         from poppet.timeseries import recording_files
 
@@ -260,12 +262,12 @@ class Recording(Columns):
 
     @classmethod
     def read(cls, path: str | Path) -> Recording:
-        """Read what `save` wrote, or a CSV file with a time column and a heading line.
+        """Read a file of `save`, or a CSV file with a time column and a heading line.
 
         Parameters
         ----------
         path : str or Path
-            Ends in `.csv`, `.parquet` or `.mat`.
+            Path that ends in `.csv`, `.parquet` or `.mat`.
 
         Returns
         -------
@@ -281,15 +283,15 @@ class Recording(Columns):
         Parameters
         ----------
         path : str or Path, optional
-            Where to write the figure, `.png` or `.svg`.
+            Path of the figure, `.png` or `.svg`.
         **options
-            As `poppet.timeseries.plotting.plots.plot_recordings` takes them, for example `select`.
+            Options of `poppet.timeseries.plotting.plots.plot_recordings`, for example `select`.
 
         Returns
         -------
         matplotlib.figure.Figure
         """
-        # Here, because few recordings are drawn and drawing is slow to import.
+        # Imported here: few recordings are drawn, and the import is slow.
         from poppet.timeseries.plotting.plots import plot_recordings
 
         return plot_recordings({self.title: self}, path, **options)

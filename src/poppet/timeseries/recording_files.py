@@ -1,4 +1,6 @@
-"""Recordings in files: CSV for everyone, Parquet for size and types, MAT for MATLAB.
+"""Files of recordings: CSV for all programs, Parquet for size and types, MAT for MATLAB.
+
+The modules in `timeseries/tables` read the three formats as tables. This module makes recordings of these tables.
 
 How the three formats are read as tables stands in `timeseries/tables`; here is what makes a recording of a table.
 """
@@ -28,16 +30,16 @@ if TYPE_CHECKING:
 
 
 def write(recording: Columns, path: Path) -> Path:
-    """Write a recording aside and put it in place as a whole."""
+    """Write a recording to a temporary file, then rename it."""
     writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
-    if not recording.time.size:  # of a run that failed at once; nobody could read it
+    if not recording.time.size:  # the run failed at its start; no reader accepts an empty file
         raise InputError("files.no_rows", path=str(path))
     return write_whole(path, lambda stream: writer(recording, stream))
 
 
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
-    """Read a recording; of a CSV file, `time` names the column of times and `time_unit` its unit."""
-    # Not at the top: a run that writes a file need not know how to read one.
+    """Read a recording; for CSV, `time` names the time column and `time_unit` its unit."""
+    # Imported here: writing a file does not need the readers.
     from poppet.timeseries.tables import mat, parquet, text
     from poppet.timeseries.tables.reading import read_with
 
@@ -60,7 +62,7 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
 
 
 def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
-    """A recording whose names and units stand in the headings of its columns."""
+    """Return a recording with the names and units of the column headings."""
     try:
         names, units = zip(*map(split_heading, table.names), strict=True)
         if names.count(time_name) != 1:
@@ -68,31 +70,31 @@ def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Co
             code = "series.two_times" if time_name in names else absent
             raise InputError(code, column=time_name, near=NameSuggestion(time_name, names))
         collect(name_problems(names, {}))
-        at = names.index(time_name)
-        unit = time_unit or units[at]
-        convert(0.0, unit or "s", "s")  # refuses a unit of anything else
+        time_index = names.index(time_name)
+        unit = time_unit or units[time_index]
+        convert(0.0, unit or "s", "s")  # rejects a unit that is not a time
     except InputError as problem:
         raise problem.located(line=1) from None
-    time = convert(table.columns[at], unit or "s", "s")
-    bad = first_bad_time(time)
-    if bad:
-        raise bad[1].located(line=table.lines[bad[0]])
-    columns = {heading: table.columns[k] for k, heading in enumerate(table.names) if k != at}
+    time = convert(table.columns[time_index], unit or "s", "s")
+    invalid = first_bad_time(time)
+    if invalid:
+        raise invalid[1].located(line=table.lines[invalid[0]])
+    columns = {heading: table.columns[k] for k, heading in enumerate(table.names) if k != time_index}
     notes = () if unit else (Note("series.time_without_unit"),)
     return Columns.from_series(time, columns, title=title, notes=notes)
 
 
 def _of_metadata(table: Table, suffix: str) -> Columns:
-    """A recording that was written with what stands beside its numbers."""
+    """Return a recording from a file that contains the metadata of `_metadata`."""
     meta = table.meta
     if not meta:
         raise InputError("series.foreign", suffix=suffix)
     columns = dict(zip(table.names, table.columns, strict=True))
-    # A series may have the name of the time; it then stands under that of its variable.
-    given = {name: columns[variable if name == "time" else name] for variable, name in meta["columns"].items()}
-    checked = Columns.from_series(columns["time"], given, units=meta["units"])
-    # The sentences are for other readers; the codes behind them are what comes back.
-    known = {
+    # A series with the name `time` is stored under the name of its variable.
+    series = {name: columns[variable if name == "time" else name] for variable, name in meta["columns"].items()}
+    checked = Columns.from_series(columns["time"], series, units=meta["units"])
+    # Other programs read the texts; this function restores the notes from their codes.
+    metadata = {
         "title": meta["title"],
         "notes": notes_of(meta.get("remarks", meta["notes"])),
         "outcome": next(iter(notes_of([meta["ending"]])), "") if meta.get("ending") else meta["outcome"],
@@ -100,11 +102,11 @@ def _of_metadata(table: Table, suffix: str) -> Columns:
         "ambient_pressure": meta["ambient_pressure"],
         "inner": frozenset(meta.get("inner", ())),
     }
-    return Columns(**(checked.fields() | known))
+    return Columns(**(checked.fields() | metadata))
 
 
 def _metadata(recording: Columns, columns: Sequence[str]) -> str:
-    """What a table of numbers cannot hold, as JSON; `columns` are the names of the series in the file."""
+    """Return title, notes and units as JSON; `columns` are the column names in the file."""
     return json.dumps(
         {
             "columns": dict(zip(columns, recording.names, strict=True)),
@@ -123,13 +125,13 @@ def _metadata(recording: Columns, columns: Sequence[str]) -> str:
 
 
 def _write_csv(recording: Columns, stream: IO[bytes]) -> None:
-    if "time" in recording:  # it would be read as a second time
+    if "time" in recording:  # a reader would find two time columns
         raise InputError("series.two_times", column="time")
     head = io.StringIO()
     series = zip(recording.names, recording.units, strict=True)
     headings = (f"{name} [{unit}]" if unit else name for name, unit in series)
     csv.writer(head, lineterminator="\n").writerow(["time [s]", *headings])
-    # One format per row: the fastest way in Python itself, and a digit-exact one.
+    # One format per row is the fastest exact method in pure Python.
     line = ",".join(["%.17g"] * (len(recording) + 1)) + "\n"
     rows = np.vstack((recording.time, recording.values)).T.tolist()
     stream.write((head.getvalue() + "".join([line % tuple(row) for row in rows])).encode())
@@ -157,19 +159,22 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
 
 def _matlab_names(names: Sequence[str]) -> list[str]:
-    """Names MATLAB accepts: letters, digits and underscores, at most 63, each once; a dot becomes two."""
-    # At most 58, so that there is room for a count.
+    """Return unique names for MATLAB: letters, digits and underscores, at most 63 characters.
+
+    A dot becomes two underscores.
+    """
+    # At most 58 characters leave space for a counter.
     stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in names)
     return _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
 
 
 def _apart(names: Iterable[str]) -> list[str]:
-    """Names for the columns beside the time, each once."""
-    given = list(names)
-    taken = ["time", METADATA]
-    for name in given:
-        # With a count where it is taken, or would be by another that has no need of one.
+    """Return unique column names that also differ from the time column."""
+    plain_names = list(names)
+    assigned = ["time", METADATA]
+    for name in plain_names:
+        # A counter is added if the name is in use or is the plain name of another column.
         counted = (f"{name}_{count}" for count in itertools.count(2))
-        free = (each for each in counted if each not in taken and each not in given)
-        taken.append(name if name not in taken else next(free))
-    return taken[2:]
+        free = (candidate for candidate in counted if candidate not in assigned and candidate not in plain_names)
+        assigned.append(name if name not in assigned else next(free))
+    return assigned[2:]

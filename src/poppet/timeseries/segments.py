@@ -1,4 +1,4 @@
-"""What a signal is: segments, on each a line plus a sine whose frequency sweeps linearly."""
+"""Segments of signals: on each segment a line plus a sine with linearly swept frequency."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class SegmentTable:
     Parameters
     ----------
     start : (n,) array
-        Where each segment begins; the first is 0, strictly increasing [s].
+        Start of each segment, strictly increasing from 0 [s].
     value : (n,) array
         v, in the unit of the signal.
     slope : (n,) array
@@ -59,17 +59,17 @@ class SegmentTable:
         return len(self.start)
 
     def evaluate(self, times: float | Floats) -> FloatArray:
-        """The signal, from the right where it jumps; the last segment goes on.
+        """Return the signal at times, continuous from the right; the last segment does not end.
 
         Parameters
         ----------
         times : float or (...) array
-            Not negative [s].
+            Times, not negative [s].
 
         Returns
         -------
         (...) array
-            In the unit of the signal.
+            Values in the unit of the signal.
         """
         t = np.asarray(times, dtype=float)
         k = np.searchsorted(self.start, t, side="right") - 1
@@ -79,84 +79,84 @@ class SegmentTable:
         return np.asarray(self.value[k] + self.slope[k] * tau + wave)
 
     def derivative(self, name: str) -> SegmentTable:
-        """The time derivative, which jumps where the slope does.
+        """Return the time derivative, which jumps where the slope of the signal does.
 
         Parameters
         ----------
         name : str
-            Of the signal, for an error.
+            Name of the signal, for an error.
 
         Returns
         -------
         SegmentTable
-            In the unit of the signal per second.
+            Derivative in the unit of the signal per second.
 
         Raises
         ------
         InputError
-            Where the signal jumps, or sweeps its frequency, whose derivative is no segment.
+            If the signal jumps or sweeps its frequency. The derivative of a sweep cannot be written as segments.
         """
         if self.jump.any():
             raise InputError("signals.jumps", name, time=float(self.start[self.jump.argmax()]))
         if (self.chirp_rate * self.amplitude).any():
             raise InputError("signals.swept", name)
-        pulse, none = 2.0 * np.pi * self.frequency, np.zeros(len(self))
+        pulse, zeros = 2.0 * np.pi * self.frequency, np.zeros(len(self))
         bends = np.concatenate([[False], np.ones(len(self) - 1, dtype=bool)])
-        waves = self.amplitude * pulse, self.frequency, none, self.phase + 0.5 * np.pi
-        return SegmentTable(self.start, self.slope, none, *waves, bends)
+        waves = self.amplitude * pulse, self.frequency, zeros, self.phase + 0.5 * np.pi
+        return SegmentTable(self.start, self.slope, zeros, *waves, bends)
 
 
 def lines(start: FloatArray, value: FloatArray, slope: FloatArray, jump: NDArray[np.bool_]) -> SegmentTable:
-    """Segments without a wave."""
-    zero = np.broadcast_to(0.0, start.shape)  # which takes no room
+    """Return segments without a sine."""
+    zero = np.broadcast_to(0.0, start.shape)  # takes no memory
     return SegmentTable(start, value, slope, zero, zero, zero, zero, jump)
 
 
 def held(value: float) -> SegmentTable:
-    """One value from the start on."""
+    """Return one constant segment."""
     return lines(np.zeros(1), np.array([float(value)]), np.zeros(1), np.zeros(1, dtype=bool))
 
 
-def polyline(times: FloatArray, values: FloatArray, until: float) -> SegmentTable:
-    """Straight lines between points, the first and the last value held."""
+def polyline(times: FloatArray, values: FloatArray, end: float) -> SegmentTable:
+    """Return straight lines between points; the first and last values are held."""
     slope = np.append(np.diff(values) / np.diff(times), 0.0)
-    if times[0] > 0.0:  # every table begins at 0
+    if times[0] > 0.0:  # each table starts at 0
         times = np.concatenate(([0.0], times))
         values = np.concatenate((values[:1], values))
         slope = np.concatenate(([0.0], slope))
-    n = int(np.searchsorted(times, until, side="left"))
+    n = int(np.searchsorted(times, end, side="left"))
     return lines(times[:n], values[:n], slope[:n], np.zeros(n, dtype=bool))
 
 
 def wave(
     mean: float, amplitude: float, phase: float, starts: Floats, frequencies: Floats, rates: Floats
 ) -> SegmentTable:
-    """A sine of which each segment goes on in phase from the one before."""
+    """Return sine segments with a continuous phase."""
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
     turns = np.append(0.0, _turns(frequency[:-1], rate[:-1], np.diff(start)))
     phases = phase + 2.0 * np.pi * np.cumsum(turns)
-    zero, one = np.zeros_like(start), np.ones_like(start)
+    zeros, ones = np.zeros_like(start), np.ones_like(start)
     return SegmentTable(
-        start, mean * one, zero, amplitude * one, frequency, rate, phases, np.zeros(len(start), dtype=bool)
+        start, mean * ones, zeros, amplitude * ones, frequency, rate, phases, np.zeros(len(start), dtype=bool)
     )
 
 
 class Signal(ABC):
-    """An input over time. A new kind says only what its segments are."""
+    """Input over time. A subclass defines its segments."""
 
     remarks: tuple[Note, ...] = ()
-    """How the values of a file were read, where a reader of any result has to know."""
+    """Notes on the file from which the values were read, for each result of this signal."""
 
     @abstractmethod
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
-        """All segments that begin before `until`.
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
+        """Return all segments that begin before `end`.
 
         Parameters
         ----------
-        until : float
-            End of the time asked for, positive [s].
+        end : float
+            End of the requested time, positive [s].
         duration : float or None
-            Duration of the run, for kinds that stretch over it [s].
+            Duration of the run, for kinds that depend on it [s].
 
         Returns
         -------
@@ -164,12 +164,12 @@ class Signal(ABC):
         """
 
     def table(self, duration: float) -> SegmentTable:
-        """The segments of a run.
+        """Return the segments of a run.
 
         Parameters
         ----------
         duration : float
-            Of the run, positive [s].
+            Duration of the run, positive [s].
 
         Returns
         -------
@@ -181,63 +181,63 @@ class Signal(ABC):
         return self.segments(duration, duration)
 
     def evaluate(self, times: float | Floats, duration: float | None = None) -> FloatArray:
-        """The signal at given times, from the right where it jumps.
+        """Return the signal at given times, continuous from the right.
 
         Parameters
         ----------
         times : float or (...) array
-            Finite, not negative, in any order [s].
+            Times, finite and not negative, in any order [s].
         duration : float, optional
-            Duration of the run; needed only by a chirp without a duration of its own [s].
+            Duration of the run, which only a chirp without its own duration needs [s].
 
         Returns
         -------
         (...) array
-            In the unit of the signal.
+            Values in the unit of the signal.
         """
         t = np.asarray(times, dtype=float)
         if not np.all(np.isfinite(t)) or np.any(t < 0.0):
             raise InputError("signals.times")
-        # Segments that begin before the next number are those that begin at the last time or before it.
+        # The limit is exclusive: the next floating-point number includes a segment at the last time.
         last = float(np.max(t, initial=0.0))
         return self.segments(math.nextafter(last, math.inf), duration).evaluate(t)
 
     @abstractmethod
     def bounds(self) -> tuple[float, float]:
-        """Smallest and largest value the signal can take.
+        """Return the smallest and the largest possible value of the signal.
 
         Returns
         -------
         tuple of float
-            In the unit of the signal.
+            Minimum and maximum in the unit of the signal.
         """
 
     def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
-        """What a reader of the run should know about this signal.
+        """Return notes on this signal for the reader of a run.
 
         Parameters
         ----------
         duration : float
-            Of the run [s].
+            Duration of the run [s].
         name : str
             Address of the input, `valve.pilot_pressure`.
         shift : float, optional
-            By which the signal comes later than its own times say [s].
+            Delay of the signal [s].
 
         Returns
         -------
         tuple of Note
-            About the input; empty when there is nothing to say.
+            Notes on the input.
         """
         return ()
 
     def delayed(self, delay: float) -> Signal:
-        """The same signal later, holding its first value before.
+        """Return the signal with a delay; the first value is held before.
 
         Parameters
         ----------
         delay : float
-            Not negative [s].
+            Delay, not negative [s].
 
         Returns
         -------
@@ -248,14 +248,14 @@ class Signal(ABC):
 
 @dataclass(frozen=True)
 class DelayedSegments(Signal):
-    """Another signal later, holding its first value before.
+    """Signal with a delay; the first value is held before.
 
     Parameters
     ----------
     signal : Signal
-        What is delayed.
+        Signal before the delay.
     delay : float
-        Positive [s].
+        Delay, positive [s].
 
     Examples
     --------
@@ -271,16 +271,18 @@ class DelayedSegments(Signal):
         if not (math.isfinite(self.delay) and self.delay > 0.0):
             raise InputError("signals.delay", delay=self.delay)
 
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
-        if until <= self.delay:
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
+        if end <= self.delay:
             return held(float(self.signal.evaluate(0.0, duration)))
-        # A hair more than needed, since the difference is rounded; what that lets in too late is cut again.
-        table = self.signal.segments(until - self.delay + 2.0 * math.ulp(until), duration)
-        before = held(float(table.evaluate(0.0)))
+        # The difference is rounded, so the limit has a margin; segments beyond `until` are removed below.
+        table = self.signal.segments(end - self.delay + 2.0 * math.ulp(end), duration)
+        initial = held(float(table.evaluate(0.0)))
         start = np.append(0.0, table.start + self.delay)
-        n = int(np.searchsorted(start, until, side="left"))
-        # All fields but the first, `start`, in the order of the class; the held value brings no jump of its own.
-        joined = (np.append(getattr(before, each.name), getattr(table, each.name))[:n] for each in fields(table)[1:])
+        n = int(np.searchsorted(start, end, side="left"))
+        # All fields except the first, `start`, in the order of the class. The held value does not jump.
+        joined = (
+            np.append(getattr(initial, column.name), getattr(table, column.name))[:n] for column in fields(table)[1:]
+        )
         return SegmentTable(start[:n], *joined)
 
     def bounds(self) -> tuple[float, float]:
@@ -291,51 +293,54 @@ class DelayedSegments(Signal):
 
 
 class MergedSegments(NamedTuple):
-    """All inputs on one set of segments; what repeats is kept once, so that a million pulses are a million times."""
+    """All inputs on one set of segments.
 
-    starts: FloatArray  # (n,) where each segment begins [s]
-    courses: NDArray[np.int64]  # (n,) which set of coefficients holds on it
-    # (n_courses, n_inputs, 7) value, slope, amplitude, frequency, chirp_rate, phase of each input, and where its own
-    # time tau begins [s]
+    Repeated coefficients are stored once, so a million pulses need only a million times.
+    """
+
+    starts: FloatArray  # (n,) start of each segment [s]
+    courses: NDArray[np.int64]  # (n,) index of the coefficients of each segment
+    # (n_courses, n_inputs, 7) value, slope, amplitude, frequency, chirp_rate, phase of each input, and the origin of
+    # its time tau [s]
     coefficients: FloatArray
-    jumps: NDArray[np.bool_]  # (n,) true where the value of any input is discontinuous
+    jumps: NDArray[np.bool_]  # (n,) true if the value of any input is discontinuous at the start
 
 
 def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
-    """All inputs on one set of segments.
+    """Merge the segments of all inputs into one set.
 
     Parameters
     ----------
     tables : sequence of SegmentTable
-        One per input.
+        Segments, one table per input.
 
     Returns
     -------
-    Merged
+    MergedSegments
 
     Notes
     -----
-    Starts that differ by rounding only (4 units in the last place) are one start, the earliest of them: no
-    integrator can step between them.
+    Starts that differ only by rounding (4 units in the last place) become one start, the earliest of them, because
+    an integrator cannot step between them.
 
     Examples
     --------
-    >>> ramp = polyline(np.array([0.0, 3.0]), np.array([0.0, 6.0]), until=5.0)
+    >>> ramp = polyline(np.array([0.0, 3.0]), np.array([0.0, 6.0]), end=5.0)
     >>> merged = merge([ramp, wave(0.0, 1.0, 0.0, [0.0, 2.0], [1.0, 2.0], [0.0, 0.0])])
     >>> merged.starts.tolist(), merged.coefficients[merged.courses, 1, 6].tolist()
     ([0.0, 2.0, 3.0], [0.0, 2.0, 2.0])
     """
-    # Behind a start, an input is in that segment of its own which begins last within the rounding of it.
-    every = np.unique(np.concatenate([np.zeros(1), *(table.start for table in tables)]))
-    first_of_group = np.concatenate(([True], np.diff(every) > 4.0 * np.spacing(every[1:])))
-    starts = every[first_of_group]
-    last_of_group = every[np.append(first_of_group[1:], True)]
+    # After a start, the segment of an input is the last one that begins within the rounding of this start.
+    all_starts = np.unique(np.concatenate([np.zeros(1), *(table.start for table in tables)]))
+    first_of_group = np.concatenate(([True], np.diff(all_starts) > 4.0 * np.spacing(all_starts[1:])))
+    starts = all_starts[first_of_group]
+    last_of_group = all_starts[np.append(first_of_group[1:], True)]
     jumps, courses = np.zeros(len(starts), dtype=bool), np.zeros(len(starts), dtype=np.int64)
-    rows: list[NDArray[np.int64]] = []  # of each input so far, for every course
-    own = [_own_courses(table) for table in tables]
-    for table, (coefficients, of_segment) in zip(tables, own, strict=True):
+    rows: list[NDArray[np.int64]] = []  # for each input so far: its coefficient row in every course
+    courses_by_table = [_own_courses(table) for table in tables]
+    for table, (coefficients, of_segment) in zip(tables, courses_by_table, strict=True):
         k = np.searchsorted(table.start, last_of_group, side="right") - 1
-        # More jumps up to here than up to the start before: one of them is at this start.
+        # The count of jumps increases at a start that has a jump.
         jumps[1:] |= np.diff(np.cumsum(table.jump)[k]) > 0
         n = len(coefficients)
         if n == 1:
@@ -343,22 +348,28 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
             continue
         distinct, courses = np.unique(courses * n + of_segment[k], return_inverse=True)
         rows = [*(row[distinct // n] for row in rows), distinct % n]
-    sets = [coefficients[row] for (coefficients, _), row in zip(own, rows, strict=True)]
+    sets = [coefficients[row] for (coefficients, _), row in zip(courses_by_table, rows, strict=True)]
     joined = np.stack(sets, axis=1) if sets else np.empty((1, 0, 7))
     return MergedSegments(starts, courses, np.ascontiguousarray(joined), jumps)
 
 
 def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
-    """Coefficients that differ, (m, 7), and which of them hold on each segment; equal values at rest are one."""
-    still = np.flatnonzero((table.slope == 0.0) & (table.amplitude == 0.0))
-    which = np.arange(len(table))
-    _, first, same = np.unique(table.value[still], return_index=True, return_inverse=True)
-    which[still] = still[first[same]]
-    rows, which = np.unique(which, return_inverse=True)
+    """Return distinct coefficients, shape (m, 7), and their index for each segment.
+
+    Constant segments of equal value share one row.
+    """
+    constant = np.flatnonzero((table.slope == 0.0) & (table.amplitude == 0.0))
+    row_of_segment = np.arange(len(table))
+    _, first, same = np.unique(table.value[constant], return_index=True, return_inverse=True)
+    row_of_segment[constant] = constant[first[same]]
+    rows, row_of_segment = np.unique(row_of_segment, return_inverse=True)
     names = ("value", "slope", "amplitude", "frequency", "chirp_rate", "phase", "start")
-    return np.column_stack([getattr(table, name)[rows] for name in names]), which
+    return np.column_stack([getattr(table, name)[rows] for name in names]), row_of_segment
 
 
 def _turns(frequency: FloatArray, rate: FloatArray, tau: FloatArray) -> FloatArray:
-    """Turns after the time tau; whole ones are dropped, which keeps the digits of a late phase."""
+    """Return the fraction of a turn after the time tau.
+
+    Whole turns are dropped, which preserves the digits of the phase at late times.
+    """
     return np.remainder((frequency + 0.5 * rate * tau) * tau, 1.0)

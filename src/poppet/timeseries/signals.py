@@ -1,4 +1,4 @@
-"""Inputs over time. Each kind reduces to segments: a line plus a sine of linearly swept frequency."""
+"""Inputs over time. Each kind reduces to segments: a line plus a swept sine."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ __all__ = [
     "merge",
 ]
 
-_MOST_BITS = 10_000_000  # of which the start times alone take 80 MB
-_MOST_PERIODS = _MOST_BITS // 2  # of two edges each
+_MAX_BITS = 10_000_000  # the start times alone take 80 MB
+_MAX_PERIODS = _MAX_BITS // 2  # two edges per period
 
 
 @dataclass(frozen=True, eq=False)
 class _Course(Signal):
-    """Values at times that begin at 0 or later and increase strictly; the arrays cannot be changed."""
+    """Values at strictly increasing times that begin at 0 or later, in read-only arrays."""
 
     times: Floats
     values: Floats
@@ -51,18 +51,18 @@ class _Course(Signal):
     def bounds(self) -> tuple[float, float]:
         return float(np.min(self.values)), float(np.max(self.values))
 
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
-        return polyline(np.asarray(self.times), np.asarray(self.values), until)
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
+        return polyline(np.asarray(self.times), np.asarray(self.values), end)
 
 
 @dataclass(frozen=True)
 class Constant(Signal):
-    """One value throughout.
+    """Constant signal.
 
     Parameters
     ----------
     value : float
-        In SI.
+        Value in SI.
 
     Examples
     --------
@@ -78,24 +78,24 @@ class Constant(Signal):
     def bounds(self) -> tuple[float, float]:
         return self.value, self.value
 
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
         return held(self.value)
 
 
 @dataclass(frozen=True, eq=False)
 class Steps(_Course):
-    """A staircase, continuous from the right.
+    """Staircase signal, continuous from the right.
 
     Parameters
     ----------
     times : (n,) array
-        When each value begins; the first is 0, strictly increasing [s].
+        Start of each value, strictly increasing from 0 [s].
     values : (n,) array
-        In SI.
+        Values in SI.
 
     Notes
     -----
-    A step at or after the end of the run is not part of it; `notes` says so.
+    A step at or after the end of the run has no effect; `notes` reports it.
 
     Examples
     --------
@@ -108,8 +108,8 @@ class Steps(_Course):
         if self.times[0] != 0.0:
             raise InputError("signals.no_first_step", time=float(self.times[0]))
 
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
-        n = int(np.searchsorted(self.times, until, side="left"))
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
+        n = int(np.searchsorted(self.times, end, side="left"))
         start, value = np.asarray(self.times)[:n], np.asarray(self.values)[:n]
         return lines(start, value, np.zeros(n), np.diff(value, prepend=value[0]) != 0.0)
 
@@ -122,14 +122,14 @@ class Steps(_Course):
 
 @dataclass(frozen=True, eq=False)
 class Points(_Course):
-    """Straight lines between points, held at the first value before and at the last value after them.
+    """Straight lines between points; the first and last values are held.
 
     Parameters
     ----------
     times : (n,) array
-        Not negative, strictly increasing [s].
+        Times, not negative, strictly increasing [s].
     values : (n,) array
-        In SI.
+        Values in SI.
 
     Examples
     --------
@@ -137,7 +137,7 @@ class Points(_Course):
     >>> ramp.evaluate([0.0, 2.0, 9.0]).tolist()
     [0.0, 200000.0, 400000.0]
     >>> print(*ramp.notes(9.0, "valve.pilot_pressure"))
-    valve.pilot_pressure is held at its last value, 400000, after t = 3 s.
+    valve.pilot_pressure is kept at its last value, 400000, after t = 3 s.
     """
 
     def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
@@ -149,28 +149,28 @@ class Points(_Course):
 
 @dataclass(frozen=True, eq=False)
 class SampledSignal(_Course):
-    """A measured series, straight between its samples and held before and after them.
+    """Measured series with linear interpolation; the first and last values are held.
 
     Parameters
     ----------
     times : (n,) array
-        Not negative, strictly increasing [s].
+        Times, not negative, strictly increasing [s].
     values : (n,) array
-        In SI.
+        Values in SI.
     name : str
-        Where the series comes from, for notes.
+        Origin of the series, for notes.
     """
 
     name: str
 
     def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
-        found = []
+        notes = []
         first, last = float(self.times[0]) + shift, float(self.times[-1]) + shift
         if first > 0.0:
-            found.append(Note("signals.held_before", name, source=self.name, value=float(self.values[0]), time=first))
+            notes.append(Note("signals.held_before", name, source=self.name, value=float(self.values[0]), time=first))
         if last < duration:
-            found.append(Note("signals.held_after", name, source=self.name, value=float(self.values[-1]), time=last))
-        return tuple(found)
+            notes.append(Note("signals.held_after", name, source=self.name, value=float(self.values[-1]), time=last))
+        return tuple(notes)
 
 
 @dataclass(frozen=True)
@@ -184,7 +184,7 @@ class _Wave(Signal):
         for name, value in vars(self).items():
             if name in ("mean", "amplitude", "phase"):
                 problems += not_finite(**{name: value})
-            elif value is not None:  # a sweep may last as long as the run
+            elif value is not None:  # None: the sweep lasts as long as the run
                 problems += not_positive("s" if name == "duration" else "Hz", **{name: value})
         collect(problems)
 
@@ -194,48 +194,48 @@ class _Wave(Signal):
 
 @dataclass(frozen=True)
 class Sine(_Wave):
-    r"""A sine about a mean.
+    r"""Sine about a mean value.
 
     .. math:: u(t) = \bar u + a \sin(2 \pi f t + \varphi)
 
     Parameters
     ----------
     mean : float
-        In SI.
+        Mean value in SI.
     amplitude : float
-        In SI.
+        Amplitude in SI.
     frequency : float
-        Positive [Hz].
+        Frequency, positive [Hz].
     phase : float, optional
-        At t = 0 [rad].
+        Phase at t = 0 [rad].
     """
 
     phase: float = 0.0
 
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
         return wave(self.mean, self.amplitude, self.phase, [0.0], [self.frequency], [0.0])
 
 
 @dataclass(frozen=True)
 class Chirp(_Wave):
-    r"""A sine whose frequency sweeps linearly and then stays.
+    r"""Sine whose frequency changes linearly and then stays constant.
 
     .. math:: f(t) = f_0 + (f_1 - f_0) \min(t / T, 1)
 
     Parameters
     ----------
     mean : float
-        In SI.
+        Mean value in SI.
     amplitude : float
-        In SI.
+        Amplitude in SI.
     frequency : float
-        At t = 0, positive [Hz].
+        Frequency at t = 0, positive [Hz].
     end_frequency : float
-        From the end of the sweep on, positive [Hz].
+        Frequency at and after the end of the sweep, positive [Hz].
     duration : float, optional
-        Of the sweep; the run's when not given [s].
+        Duration of the sweep, by default that of the run [s].
     phase : float, optional
-        At t = 0 [rad].
+        Phase at t = 0 [rad].
 
     Examples
     --------
@@ -247,33 +247,33 @@ class Chirp(_Wave):
     duration: float | None = None
     phase: float = 0.0
 
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
         sweep = self.duration if self.duration is not None else duration
         if sweep is None:
             raise InputError("signals.chirp_duration")
         rate = (self.end_frequency - self.frequency) / sweep
         starts, frequencies, rates = [0.0, sweep], [self.frequency, self.end_frequency], [rate, 0.0]
-        n = 2 if sweep < until else 1
+        n = 2 if sweep < end else 1
         return wave(self.mean, self.amplitude, self.phase, starts[:n], frequencies[:n], rates[:n])
 
 
 @dataclass(frozen=True)
 class Prbs(Signal):
-    """A pseudo-random binary signal: each bit lasts `bit_time` and is low or high with equal chance.
+    """Pseudo-random binary signal; each bit lasts `bit_time` and has two equally likely levels.
 
     Parameters
     ----------
     low, high : float
-        The two levels, low below high, in SI.
+        Levels in SI, low below high.
     bit_time : float
-        Positive [s].
+        Duration of a bit, positive [s].
     seed : int, optional
-        Not negative; the same seed gives the same bits.
+        Seed, not negative; the same seed gives the same bits.
 
     Notes
     -----
-    The bits are the leading ones of the raw PCG64 stream, whose values NumPy keeps from version to version; a
-    longer run continues the bits of a shorter one.
+    The bits are the most significant bits of the raw PCG64 stream, whose values are the same in all NumPy versions.
+    A longer run continues the bits of a shorter run.
 
     Examples
     --------
@@ -297,22 +297,22 @@ class Prbs(Signal):
     def bounds(self) -> tuple[float, float]:
         return self.low, self.high
 
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
-        n = until / self.bit_time
-        if n > _MOST_BITS:
-            raise InputError("signals.too_many_bits", bit_time=self.bit_time, bits=n, until=until, limit=_MOST_BITS)
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
+        n = end / self.bit_time
+        if n > _MAX_BITS:
+            raise InputError("signals.too_many_bits", bit_time=self.bit_time, bits=n, until=end, limit=_MAX_BITS)
         bits = np.random.PCG64(self.seed).random_raw(math.ceil(n)) >> np.uint64(63)
         changed = np.concatenate(([0], np.flatnonzero(np.diff(bits)) + 1))
         start = changed * self.bit_time
-        changed, start = changed[start < until], start[start < until]
+        changed, start = changed[start < end], start[start < end]
         value = np.where(bits[changed] == 1, self.high, self.low)
         return lines(start, value, np.zeros(len(start)), np.arange(len(start)) > 0)
 
 
 class _Pulses(Signal):
-    """Two levels in turn: high from the start of each period for its duty, then low."""
+    """Two alternating levels: high from the start of each period for its duty, then low."""
 
-    if TYPE_CHECKING:  # declared below, in the order of each kind
+    if TYPE_CHECKING:  # declared in each subclass in its own order
         low: float
         high: float
         frequency: float
@@ -320,55 +320,55 @@ class _Pulses(Signal):
 
     def __post_init__(self) -> None:
         problems = not_finite(low=self.low, high=self.high) + not_positive("Hz", frequency=self.frequency)
-        least, most = self.duty.bounds() if isinstance(self.duty, Signal) else (self.duty, self.duty)
-        problems += not_finite(duty=least)
+        smallest, largest = self.duty.bounds() if isinstance(self.duty, Signal) else (self.duty, self.duty)
+        problems += not_finite(duty=smallest)
         collect(problems)
         if self.low >= self.high:
             problems.append(InputError("signals.order", low=self.low, high=self.high))
-        if not 0.0 <= least <= most <= 1.0:
-            problems.append(InputError("signals.duty", least=least, most=most))
+        if not 0.0 <= smallest <= largest <= 1.0:
+            problems.append(InputError("signals.duty", least=smallest, most=largest))
         collect(problems)
 
     def bounds(self) -> tuple[float, float]:
         return self.low, self.high
 
-    def segments(self, until: float, duration: float | None) -> SegmentTable:
-        if until * self.frequency > _MOST_PERIODS:
+    def segments(self, end: float, duration: float | None) -> SegmentTable:
+        if end * self.frequency > _MAX_PERIODS:
             raise InputError(
-                "signals.too_many_periods", frequency=self.frequency, periods=until * self.frequency, until=until,
-                limit=_MOST_PERIODS,
+                "signals.too_many_periods", frequency=self.frequency, periods=end * self.frequency, until=end,
+                limit=_MAX_PERIODS,
             )  # fmt: skip
-        number = np.arange(math.ceil(until * self.frequency))
-        # Each edge is one division, so that it is the double nearest to the decimal that is meant.
+        number = np.arange(math.ceil(end * self.frequency))
+        # One division per edge gives the double nearest to the intended decimal value.
         begin = number / self.frequency
-        number, begin = number[begin < until], begin[begin < until]
+        number, begin = number[begin < end], begin[begin < end]
         duty = self.duty.evaluate(begin, duration) if isinstance(self.duty, Signal) else np.full(len(begin), self.duty)
-        end = (number + duty) / self.frequency
-        start = np.column_stack([begin, end]).ravel()
-        is_high = np.column_stack([end > begin, duty >= 1.0]).ravel()
-        # A period of duty 0 or 1 has one edge at most, and none where the last one ended alike.
-        is_edge = np.append(True, is_high[1:] != is_high[:-1]) & (start < until)
+        fall = (number + duty) / self.frequency
+        start = np.column_stack([begin, fall]).ravel()
+        is_high = np.column_stack([fall > begin, duty >= 1.0]).ravel()
+        # A period with duty 0 or 1 has at most one edge, and none if the level does not change.
+        is_edge = np.append(True, is_high[1:] != is_high[:-1]) & (start < end)
         start, value = start[is_edge], np.where(is_high[is_edge], self.high, self.low)
         return lines(start, value, np.broadcast_to(0.0, start.shape), np.arange(len(start)) > 0)
 
 
 @dataclass(frozen=True)
 class Square(_Pulses):
-    """A square wave: high from the start of each period on, then low.
+    """Square wave: high from the start of each period, then low.
 
     Parameters
     ----------
     low, high : float
-        The two levels, low below high, in SI.
+        Levels in SI, low below high.
     frequency : float
-        Positive [Hz].
+        Frequency, positive [Hz].
     duty : float, optional
-        Part of each period that is high, 0 to 1.
+        Fraction of each period at the high level, 0 to 1.
 
     Notes
     -----
-    Period k begins at k / frequency, and its high part ends at (k + duty) / frequency. Every edge is a breakpoint of
-    the integrator, so that no pulse is missed, however long the steps are.
+    Period k begins at k / frequency, and its high level ends at (k + duty) / frequency. Each edge is a breakpoint of
+    the integrator, so a long step does not miss a pulse.
 
     Examples
     --------
@@ -385,23 +385,23 @@ class Square(_Pulses):
 
 @dataclass(frozen=True)
 class Pwm(_Pulses):
-    """Pulse-width modulation: pulses of one frequency whose width is a number or another signal.
+    """Pulse-width modulation: pulses of one frequency with a fixed or variable width.
 
     Parameters
     ----------
     frequency : float
-        Of the carrier, positive [Hz].
+        Carrier frequency, positive [Hz].
     duty : float or Signal
-        Part of each period that is high, 0 to 1. Of a signal the value at the start of a period counts for the whole
-        period, as in a timer whose compare register is loaded there.
+        Fraction of each period at the high level, 0 to 1. The value of a signal at the start of a period applies to
+        the whole period, as in a timer that loads its compare register there.
     low, high : float, optional
-        The two levels, low below high, in SI.
+        Levels in SI, low below high.
 
     Notes
     -----
-    Period k begins at k / frequency, and its pulse ends at (k + duty) / frequency. A duty of 0 leaves the pulse out,
-    one of 1 joins it to the next. Every edge is a breakpoint of the integrator, so that no pulse is missed, however
-    long the steps are. A run keeps 17 bytes of each edge, whatever else drives the circuit.
+    Period k begins at k / frequency, and its pulse ends at (k + duty) / frequency. A duty of 0 omits the pulse, and a
+    duty of 1 joins it to the next pulse. Each edge is a breakpoint of the integrator, so a long step does not miss a
+    pulse. A run stores 17 bytes per edge.
 
     Examples
     --------

@@ -16,6 +16,7 @@ import numpy as np
 import pytest
 
 from pages import needs_nothing_else
+from poppet import Circuit
 from poppet.bench.agreement import without_bands
 from poppet.bench.limits import maps as room
 from poppet.bench.limits.bandwidth import GAIN, Point, bandwidth_point, crossing
@@ -23,7 +24,6 @@ from poppet.bench.limits.limits_plan import PARTS, ideal, stage_changes
 from poppet.bench.limits.maps import LimitsResult, find_limits, limits_plan
 from poppet.bench.limits.stability import Stability
 from poppet.bench.sine_rig import SineRig, fundamental
-from poppet.circuit.circuit import Circuit
 from poppet.cli.main import run
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, InputErrors
@@ -285,9 +285,9 @@ class TestResult:
 
     def test_findings_in_words(self):
         text = " ".join(map(str, filled().findings))
-        assert "The solenoids limit at 1 of 3 points (1 l and amplitudes of 5 kPa); ideal, up to 2.5 times" in text
-        assert "The load volume limits at 1 of 3 points" in text
-        assert "let it hunt slowly. (2 points)" in text
+        assert "The solenoids limit the bandwidth at 1 of 3 points (1 l and amplitudes of 5 kPa)." in text
+        assert "The load volume limits the bandwidth at 1 of 3 points" in text
+        assert "permit slow hunting. (2 points)" in text
 
     @pytest.mark.parametrize("suffix", ["toml", "json"])
     def test_saved_and_read(self, tmp_path, suffix):
@@ -308,21 +308,21 @@ class TestResult:
 
     def test_page_stands_alone_and_says_what_was_found(self, tmp_path):
         pytest.importorskip("matplotlib")
-        from poppet.report.bench.limits import write_limits
+        from poppet.report.bench.limits_report import write_limits
 
         page = write_limits(filled("interrupted"), tmp_path / "page.html").read_text(encoding="utf-8")
         assert page.count("<svg") == 5
         needs_nothing_else(page)
         assert "a valve: dynamic limits" in page
-        assert "It was interrupted" in page
-        assert "The solenoids limit at 1 of 3 points" in page
+        assert "Interrupted: missing points are grey." in page
+        assert "The solenoids limit the bandwidth at 1 of 3 points" in page
         with pytest.raises(InputError) as caught:
             write_limits(filled(), tmp_path / "page.pdf")
         assert caught.value.code == "page.suffix"
 
     def test_page_without_stability(self):
         pytest.importorskip("matplotlib")
-        from poppet.report.bench.limits import limits_page
+        from poppet.report.bench.limits_report import limits_page
 
         page = limits_page(replace(filled(), stability={}))
         assert page.count("<svg") == 3
@@ -330,7 +330,7 @@ class TestResult:
 
     def test_values_of_the_maps_stand_in_tables_too(self):
         pytest.importorskip("matplotlib")
-        from poppet.report.bench.limits import limits_page
+        from poppet.report.bench.limits_report import limits_page
 
         page = limits_page(filled())
         rows = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", page)]
@@ -381,9 +381,9 @@ class TestCommand:
     @pytest.mark.parametrize(
         ("options", "said"),
         [
-            (("--springs", "1, two"), "--springs 1, two is no list of factors"),
+            (("--springs", "1, two"), "--springs 1, two must be a list of numbers"),
             (("--valve", "vavle"), "Did you mean valve?"),
-            (("-o", "r.csv"), "names no format"),
+            (("-o", "r.csv"), "is not a supported format"),
         ],
     )
     def test_refusals(self, tmp_path, capsys, options, said):

@@ -20,7 +20,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.note_groups import grouped
 from poppet.report.bench.bench_report import bench_page, write_bench
-from poppet.report.bench.bench_text import SECTIONS, conditions_text, figure_text, value_text, verdict
+from poppet.report.bench.bench_text import DESCRIPTIONS, conditions_text, figure_text, value_text, verdict
 
 pytest.importorskip("matplotlib")
 VALVE = StandIn(
@@ -85,7 +85,7 @@ def test_the_page_has_everything_and_needs_nothing(result, other):
     assert "a note & more" in words
     assert "Compared with: second" in words
     for test in TESTS:
-        assert SECTIONS[test].title in words
+        assert DESCRIPTIONS[test].title in words
     for name, figure in result.figures.items():
         assert figure_text(figure) in words, name
         assert figure.definition in words
@@ -123,7 +123,7 @@ def test_verdicts_in_words(result):
     assert verdict(result, "step").startswith(
         "The step of 80 % FS takes 0.125 s up and 0.125 s down to 90 % of the change."
     )
-    assert "At rest the outlet swings by ± 0.1 % FS at 80 Hz." in verdict(result, "step")
+    assert "At rest the outlet oscillates by ± 0.1 % FS at 80 Hz." in verdict(result, "step")
     assert re.search(r"It has fallen by 10 % FS at 5\.2\d g/s\.", verdict(result, "flow"))
     assert verdict(result, "supply") == "A change of the supply by 1 bar changes the outlet by 1 kPa."
     assert verdict(result, "leakage") == "At rest the valve takes 1 mg/s from the supply."

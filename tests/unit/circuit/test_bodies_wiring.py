@@ -6,8 +6,7 @@ from typing import Any
 
 import pytest
 
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import loads
+from poppet import Circuit, loads
 from poppet.parts import Chamber, Cylinder, Guide, Joint, Mass, Orifice
 from poppet.timeseries.signals import Chirp, Constant, Points, Steps
 from refusals import refused

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.errors import InputError, InputErrors
 from poppet.core.provenance import Number, Source

@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load, loads
+from poppet import load, loads
 from poppet.core.errors import InputError, InputErrors
 from poppet.core.toml_file import TomlFile, read_text
 from poppet.parts import KINDS
 from poppet.parts.fields import specs
-from poppet.signals import Chirp, Constant, Points, Prbs, Sampled, Sine, Steps
+from poppet.signals import Chirp, Constant, Points, Prbs, SampledSignal, Sine, Steps
 
 CONTRACT = """\
 title = "VPPM-6L main stage fills a 0.2 m3 tank"
@@ -243,7 +243,7 @@ def test_signal_of_a_file_beside_the_circuit(tmp_path):
     table = 'kind = "file"\npath = "p.csv"\ncolumn = "p"\nunit = "bar g"\ntime = { column = "t", unit = "ms" }\n'
     (tmp_path / "c.toml").write_text(f"{SMALL}{PRESSURE}{table}", encoding="utf-8")
     circuit = load(tmp_path / "c.toml")
-    assert type(circuit.signals["supply.pressure"]) is Sampled
+    assert type(circuit.signals["supply.pressure"]) is SampledSignal
     assert circuit.signals["supply.pressure"].evaluate([0.0, 0.5, 1.0]).tolist() == pytest.approx([4e5, 5e5, 6e5])
 
 
@@ -285,11 +285,11 @@ MISTAKES = [
     ("unknown kind", replaced('kind = "chamber"', 'kind = "chambr"'), "chambr", "Did you mean chamber"),
     ("misspelt field", replaced("volume = ", "volum = "), "volum =", "Did you mean volume"),
     ("missing unit", replaced('"0.2 m^3"', '"0.2"'), 'volume = "0.2"', 'Write "0.2 m^3"'),
-    ("wrong unit", replaced('"0.2 m^3"', '"0.2 bar"'), "0.2 bar", "Write it like"),
+    ("wrong unit", replaced('"0.2 m^3"', '"0.2 bar"'), "0.2 bar", "Write it in the form"),
     ("unknown unit", replaced('"0.2 m^3"', '"0.2 furlong"'), "0.2 furlong", "Use SI units"),
-    ("gauge where a difference is meant", replaced('"45 W/K"', '"45 bar g"'), "45 bar g", "Write it like"),
+    ("gauge where a difference is meant", replaced('"45 W/K"', '"45 bar g"'), "45 bar g", "Write it in the form"),
     ("absolute below zero", replaced('pressure = "7 bar" ', 'pressure = "-2 bar" '), "-2 bar", 'with "g"'),
-    ("gauge below vacuum", replaced('pressure = "7 bar" ', 'pressure = "-2 bar g" '), "-2 bar g", "Raise it"),
+    ("gauge below vacuum", replaced('pressure = "7 bar" ', 'pressure = "-2 bar g" '), "-2 bar g", "Correct it"),
     (
         "gauge ambient",
         replaced('pressure = "1 bar"                # default', 'pressure = "1 bar g" #'),
@@ -300,20 +300,20 @@ MISTAKES = [
     ("negative volume", replaced('"0.2 m^3"', '"-0.2 m^3"'), "-0.2 m^3", "Correct the value"),
     ("b = 1", replaced("critical_ratio = 0.3", "critical_ratio = 1.0"), "critical_ratio", "Correct the value"),
     ("b > 1", replaced("critical_ratio = 0.3", "critical_ratio = 1.2"), "critical_ratio", "Correct the value"),
-    ("NaN", replaced("critical_ratio = 0.3", "critical_ratio = nan"), "critical_ratio", "finite number"),
-    ("NaN with a unit", replaced('"0.2 m^3"', '"nan m^3"'), "nan m^3", "Write it like"),
-    ("infinite", replaced('"0.2 m^3"', "inf"), "volume = inf", "finite number"),
+    ("NaN", replaced("critical_ratio = 0.3", "critical_ratio = nan"), "critical_ratio", "Correct the value"),
+    ("NaN with a unit", replaced('"0.2 m^3"', '"nan m^3"'), "nan m^3", "Write it in the form"),
+    ("infinite", replaced('"0.2 m^3"', "inf"), "volume = inf", "Correct the value"),
     ("boolean", replaced('"0.2 m^3"', "true"), "volume = true", "Write a number"),
     ("list", replaced('"0.2 m^3"', "[1]"), "volume = [1]", "Write a number"),
     ("decimal comma", replaced('"0.2 m^3"', '"0,2 m^3"'), "0,2 m^3", "decimal point"),
     ("unknown part", replaced('from = "tank"', 'from = "tonk"'), "tonk", "Did you mean tank"),
-    ("joined with itself", replaced('to = "room"', 'to = "tank"'), "[parts.bleed]", "Join two different"),
+    ("joined with itself", replaced('to = "room"', 'to = "tank"'), "[parts.bleed]", "Connect two different"),
     ("joined to a passage", replaced('to = "room"', 'to = "valve"'), 'to = "valve"', "through a chamber"),
     (
         "part of no passage",
         CONTRACT + '[parts.spare]\nkind = "chamber"\nvolume = 1.0\n',
         "[parts.spare]",
-        "Join it to a passage",
+        "Connect a flow path",
     ),
     ("two parts of one name", CONTRACT + '[parts.tank]\nkind = "chamber"\n', None, "Rename or remove"),
     (
@@ -323,7 +323,7 @@ MISTAKES = [
         "Remove one",
     ),
     ("no kind", replaced('kind = "chamber"\n', ""), "[parts.tank]", "Use one of: reservoir"),
-    ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Give it in m"),
+    ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Specify it in m"),
     ("unknown set", replaced('data = "varga2012" ', 'data = "varga2021" '), "varga2021", "Did you mean varga2012"),
     ("unknown mode", replaced('mode = "paper" ', 'mode = "papr" '), "papr", "Did you mean paper"),
     (
@@ -338,16 +338,16 @@ MISTAKES = [
     ("times twice", replaced('"20 s", "40 s"', '"20 s", "20 s"'), "times =", "keep one per time"),
     ("times not from zero", replaced('"0 s", "20 s"', '"1 s", "20 s"'), "times =", "Begin with time 0"),
     ("times and values", replaced('"0 s", "20 s", "40 s"', '"0 s", "20 s"'), "times =", "one value per time"),
-    ("unit of a value", replaced('"0 bar g"', '"0 mm"'), "values =", "Write it like"),
-    ("times are no list", replaced('["0 s", "20 s", "40 s"]', '"0 s"'), "times =", "Write ["),
+    ("unit of a value", replaced('"0 bar g"', '"0 mm"'), "values =", "Write it in the form"),
+    ("times are no list", replaced('["0 s", "20 s", "40 s"]', '"0 s"'), "times =", "Write, for example, ["),
     (
         "polytropic without exponent",
         replaced('thermal = "energy" ', 'thermal = "polytropic" '),
         "[parts.tank]",
-        "Give one: polytropic_exponent",
+        "polytropic_exponent = 1.04",
     ),
     ("duration", replaced('"120 s"', '"-120 s"'), "-120 s", "Correct the value"),
-    ("unit of the duration", replaced('"120 s"', '"120 m"'), "120 m", "Write it like"),
+    ("unit of the duration", replaced('"120 s"', '"120 m"'), "120 m", "Write it in the form"),
     (
         "tolerance",
         replaced("relative_tolerance = 1e-6", "relative_tolerance = 0"),
@@ -357,18 +357,18 @@ MISTAKES = [
     ("unknown table", replaced("[run]", "[rn]"), "[rn]", "Did you mean run"),
     ("gas constant", replaced("gas_constant = 287.05", "gas_constant = 0"), "gas_constant", "Correct the value"),
     ("unknown gas", replaced("gas_constant = 287.05", 'name = "heliumm"'), "heliumm", "Did you mean helium"),
-    ("no TOML", replaced('kind = "chamber"', "kind = chamber"), "kind = chamber", "text values need quotes"),
+    ("no TOML", replaced('kind = "chamber"', "kind = chamber"), "kind = chamber", "text values require quotes"),
 ]
 
 
 @pytest.mark.parametrize(
     ("text", "piece", "hint"), [mistake[1:] for mistake in MISTAKES], ids=[mistake[0] for mistake in MISTAKES]
 )
-def test_one_mistake_is_one_message_with_line_and_cure(text, piece, cure):
+def test_one_mistake_is_one_message_with_line_and_cure(text, piece, hint):
     (problem,) = problems_of(text)
     line = line_of(text, piece) if piece else len(text.splitlines()) - 1
     assert str(problem).startswith(f"circuit.toml:{line}: ")
-    assert cure in problem.hint
+    assert hint in problem.hint
     assert problem.given
     assert problem.reason
 

@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.circuit.options import Run
 from poppet.core.codes import Note
 from poppet.parts import Chamber, Cylinder, MainStage, Mass, Orifice, Reservoir, Tube

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.circuit.load_metrics import turning_points
 from poppet.parts import Chamber, Cylinder, Guide, Joint, Mass, Orifice, Reservoir
 from poppet.timeseries.signals import Points, Steps

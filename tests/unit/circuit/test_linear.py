@@ -10,8 +10,8 @@ from functools import cache
 import numpy as np
 import pytest
 
+from poppet import Circuit
 from poppet.circuit import linear
-from poppet.circuit.circuit import Circuit
 from poppet.core.errors import InputError, InputErrors, MissingDependencyError, SimulationError
 from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
 from poppet.signals import Chirp, Constant, Steps
@@ -132,7 +132,7 @@ class TestSteadyState:
 
     def test_of_stores_alone_is_not_sought_with_slower_gas(self, monkeypatch):
         monkeypatch.setattr(linear, "TRANSIENT_STEPS", 3)
-        monkeypatch.setattr(linear, "_slowed", lambda _: pytest.fail("without mechanics there is nothing to slow"))
+        monkeypatch.setattr(linear, "_run_slow_gas", lambda _: pytest.fail("slow gas without mechanics"))
         assert through_flow().steady_state().residual < 1e-6
 
     def test_of_a_tank_that_is_fed_for_ever_does_not_exist(self):

@@ -8,15 +8,14 @@ from typing import Any
 
 import pytest
 
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
+from poppet import Circuit, load
 from poppet.circuit.options import GasChoice
 from poppet.core.codes import Note
 from poppet.engine import solve as simulate
 from poppet.engine.balances import Residual
 from poppet.engine.problem import Outcome
 from poppet.parts import Chamber, DirectionalValve, FlowSource, MainStage, Orifice, Reservoir
-from poppet.signals import Constant, Points, Sampled, Steps
+from poppet.signals import Constant, Points, SampledSignal, Steps
 
 EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
 
@@ -119,7 +118,7 @@ def test_signal_held_after_its_last_point():
 
 
 def test_measured_signal_held_at_both_ends():
-    circuit = filling({"supply.pressure": Sampled((1.0, 2.0), (7e5, 6e5), "bench.csv")})
+    circuit = filling({"supply.pressure": SampledSignal((1.0, 2.0), (7e5, 6e5), "bench.csv")})
     assert notes(circuit, "5 s") == (
         Note("signals.held_before", "supply.pressure", source="bench.csv", value=7e5, time=1.0),
         Note("signals.held_after", "supply.pressure", source="bench.csv", value=6e5, time=2.0),

@@ -9,8 +9,8 @@ from functools import cache
 import numpy as np
 import pytest
 
+from poppet import Circuit
 from poppet.bench.agreement import SineRig, agreement, without_bands
-from poppet.circuit.circuit import Circuit
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled import sampled_steady_state as rest_module
 from poppet.circuit.sampled.point import SampledPoint

@@ -11,7 +11,7 @@ import pytest
 from poppet.circuit.signal_tables import KINDS, fields_of, read_signal
 from poppet.core.errors import InputError, InputErrors
 from poppet.parts.part import Input
-from poppet.signals import Chirp, Constant, Points, Prbs, Pwm, Sampled, Sine, Square
+from poppet.signals import Chirp, Constant, Points, Prbs, Pwm, SampledSignal, Sine, Square
 from poppet.timeseries.recording import Recording
 from refusals import refused
 
@@ -125,7 +125,7 @@ class TestFile:
 
     def test_unit_of_the_heading(self, folder):
         signal = self.signal(folder)
-        assert isinstance(signal, Sampled)
+        assert isinstance(signal, SampledSignal)
         assert signal.evaluate([0.0, 0.5, 2.0]).tolist() == [1e5, 1.5e5, 1.5e5]
 
     def test_gauge_unit_of_the_table(self, folder):

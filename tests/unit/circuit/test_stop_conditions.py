@@ -6,8 +6,7 @@ from typing import Any, ClassVar
 
 import pytest
 
-from poppet import library
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit, library
 from poppet.circuit.stop_conditions import domain_conditions, parse_stop_condition
 from poppet.core.errors import InputError
 from poppet.parts import Chamber, Orifice, Reservoir

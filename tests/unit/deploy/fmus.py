@@ -11,8 +11,7 @@ from typing import Any
 
 import pytest
 
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
+from poppet import Circuit, load
 from poppet.deploy.fmu import binaries
 from poppet.deploy.fmu.package import build_fmu, pack
 from poppet.deploy.parity.parity_table import ParityRow, compare_targets

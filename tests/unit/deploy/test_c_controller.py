@@ -12,7 +12,7 @@ import pytest
 
 from c_compiler import STRICT, compile_c
 from circuits_of_exports import EXAMPLES
-from poppet.circuit.file import load
+from poppet import load
 from poppet.cli.main import run
 from poppet.deploy.c.controller import c_controller
 from poppet.deploy.controller import controller_program

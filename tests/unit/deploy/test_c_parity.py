@@ -17,7 +17,7 @@ import pytest
 
 from c_compiler import shared_library
 from circuits_of_exports import EVERYDAY, TEN
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.deploy.c.c_model import integrator_code, model_code
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.engine import call, compiled

@@ -14,8 +14,7 @@ import pytest
 
 from c_compiler import COMPILER, compile_c
 from circuits_of_exports import EXAMPLES, TEN, check_and_relief, example
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
+from poppet import Circuit, load
 from poppet.cli.main import run
 from poppet.deploy.c.project import c_project
 from refusals import refused

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.core.errors import InputError
 from poppet.deploy.export_model import ExportModel, build_export_model, find_tied
 from poppet.identify.free_parameter import number_specs

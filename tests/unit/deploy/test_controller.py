@@ -9,10 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
+from poppet import Circuit, load
 from poppet.deploy.controller import SIGNATURES, controller_program
-from poppet.parts.part import Control, Scope, State
+from poppet.parts.part import ControlOutputs, Scope, State
 from refusals import refused
 
 sys.path.insert(0, str(Path(__file__).parents[1]))
@@ -117,9 +116,9 @@ class Slow(Proportional):
     def start(self, scope: Scope) -> dict[str, Any]:
         return super().start(scope) | {"filtered": 0.0}
 
-    def control(self, scope: Scope) -> Control:
+    def control(self, scope: Scope) -> ControlOutputs:
         rate = scope.inputs["measured"] - scope.states["filtered"]
-        return Control(super().control(scope).outputs, {"filtered": rate})
+        return ControlOutputs(super().control(scope).outputs, {"filtered": rate})
 
 
 def test_what_runs_between_samples_is_refused():

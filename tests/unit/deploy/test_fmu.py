@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 from circuits_of_exports import check_and_relief
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.cli.main import run as run_command
 from poppet.deploy.fmu.importers import read_circuit
 from poppet.deploy.fmu.package import build_fmu, pack

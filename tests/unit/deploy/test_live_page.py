@@ -18,9 +18,7 @@ import pytest
 from browser import Browser, found
 from circuits_of_exports import EXAMPLES
 from pages import needs_nothing_else
-from poppet import Guide, Muscle, Orifice
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load, loads
+from poppet import Circuit, Guide, Muscle, Orifice, load, loads
 from poppet.deploy.export_model import build_export_model
 from poppet.deploy.live.live_page import live_page
 from poppet.deploy.live.page_inputs import select_sliders

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.cli.main import run
 from poppet.deploy import comparison
 from poppet.deploy.parity import host_runs, parity_table

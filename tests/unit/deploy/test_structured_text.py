@@ -14,8 +14,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
+from poppet import Circuit, load
 from poppet.cli.main import run
 from poppet.deploy.controller import controller_program
 from poppet.deploy.st.block import BlockNames, block_of, function_block

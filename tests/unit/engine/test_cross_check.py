@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.engine.problem import Outcome, Problem
 from poppet.engine.reference_solvers.solvers import SOLVERS, solve_otherwise
 from poppet.engine.solve import solve

@@ -8,7 +8,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.engine.derivatives import rates_and_derivatives
 from poppet.engine.printers.instructions import instructions
 

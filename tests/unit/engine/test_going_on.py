@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.engine.call import Call
 from poppet.engine.compiled import integrator
 from poppet.engine.job import Job, address

@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.engine.lane_kernel import WIDTHS, _compiled, lane_functions
 from poppet.engine.printers.instructions import Instruction, InstructionList, traced_functions
 from poppet.engine.printers.lane_values import _Values, lane_listings

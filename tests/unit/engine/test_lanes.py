@@ -13,8 +13,7 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, Orifice, Reservoir, loads
 from poppet.circuit.options import Run
 from poppet.engine.batch import BatchRun, Rows, run_batch
 from poppet.engine.job import LaneJob

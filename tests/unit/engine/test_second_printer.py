@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from c_compiler import shared_library
-from poppet.circuit.circuit import Circuit
-from poppet.circuit.file import load
+from poppet import Circuit, load
 from poppet.engine.printers.c import print_function, used_prelude
 from poppet.engine.printers.instructions import SIGNATURES, traced_functions
 

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from circuits_of_ensembles import LARGE, METRICS, NUMBERS, hashes, tank
-from poppet.circuit.file import load
+from poppet import load
 from poppet.engine.solve import solve
 from poppet.ensemble import dataset as dataset_module
 from poppet.ensemble import shards

@@ -96,9 +96,9 @@ def test_spreads_of_gauge_pressures_are_parts_of_what_was_written():
         ("ensemble.given_twice", {"distribution": "normal", "relative_sigma": 0.1, "sigma": "1 l"}),
         ("ensemble.no_spread", {"distribution": "normal", "sigma": "0 l"}),
         ("ensemble.limits", {"distribution": "triangular", "low": "3 l", "high": "5 l"}),
-        ("ensemble.unknown", {"distribution": "uniform", "relative_rang": 0.1}),
+        ("fields.unknown", {"distribution": "uniform", "relative_rang": 0.1}),
         ("quantity.other_quantity", {"distribution": "uniform", "low": "1 bar", "high": "2 l"}),
-        ("entry.form", 0.2),
+        ("fields.no_table", 0.2),
     ],
 )
 def test_what_is_no_distribution(code, given):

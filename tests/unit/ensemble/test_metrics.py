@@ -107,7 +107,7 @@ def test_functions_of_a_user(tmp_path):
         ("ensemble.not_of_metric", {"metric": "max", "value": "2 bar"}),
         ("ensemble.no_value", {"metric": "time_to"}),
         ("ensemble.window", {"metric": "max", "from": "3 s", "until": "2 s"}),
-        ("ensemble.unknown", {"metric": "max", "form": "3 s"}),
+        ("fields.unknown", {"metric": "max", "form": "3 s"}),
         ("unit.other_quantity", {"metric": "max", "unit": "kg"}),
         ("quantity.point_of_scale", {"metric": "steady_error", "of": "tank.temperature", "unit": "degC"}),
         ("quantity.other_quantity", {"metric": "time_to", "value": "2 s"}),

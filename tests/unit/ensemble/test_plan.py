@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from circuits_of_ensembles import METRICS, NUMBERS, TABLES, TANK, tank
-from poppet.circuit.file import load
+from poppet import load
 from poppet.core.errors import InputErrors
 from poppet.ensemble import plan_of
 from poppet.identify.result import Estimate, Result
@@ -52,12 +52,12 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
 @pytest.mark.parametrize(
     ("code", "fields"),
     [
-        ("ensemble.unknown", {"run": 5}),
+        ("fields.unknown", {"run": 5}),
         ("ensemble.count", {"runs": 1.5}),
         ("ensemble.count", {"seed": -1}),
         ("ensemble.power_of_two", {"indices": 1000}),
-        ("entry.choice", {"sampling": "halton"}),
-        ("entry.choice", {"keep": "everything"}),
+        ("fields.not_an_option", {"sampling": "halton"}),
+        ("fields.not_an_option", {"keep": "everything"}),
         ("ensemble.no_metric", {"metrics": {}}),
         ("ensemble.name", {"metrics": {"a b": METRICS["end"]}}),
         *(

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.core.errors import InputError
 from poppet.ensemble import plan_of
 from poppet.ensemble.distributions import FORMS

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from poppet.circuit.file import loads
+from poppet import loads
 from poppet.ensemble import size
 from poppet.identify.free_parameter import read_free
 from refusals import refused

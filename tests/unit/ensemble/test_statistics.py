@@ -10,7 +10,7 @@ import pytest
 from scipy.stats import sobol_indices as indices_of_scipy
 
 from circuits_of_ensembles import METRICS, TABLES, TANK, tank
-from poppet.circuit.file import load
+from poppet import load
 from poppet.ensemble import plan_of
 from poppet.ensemble.designs import design_of
 from poppet.ensemble.influence import sobol_indices

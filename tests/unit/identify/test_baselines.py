@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from poppet.core.errors import InputError
-from poppet.identify.baselines import (
+from poppet.identify.baseline_models import (
     FirstOrder,
     Response,
     SecondOrderArx,

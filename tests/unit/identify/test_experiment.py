@@ -9,13 +9,12 @@ import threading
 import numpy as np
 import pytest
 
-from poppet import Chamber, Circuit, FlowSource, Orifice
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, FlowSource, Orifice, loads
 from poppet.core.errors import InputError
 from poppet.engine.call import RepeatedCall
 from poppet.engine.lane_kernel import LockstepLanes
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.fit_file import FitPlan, recording_free
+from poppet.identify.fit.fit_plan import FitPlan, recording_parameters
 from poppet.identify.fit.fit_series import first_value, lagged, shifted
 from poppet.identify.fit.intervals import bootstrapped
 from poppet.identify.fit.search import SearchSettings, kick_rounds, optimise
@@ -50,7 +49,7 @@ def recording(flow: np.ndarray, **instrument: float | None) -> Measurement:
 
 def fitted(measurement: Measurement) -> dict[str, float]:
     circuit = Circuit(PARTS)
-    free = (*FREE, *recording_free([measurement], [circuit], ["fit"]))
+    free = (*FREE, *recording_parameters([measurement], [circuit], ["fit"]))
     found = optimise([Experiment(circuit.instance, measurement, free)], free)
     return {f.name: float(v) for f, v in zip(free, found.x, strict=True)}
 
@@ -291,11 +290,11 @@ def test_what_a_free_number_cannot_be():
         return [(e.code, e.address) for e in error.value.problems]
 
     assert refused({}, "tank.volum") == [("free.unknown_number", "free.tank.volum")]
-    assert refused({"strt": 1.0}) == [("free.unknown", "free.tank.volume.strt")]
+    assert refused({"strt": 1.0}) == [("fields.unknown", "free.tank.volume.strt")]
     assert refused({"start": "9 l", "max": "8 l"}) == [("free.bounds", "free.tank.volume")]
-    assert refused({"prior": {"mean": "8 l"}}) == [("prior.missing.sd", "free.tank.volume.prior.sd")]
-    assert refused({"prior": {"mean": "8 l", "sd": 0.0}}) == [("prior.spread", "free.tank.volume.prior.sd")]
-    assert refused({"prior": 3.0}) == [("entry.form", "free.tank.volume.prior")]
+    assert refused({"prior": {"mean": "8 l"}}) == [("fields.missing", "free.tank.volume.prior.sd")]
+    assert refused({"prior": {"mean": "8 l", "sd": 0.0}}) == [("fields.out_of_range", "free.tank.volume.prior.sd")]
+    assert refused({"prior": 3.0}) == [("fields.no_table", "free.tank.volume.prior")]
     assert refused({"start": "3 kg", "min": "1 s"}) == [
         ("quantity.other_quantity", "free.tank.volume.start"),
         ("quantity.other_quantity", "free.tank.volume.min"),
@@ -330,7 +329,7 @@ def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
         duration=float(TIME[-1]),
     )
     circuit = Circuit(PARTS)
-    (free,) = recording_free([measurement], [circuit], ["fit"])
+    (free,) = recording_parameters([measurement], [circuit], ["fit"])
     assert free.start == 293.15
     assert Experiment(circuit.instance, measurement, (free,)).free == (free,)
 

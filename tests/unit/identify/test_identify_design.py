@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.circuit.file import load
+from poppet import load
 from poppet.identify import Design, identify_design, identify_fit, read_design_file
 from refusals import refused
 
@@ -152,29 +152,29 @@ def test_values_drawn_from_a_prior_show_what_depends_on_them(tmp_path: Path) -> 
 
 def test_mistakes_are_told_at_once(tmp_path: Path) -> None:
     text = f'selct = 2\n{FREE}[sensors]\n"tank.presure" = {{ noise = "300 Pa" }}\n"tank.pressure" = {{ lag = "1 s" }}\n'
-    with refused("design.unknown", "selct"):
+    with refused("fields.unknown", "selct"):
         designed(tmp_path, text)
     with refused("design.no_output", "sensors.tank.presure") as caught:
         designed(tmp_path, text.replace("selct", "select"))
-    assert [e.code for e in caught.value.problems] == ["design.no_output", "design.sensor.missing.noise"]
+    assert [e.code for e in caught.value.problems] == ["design.no_output", "fields.missing"]
 
 
 @pytest.mark.parametrize(
     ("text", "code"),
     [
-        (f"select = 0\n{FREE}{SENSORS}", "design.count"),
-        (f'criterion = "best"\n{FREE}{SENSORS}', "entry.choice"),
-        (f"{FREE}", "design.missing.sensors"),
-        (f"{SENSORS}", "design.missing.free"),
-        (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", drift = 1 }}\n', "design.sensor.unknown"),
+        (f"select = 0\n{FREE}{SENSORS}", "fields.out_of_range"),
+        (f'criterion = "best"\n{FREE}{SENSORS}', "fields.not_an_option"),
+        (f"{FREE}", "fields.missing"),
+        (f"{SENSORS}", "fields.missing"),
+        (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", drift = 1 }}\n', "fields.unknown"),
         (f'{FREE}{SENSORS}[vary]\n"tank.volume" = "2 l"\n', "design.no_list"),
         (f'{FREE}{SENSORS}[vary]\n"tank.volme" = ["2 l"]\n', "address.unknown"),
         (f'{FREE}{SENSORS}[tests.a]\nsensors = ["tank.temperature"]\n', "design.no_sensor"),
         (f'{FREE}{SENSORS}[tests.a]\nstart = {{ "tank.initial_pressure" = "2 bar" }}\n', "design.start"),
-        (f'{FREE}{SENSORS}[tests.a]\nduration = "-1 s"\n', "design.no_time"),
+        (f'{FREE}{SENSORS}[tests.a]\nduration = "-1 s"\n', "fields.out_of_range"),
         (f'{FREE}{SENSORS}[tests.a]\nsample_time = "1 us"\n', "design.too_many_samples"),
-        (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "0 Pa" }}\n', "design.noise"),
-        (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", lag = "-1 s" }}\n', "design.negative"),
+        (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "0 Pa" }}\n', "fields.out_of_range"),
+        (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", lag = "-1 s" }}\n', "fields.out_of_range"),
         (f"{FREE}{SENSORS}[vary]\nduration = [{', '.join(map(str, range(1, 600)))}]\n", "design.too_many"),
     ],
 )
@@ -185,11 +185,11 @@ def test_what_is_refused(tmp_path: Path, text: str, code: str) -> None:
 
 def test_a_circuit_is_named_and_lasts(tmp_path: Path) -> None:
     (tmp_path / "design.toml").write_text(FREE + SENSORS)
-    with refused("design.missing.circuit"):
+    with refused("fields.missing"):
         identify_design(tmp_path / "design.toml")
     (tmp_path / "bench.toml").write_text(CIRCUIT.partition("[run]")[0])
     (tmp_path / "design.toml").write_text(f'circuit = "bench.toml"\n{FREE}{SENSORS}')
-    with refused("design.no_duration"):
+    with refused("fields.missing"):
         identify_design(tmp_path / "design.toml")
 
 

@@ -241,7 +241,7 @@ torque = { column = "M", unit = "mNm" }
         (("mNm", "N"), {("friction.mixture", "torque")}),
         (("torque", "force"), {("friction.mixture", "velocity"), ("friction.mixture", "force")}),
         (('torque = { column = "M", unit = "mNm" }', 'inertia = 1\npulley_radius = "2 mm"'),
-         {("friction.missing.force", "force"), ("friction.of_other_body", "inertia"),
+         {("fields.missing", "force"), ("friction.of_other_body", "inertia"),
           ("friction.of_other_body", "pulley_radius"), ("friction.mixture", "velocity")}),
         ((', unit = "deg/s"', ""), {("friction.mixture", "velocity")}),
     ],
@@ -262,7 +262,7 @@ def test_a_mass_and_a_joint_are_not_identified_together():
         identify_friction([table, replace(table, force=1.1 * table.force, body="joint")])
     with refused("friction.of_other_body", "inertia"):
         identify_friction(table, inertia=1.0)
-    with refused("entry.choice", "body"):
+    with refused("fields.not_an_option", "body"):
         replace(table, body="wheel")
 
 
@@ -625,7 +625,7 @@ def test_a_number_that_would_be_negative_ends_at_zero_and_is_said():
 
 def test_the_page_shows_laws_recordings_and_lines_for_a_circuit():
     page = identification_page(identify_friction(cylinder(0, 0.0, SEALED), part="slide", cylinder="drive"))
-    for shown in ("Laws of friction", "seal_friction = &quot;0.", "pressure.friction", "p3", "supported"):
+    for shown in ("Friction laws", "seal_friction = &quot;0.", "pressure.friction", "p3", "supported"):
         assert shown in page
 
 
@@ -705,7 +705,7 @@ def test_records_that_cannot_be_are_refused(columns, code):
 def test_one_direction_with_a_free_zero_is_refused():
     with refused("friction.one_way", "offset"):
         identify_friction(steady({COULOMB: 20.0}, both=False), offset="free")
-    with refused("friction.unknown_law", "law"):
+    with refused("fields.not_an_option", "law"):
         identify_friction(steady({COULOMB: 20.0}), law="karnopp")
     with refused("friction.no_law", "force"):
         identify_friction(FrictionRecord(force=[1.0, 2.0, 3.0], velocity=[0.1, 0.2, 0.3], pressure=[1e5, 1e5, 2e5]))
@@ -748,12 +748,12 @@ def test_a_file_names_its_columns(tmp_path):
 @pytest.mark.parametrize(
     ("change", "code", "address"),
     [
-        (('file = ["a.csv", "b.csv"]\n', ""), "friction.missing.file", "file"),
-        (('force = { column = 2, unit = "N" }\n', ""), "friction.missing.force", "force"),
+        (('file = ["a.csv", "b.csv"]\n', ""), "fields.missing", "file"),
+        (('force = { column = 2, unit = "N" }\n', ""), "fields.missing", "force"),
         (('position = { column = 1, unit = "mm" }\n', ""), "friction.no_velocity", "velocity"),
         (("direction = -1", "direction = 2"), "bodies.direction", "direction"),
-        (("skip =", "skipp ="), "friction.unknown", "skipp"),
-        (("column = 2", "columm = 2"), "friction.channel.unknown", "force.columm"),
+        (("skip =", "skipp ="), "fields.unknown", "skipp"),
+        (("column = 2", "columm = 2"), "fields.unknown", "force.columm"),
         (("column = 2, ", ""), "friction.no_column", "force"),
         (('{ value = ["1 bar g", "3 bar g"] }', "{ }"), "friction.column_or_value", "pressure"),
         (('["1 bar g", "3 bar g"]', '["1 bar g"]'), "friction.values", "pressure.value"),

@@ -11,8 +11,8 @@ import pytest
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.identify import Result, TankTest, identify_tank
 from poppet.identify.fit.contour import COLUMNS, LEVELS, ROWS
+from poppet.report.identification.cost_figures import contour_figure, profile_figure, starts_figure
 from poppet.report.identification.identification_report import identification_page
-from poppet.report.identification.landscape import contour_figure, profile_figure, starts_figure
 from poppet.timeseries.plotting.figures import style
 from refusals import refused
 from result_keys import undocumented
@@ -136,9 +136,9 @@ def test_every_search_is_told_with_its_cost_and_its_ends() -> None:
     assert waterfall.get_lines()[1].get_ydata() == pytest.approx(rise)
     assert ways.get_lines()[-1].get_xdata() == pytest.approx(ends, rel=1e-6)  # in dm^3/(s bar), 1 where C is 1e-8
     page = identification_page(result)
-    table = page[page.index("<h2>Where the searches ended") :]
+    table = page[page.index("<h2>Searches") :]
     assert table[: table.index("</table>")].count("<tr>") == 1 + len(searches)
-    answers = page[page.index("<h2>Answers that fit alike") :]
+    answers = page[page.index("<h2>Equivalent optima") :]
     assert answers[: answers.index("</table>")].count("<tr>") == 1 + len(result.optima)
     assert " or " in page[page.index('class="summary') : page.index("</p>", page.index('class="summary'))]
 
@@ -175,6 +175,6 @@ def test_a_discharge_decides_between_laws() -> None:
 
 
 def test_an_unknown_law_is_refused() -> None:
-    with refused("entry.choice", "compare", value="isotherm"):
+    with refused("fields.not_an_option", "compare", value="isotherm"):
         TankTest(recordings={"a": {}}, volume="20 l", compare=["isotherm"])
     assert TankTest(recordings={"a": {}}, volume="20 l", compare="isothermal").compare == ("isothermal",)

@@ -8,10 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet import Circuit, InverseMuscle, Muscle, Orifice, Reservoir
-from poppet.circuit.file import loads
+from poppet import Circuit, InverseMuscle, Muscle, Orifice, Reservoir, loads
 from poppet.identify import MusclePoints, Result, identify_fit, identify_muscle, read_muscle_file
-from poppet.identify.muscle.points import joined
+from poppet.identify.muscle.points import join_tables
 from poppet.identify.parameter_file import with_numbers
 from poppet.identify.result import read_result
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
@@ -248,13 +247,13 @@ def test_a_search_that_ends_at_its_limit_is_told():
 def test_points_that_count_twice_are_refused():
     points = mapped(SAROSI, noise=3.0)
     with refused("force_map.same_twice", "file"):
-        joined([points, points])
+        join_tables([points, points])
 
 
 def test_too_few_points_are_refused():
     with refused("force_map.too_few"):
         identify_muscle(MusclePoints([2e5, 2e5, 3e5], [0.0, 0.1, 0.1], [500.0, 90.0, 200.0], LENGTH, DIAMETER))
-    with refused("force_map.unknown_law", "law"):
+    with refused("fields.not_an_option", "law"):
         identify_muscle(mapped(SAROSI), law="hill")
 
 
@@ -281,14 +280,14 @@ def test_a_file_names_its_columns(tmp_path):
 @pytest.mark.parametrize(
     ("change", "code", "address"),
     [
-        (('file = "map.csv"\n', ""), "force_map.missing.file", "file"),
-        (('pressure = { column = "p", unit = "bar" }\n', ""), "force_map.missing.pressure", "pressure"),
-        (('force = { column = "F", unit = "N" }\n', ""), "force_map.missing.force", "force"),
-        (('nominal_length = "300 mm"\n', ""), "force_map.missing.nominal_length", "nominal_length"),
-        (('nominal_diameter = "20 mm"\n', ""), "force_map.missing.nominal_diameter", "nominal_diameter"),
+        (('file = "map.csv"\n', ""), "fields.missing", "file"),
+        (('pressure = { column = "p", unit = "bar" }\n', ""), "fields.missing", "pressure"),
+        (('force = { column = "F", unit = "N" }\n', ""), "fields.missing", "force"),
+        (('nominal_length = "300 mm"\n', ""), "fields.missing", "nominal_length"),
+        (('nominal_diameter = "20 mm"\n', ""), "fields.missing", "nominal_diameter"),
         (('length = { column = "L", unit = "mm" }\n', ""), "force_map.contraction_or_length", "contraction"),
-        (("nominal_length", "nominal_lengths"), "force_map.unknown", "nominal_lengths"),
-        (('column = "F", ', ""), "force_map.missing.column", "force.column"),
+        (("nominal_length", "nominal_lengths"), "fields.unknown", "nominal_lengths"),
+        (('column = "F", ', ""), "fields.missing", "force.column"),
     ],
 )
 def test_mistakes_of_a_file(tmp_path, change, code, address):

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import json
 import math
+import subprocess
+import sys
 import tomllib
 
 import numpy as np
@@ -135,3 +137,22 @@ def test_an_unknown_verdict_is_refused(result, tmp_path):
 def test_only_two_formats(result, tmp_path):
     with refused("files.suffix"):
         result.save(tmp_path / "result.yaml")
+
+
+def test_former_names_are_deprecated():
+    from poppet import identify
+
+    for former, name in {"Free": "FreeParameter", "Predicted": "Prediction", "Settings": "SearchSettings"}.items():
+        with pytest.warns(DeprecationWarning, match=name):
+            assert getattr(identify, former) is getattr(identify, name)
+    with pytest.raises(AttributeError, match="nothing"):
+        _ = identify.nothing
+
+
+def test_every_public_name_is_imported_on_first_use():
+    from poppet import identify
+
+    assert all(getattr(identify, name).__name__ == name for name in identify.__all__)
+    script = "import sys, poppet.identify; print([m for m in sys.modules if m.startswith('poppet.identify.')])"
+    run = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True)
+    assert run.stdout.strip() == "[]"

@@ -13,7 +13,7 @@ from poppet.core.errors import InputError, InputErrors
 from poppet.identify import Result, TankTest, identify_tank, read_result, read_tank_file
 from poppet.identify.fit.fit_series import lagged
 from poppet.identify.tank.tank_plan import tank_plan, tank_runs
-from poppet.signals import Sampled
+from poppet.signals import SampledSignal
 from refusals import refused
 from result_keys import undocumented
 
@@ -43,7 +43,7 @@ def recorded(
     parts = parts if is_charge else {"tank": tank, "valve": valve}
     edges = [-1e-6, 0.0]
     times = np.array([0.0, *(opens + 1.0 + np.array(edges)), *(closes + 1.0 + np.array(edges))])
-    command = Sampled(times, np.array([0.0, 0.0, 1.0, 1.0, 0.0]), "command")
+    command = SampledSignal(times, np.array([0.0, 0.0, 1.0, 1.0, 0.0]), "command")
     run = Circuit(parts, {"valve.opening": command}).simulate(duration + 1.0, 0.1)
     kept = run.time >= 1.0 - 1e-9
     generator = np.random.default_rng(seed)
@@ -208,14 +208,14 @@ def test_what_is_no_such_test_is_refused() -> None:
     assert (rests.code, rests.facts["rest"]) == ("tank.rests", pytest.approx(2.3, abs=0.15))
     late = refusal(pressure_only(recorded("charge", opens=1.5)), direction="charge", supply_pressure="7 bar")
     assert late.code == "tank.rests"
-    assert refusal(charge, direction="charge").code == "tank.missing.supply"
+    assert refusal(charge, direction="charge").code == "fields.missing"
     assert refusal(run, volume="free").code == "tank.no_start"
     assert refusal({**run, "tank.pressure": run["time"][:5]}).code == "tank.shapes"
     assert refusal({**run, "tank.pressure": "1e9 l"}).code == "tank.no_samples"
-    assert refusal({**run, "tank.pressure": {"noise": 1.0}}).code == "tank.array.missing.values"
-    assert refusal({"time": run["time"]}).code == "tank.missing.pressure"
+    assert refusal({**run, "tank.pressure": {"noise": 1.0}}).code == "fields.missing"
+    assert refusal({"time": run["time"]}).code == "fields.missing"
     assert refusal(run, pressure_offset=3.0).code == "tank.offset"
-    for recordings, code in (({}, "tank.missing.recordings"), ({"a": 3}, "tank.no_recording")):
+    for recordings, code in (({}, "fields.missing"), ({"a": 3}, "fields.no_table")):
         with refused(code):
             identify_tank(TankTest(recordings=recordings, volume="20 l"))
     late = refusal({**run, "opens": "3 s", "closes": "2 s"})
@@ -227,17 +227,17 @@ def test_all_mistakes_of_a_test_are_told_at_once() -> None:
     with pytest.raises(InputErrors) as error:
         TankTest(recordings={"a": run}, volume="20 l", direction="suck", thermal="warm", part="tank")
     assert [(e.code, e.address) for e in error.value.problems] == [
-        ("entry.choice", "direction"),
-        ("entry.choice", "thermal"),
+        ("fields.not_an_option", "direction"),
+        ("fields.not_an_option", "thermal"),
         ("tank.part", "part"),
     ]
     misspelt = {"time": run["time"], "tank.pressure": {"value": run["tank.pressure"], "lagg": 1.0}, "tank.presure": 1}
     with pytest.raises(InputErrors) as error:
         identify_tank(TankTest(recordings={"a": misspelt}, volume="20 l"))
     assert [(e.code, e.address) for e in error.value.problems] == [
-        ("tank.arrays.unknown", "recordings.a.tank.presure"),
-        ("tank.array.unknown", "recordings.a.tank.pressure.value"),
-        ("tank.array.unknown", "recordings.a.tank.pressure.lagg"),
+        ("fields.unknown", "recordings.a.tank.presure"),
+        ("fields.unknown", "recordings.a.tank.pressure.value"),
+        ("fields.unknown", "recordings.a.tank.pressure.lagg"),
     ]
 
 
@@ -255,7 +255,7 @@ def test_a_misspelt_file_names_its_lines(tmp_path: Path) -> None:
     path.write_text('volum = "20 l"\ndirection = "charge"\nstartz = 3\n[recordings.a]\nfile = "bench.csv"\n')
     with pytest.raises(InputErrors) as error:
         read_tank_file(path)
-    assert [(e.code, e.line) for e in error.value.problems] == [("tank.unknown", 1), ("tank.unknown", 3)]
+    assert [(e.code, e.line) for e in error.value.problems] == [("fields.unknown", 1), ("fields.unknown", 3)]
     assert error.value.problems[0].facts["near"].names == ["volume"]
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from poppet.core.codes import Note
 from poppet.parts import Chamber
-from poppet.parts.part import Gas, Scope, Surroundings
+from poppet.parts.part import GasState, Scope, Surroundings
 from refusals import refused
 
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
@@ -204,7 +204,7 @@ def test_gauge_start_is_checked_once_the_ambient_is_known():
 def test_start_mass_is_that_of_an_ideal_gas():
     part = chamber(thermal="isothermal")
     assert scope_of(part).states["mass"] == pytest.approx(3e5 * 2e-3 / (287.05 * 300.0), rel=1e-14)
-    assert isinstance(part.gas(scope_of(part)), Gas)
+    assert isinstance(part.gas(scope_of(part)), GasState)
 
 
 def test_every_state_is_positive_and_has_a_size():

@@ -10,8 +10,7 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import Chamber, Circuit, Orifice, Reservoir
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, Orifice, Reservoir, loads
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.parts import Electronics, MainStage, PilotStage, ProportionalValve
@@ -91,10 +90,10 @@ def test_mistakes_of_all_members_come_at_once():
             pilot={"volume": -1.0, "volmue": 1.0}, electronics={"inner": {"sample_time": 0.0}}, main_stage={"mode": "x"}
         )
     text = str(caught.value)
-    assert "pilot.volmue is not a field of this part. Did you mean volume?" in text
+    assert "pilot.volmue is not a valid field. Did you mean volume?" in text
     assert "pilot.volume = -1 m^3 is out of range" in text
     assert "electronics.inner.sample_time = 0 s is out of range" in text
-    assert "main_stage.mode is not a field of this part" in text
+    assert "main_stage.mode is not a valid field" in text
 
 
 def test_a_missing_port_is_one_mistake():
@@ -208,7 +207,7 @@ def test_scaling_must_rise():
 
 def test_the_outer_loop_is_the_printed_law():
     part = electronics(outer={"gain": 2.0, "pilot_limit": "8 bar", "feed_forward": 0.5, "bias": 1e4})
-    new = part.at_instant("outer", scope(part, {"setpoint": 4e5, "outlet_pressure": 3e5}))
+    new = part.update("outer", scope(part, {"setpoint": 4e5, "outlet_pressure": 3e5}))
     assert new["pilot_setpoint"] == pytest.approx(1e5 + 0.5 * 3e5 + 1e4 + 2.0 * 1e5)
     assert new["integral"] == 0.0
     assert new["actual_pressure"] == 3e5
@@ -217,9 +216,9 @@ def test_the_outer_loop_is_the_printed_law():
 def test_the_integral_sums_gain_times_error_and_takes_back_what_is_cut_off():
     loop = {"gain": 2.0, "pilot_limit": "8 bar", "integral_time": 0.5, "sample_time": 1e-3, "feed_forward": 0.0}
     part = electronics(outer=loop)
-    free = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}))
+    free = part.update("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}))
     assert free["integral"] == pytest.approx(1e-3 / 0.5 * 2e5)
-    cut = part.at_instant("outer", scope(part, {"setpoint": 6e5, "outlet_pressure": 1e5}))
+    cut = part.update("outer", scope(part, {"setpoint": 6e5, "outlet_pressure": 1e5}))
     wanted = 1e5 + 2.0 * 5e5
     assert cut["pilot_setpoint"] == 8e5
     assert cut["integral"] == pytest.approx(1e-3 / 0.5 * (2.0 * 5e5 + 8e5 - wanted))
@@ -228,11 +227,11 @@ def test_the_integral_sums_gain_times_error_and_takes_back_what_is_cut_off():
 def test_bands_and_limits_of_the_integral():
     loop = {"gain": 1.0, "pilot_limit": "8 bar", "integral_time": 1e-3, "dead_band": 1e3, "integral_band": 2e4}
     part = electronics(outer=loop | {"integral_limit": 5e3})
-    inside = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 2e5 - 900.0}))
+    inside = part.update("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 2e5 - 900.0}))
     assert inside["integral"] == 0.0
-    beyond = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}, {"integral": 77.0}))
+    beyond = part.update("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}, {"integral": 77.0}))
     assert beyond["integral"] == 77.0
-    limited = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.9e5}, {"integral": 4e3}))
+    limited = part.update("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.9e5}, {"integral": 4e3}))
     assert limited["integral"] == 5e3
 
 
@@ -245,13 +244,13 @@ CROSSING = {"gain": 2.0, "pilot_limit": "8 bar", "dead_band": 400.0, "dead_zone"
 )
 def test_the_dead_zone_is_crossed_within_a_second_dead_band_and_the_correction_is_limited(error, added):
     part = electronics(outer=CROSSING)
-    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 3e5 - error}))
+    new = part.update("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 3e5 - error}))
     assert new["pilot_setpoint"] == pytest.approx(3e5 + added)
 
 
 def test_without_a_dead_band_there_is_no_crossing_and_without_a_limit_no_end():
     part = electronics(outer=CROSSING | {"dead_band": 0.0, "correction_limit": 0.0})
-    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}))
+    new = part.update("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}))
     assert new["pilot_setpoint"] == pytest.approx(3e5 + 2.0 * 1e5)
 
 
@@ -259,11 +258,11 @@ def test_the_derivative_brakes_beyond_the_limit_and_the_integral_takes_back_what
     loop = CROSSING | {"derivative_time": 0.01, "integral_time": 0.5, "sample_time": 1e-3, "integral_band": 2e4}
     part = electronics(outer=loop | {"derivative_filter": 0.0})
     memory = {"outer_count": 1.0, "last_pressure": 2.9e5 - 100.0}
-    new = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2.9e5}, memory))
+    new = part.update("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2.9e5}, memory))
     assert new["pilot_setpoint"] == pytest.approx(3e5 + 1e4 - 2.0 * 0.01 * 100.0 / 1e-3)
     # K e plus what the limit took: the integral runs to where the correction just meets its limit.
     assert new["integral"] == pytest.approx(1e-3 / 0.5 * (1e4 - 8e3))
-    beyond = part.at_instant("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}, {"integral": 77.0}))
+    beyond = part.update("outer", scope(part, {"setpoint": 3e5, "outlet_pressure": 2e5}, {"integral": 77.0}))
     assert beyond["integral"] == 77.0
 
 
@@ -276,10 +275,10 @@ def test_the_derivative_acts_on_the_measurement_from_the_second_sample_on():
         "sample_time": 0.001,
     }
     part = electronics(outer=loop)
-    first = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}))
+    first = part.update("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}))
     assert first["derivative"] == 0.0
     memory = {"outer_count": 1.0, "last_pressure": 1.4e5, "derivative": 100.0}
-    second = part.at_instant("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}, memory))
+    second = part.update("outer", scope(part, {"setpoint": 2e5, "outlet_pressure": 1.5e5}, memory))
     assert second["derivative"] == pytest.approx((0.004 * 100.0 - 2.0 * 0.01 * 1e4) / 0.005)
 
 
@@ -289,7 +288,7 @@ def test_the_derivative_acts_on_the_measurement_from_the_second_sample_on():
 )
 def test_the_inner_loop_fills_holds_or_vents(error, fill, vent):
     part = electronics(inner={"gain": 1e-5, "hold_band": 1e3, "minimum_duty": 0.1})
-    new = part.at_instant("inner", scope(part, {"setpoint": 4e5}, {"pilot_setpoint": 1e5 + error}))
+    new = part.update("inner", scope(part, {"setpoint": 4e5}, {"pilot_setpoint": 1e5 + error}))
     if error < -1e4 and vent == 1.0:
         assert new["vent_duty"] == pytest.approx(1.0)
     assert (new["fill_duty"], new["vent_duty"]) == pytest.approx((fill, vent))
@@ -298,36 +297,36 @@ def test_the_inner_loop_fills_holds_or_vents(error, fill, vent):
 def test_venting_waits_until_it_was_wanted_for_the_delay():
     part = electronics(inner={"gain": 1e-5, "vent_delay": 0.25})
     seen = scope(part, {}, {"pilot_setpoint": 8e4})
-    first = part.at_instant("inner", seen)
+    first = part.update("inner", seen)
     assert (first["vent_wanted"], first["vent_duty"], first["vent"]) == pytest.approx((0.2, 0.0, 0.25))
     later = dataclasses.replace(seen, memory={**seen.memory, **first, "pilot_setpoint": 7e4}, time=0.1)
-    second = part.at_instant("inner", later)
+    second = part.update("inner", later)
     assert (second["vent_wanted"], second["vent_duty"], second["vent"]) == pytest.approx((0.3, 0.0, 0.25))
-    opened = part.at_instant("vent", dataclasses.replace(later, memory={**later.memory, **second}, time=0.25))
+    opened = part.update("vent", dataclasses.replace(later, memory={**later.memory, **second}, time=0.25))
     assert (opened["vent_duty"], opened["vent_ready"]) == pytest.approx((0.3, 1.0))
-    third = part.at_instant("inner", dataclasses.replace(later, memory={**later.memory, **second, **opened}, time=0.3))
+    third = part.update("inner", dataclasses.replace(later, memory={**later.memory, **second, **opened}, time=0.3))
     assert third["vent_duty"] == pytest.approx(0.3)
     broken = {**later.memory, **second, "pilot_setpoint": 1e5}
-    called_off = part.at_instant("inner", dataclasses.replace(later, memory=broken, time=0.2))
+    called_off = part.update("inner", dataclasses.replace(later, memory=broken, time=0.2))
     assert (called_off["vent_wanted"], called_off["vent_duty"], called_off["vent"]) == (0.0, 0.0, NEVER)
 
 
 def test_near_zero_the_pilot_is_vented_and_the_integral_forgotten():
     part = electronics(zero_suppression=0.01)
     seen = scope(part, {"setpoint": 1e5 + 5e3}, {"integral": 300.0})
-    assert part.at_instant("outer", seen)["integral"] == 0.0
-    assert part.at_instant("outer", seen)["pilot_setpoint"] == 1e5
-    assert part.at_instant("inner", seen)["vent_duty"] == 1.0
+    assert part.update("outer", seen)["integral"] == 0.0
+    assert part.update("outer", seen)["pilot_setpoint"] == 1e5
+    assert part.update("inner", seen)["vent_duty"] == 1.0
     above = scope(part, {"setpoint": 1e5 + 7e3})
-    assert part.at_instant("inner", above)["vent_duty"] == 0.0
+    assert part.update("inner", above)["vent_duty"] == 0.0
 
 
 def test_the_converter_rounds_to_its_step():
     part = electronics(converter={"bits": 12, "span": "10 bar"})
     step = 1e6 / 4096
-    new = part.at_instant("outer", scope(part, {"outlet_pressure": 1e5 + 10.4 * step}))
+    new = part.update("outer", scope(part, {"outlet_pressure": 1e5 + 10.4 * step}))
     assert new["actual_pressure"] == pytest.approx(1e5 + 10.0 * step, abs=1e-9)
-    off = part.at_instant("outer", scope(electronics(), {"outlet_pressure": 1e5 + 10.4 * step}))
+    off = part.update("outer", scope(electronics(), {"outlet_pressure": 1e5 + 10.4 * step}))
     assert off["actual_pressure"] == pytest.approx(1e5 + 10.4 * step)
 
 
@@ -468,7 +467,7 @@ def test_a_signal_of_the_setpoint_may_act_later():
 def test_a_target_above_the_supply_is_said():
     whole = circuit({"valve.setpoint": Steps([0.0, 1.0], [3e5, 6e5])}).with_values({"supply.pressure": "5 bar"})
     notes = whole.simulate(4.0, 0.01).notes
-    assert "valve: the target of 6 bar at t = 1 s is out of reach: the supply has 5 bar." in notes
+    assert "valve: the target of 6 bar at t = 1 s cannot be reached: the supply pressure is 5 bar." in notes
     assert any(note.startswith("valve: the target of 6 bar was not reached by t = 4 s") for note in notes)
 
 
@@ -479,7 +478,7 @@ def test_a_target_that_is_reached_is_not_mentioned():
 def test_an_unstable_tuning_is_reported():
     wild = {"outer": {"gain": 20.0}, "inner": {"gain": 1e-3}}
     notes = circuit({"valve.setpoint": Steps([0.0], [3e5])}, "0.1 l", electronics=wild).simulate(2.0, 1e-3).notes
-    assert any("is not held at t = 2 s: the outlet swings by" in note for note in notes)
+    assert any("is not maintained at t = 2 s: the outlet keeps oscillating by" in note for note in notes)
 
 
 # --- Connections ---
@@ -559,13 +558,13 @@ def test_parts_are_frozen():
         valve().preset = "fast"  # type: ignore[misc]
 
 
-def test_documents_say_how_many_numbers_are_assumed():
+def test_pages_state_the_count_of_assumed_parameters():
     from pathlib import Path
 
     numbers = valve().numbers().values()
     assumed = sum(number.source.kind == "assumed" for number in numbers)
     root = Path(__file__).parents[3]
-    for page, words in (("README.md", "{} of its {} numbers"), ("docs/valve.md", "{} of {} are assumed")):
+    for page, words in (("README.md", "{} of its {} parameters"), ("docs/valve.md", "{} of its {} parameters")):
         assert words.format(assumed, len(numbers)) in (root / page).read_text(encoding="utf-8"), page
 
 
@@ -601,7 +600,7 @@ def test_a_picture_shows_setpoint_pressures_flow_stroke_and_regimes():
 
 def test_every_inner_series_is_one_of_the_part():
     made = circuit()
-    declared = {f"valve.{name}" for name in ProportionalValve.inside}
+    declared = {f"valve.{name}" for name in ProportionalValve.internal_outputs}
     assert declared <= set(made.instance.model.columns[0])
 
 

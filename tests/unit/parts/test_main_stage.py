@@ -8,17 +8,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet import iso6358, library
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit, iso6358, library
 from poppet.core.errors import InputErrors
 from poppet.parts import Chamber, Contact, Exhaust, MainStage, Reservoir, Spring, Stop
-from poppet.parts.part import Gas, Scope, Surroundings
+from poppet.parts.part import GasState, Scope, Surroundings
 from poppet.signals import Steps
 from refusals import refused
 
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
 PORTS = {"supply": "supply", "outlet": "tank", "exhaust": "room"}
-GAS = {"supply": Gas(7e5, 293.15), "outlet": Gas(2e5, 293.15), "exhaust": Gas(1e5, 293.15)}
+GAS = {"supply": GasState(7e5, 293.15), "outlet": GasState(2e5, 293.15), "exhaust": GasState(1e5, 293.15)}
 
 
 def stage(**fields: Any) -> MainStage:
@@ -27,7 +26,7 @@ def stage(**fields: Any) -> MainStage:
 
 def passing(part: MainStage, pilot: float, stroke: float, velocity: float = 0.0) -> Any:
     scope = Scope(part.parameters(AIR), {"stroke": stroke, "velocity": velocity}, {"pilot_pressure": pilot}, AIR)
-    return part.passing(scope, GAS)
+    return part.flows(scope, GAS)
 
 
 def force(part: MainStage, pilot: float, stroke: float, velocity: float = 0.0) -> float:
@@ -95,7 +94,7 @@ def test_dead_zone_keeps_both_seats_closed(gauge):
 def test_paper_mode_knows_no_outlet_pressure():
     part = stage()
     scope = Scope(part.parameters(AIR), {"stroke": 3e-4, "velocity": 0.0}, {"pilot_pressure": 4e5}, AIR)
-    rates = [part.passing(scope, GAS | {"outlet": Gas(p, 293.15)}).rates["velocity"] for p in (1e5, 6e5)]
+    rates = [part.flows(scope, GAS | {"outlet": GasState(p, 293.15)}).rates["velocity"] for p in (1e5, 6e5)]
     assert rates[0] == rates[1]
 
 
@@ -103,7 +102,7 @@ def test_regulator_mode_feels_the_outlet_pressure():
     """S (p2 difference), less the unbalanced seat area that p2 relieves."""
     part = stage(mode="regulator", seat_balance=1.0)
     scope = Scope(part.parameters(AIR), {"stroke": 3e-4, "velocity": 0.0}, {"pilot_pressure": 4e5}, AIR)
-    forces = [part.passing(scope, GAS | {"outlet": Gas(p, 293.15)}).rates["velocity"] * 0.020 for p in (1e5, 2e5)]
+    forces = [part.flows(scope, GAS | {"outlet": GasState(p, 293.15)}).rates["velocity"] * 0.020 for p in (1e5, 2e5)]
     assert forces[1] - forces[0] == pytest.approx(-(7.07e-4 - 3.3e-5) * 1e5, rel=1e-9)
 
 

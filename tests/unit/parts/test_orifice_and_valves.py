@@ -8,34 +8,33 @@ from typing import Any
 import numpy as np
 import pytest
 
-from poppet import iso6358, library
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit, iso6358, library
 from poppet.parts import Chamber, CheckValve, DirectionalValve, FlowSource, Orifice, ReliefValve, Reservoir, Silencer
-from poppet.parts.part import Gas, Scope, Surroundings
+from poppet.parts.part import GasState, Scope, Surroundings
 from poppet.signals import Points, Steps
 from refusals import refused
 
 AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
-HIGH, LOW = Gas(7e5, 310.0), Gas(4e5, 290.0)
+HIGH, LOW = GasState(7e5, 310.0), GasState(4e5, 290.0)
 SIZE = {"sonic_conductance": 1e-8, "critical_ratio": 0.3}
 ENDS = {"from_": "a", "to": "b"}
 LAW = {"subsonic_index": 0.5, "laminar_ratio": 0.999}
 
 
-def passed(part: Any, first: Gas = HIGH, second: Gas = LOW, states: Any = None, **inputs: float) -> Any:
+def passed(part: Any, first: GasState = HIGH, second: GasState = LOW, states: Any = None, **inputs: float) -> Any:
     numbers = part.parameters(AIR)
     defaults = {
         item.name: numbers[item.default] if isinstance(item.default, str) else item.default for item in part.inputs()
     }
     scope = Scope(numbers, states or {}, {**defaults, **inputs}, AIR)
-    return part.passing(scope, dict(zip(part.ports(), (first, second, Gas(1e5, 293.15)), strict=False)))
+    return part.flows(scope, dict(zip(part.ports(), (first, second, GasState(1e5, 293.15)), strict=False)))
 
 
-def flow_of(part: Any, *gas: Gas, **inputs: float) -> float:
+def flow_of(part: Any, *gas: GasState, **inputs: float) -> float:
     return passed(part, *gas, **inputs).outputs["mass_flow_rate"][0]
 
 
-def expected(conductance: float, ratio: float, first: Gas = HIGH, second: Gas = LOW, **law: Any) -> float:
+def expected(conductance: float, ratio: float, first: GasState = HIGH, second: GasState = LOW, **law: Any) -> float:
     temperatures = first.temperature, second.temperature
     return iso6358.mass_flow_rate(
         first.pressure, second.pressure, *temperatures, sonic_conductance=conductance, critical_ratio=ratio, **law
@@ -168,8 +167,8 @@ class TestCheckValve:
 
     def test_closed_backwards_and_below_cracking_pressure(self):
         assert flow_of(self.valve, LOW, HIGH) == 0.0
-        assert flow_of(self.valve, Gas(4.4e5, 300.0), LOW) == 0.0
-        assert flow_of(self.valve, Gas(4.6e5, 300.0), LOW) > 0.0
+        assert flow_of(self.valve, GasState(4.4e5, 300.0), LOW) == 0.0
+        assert flow_of(self.valve, GasState(4.6e5, 300.0), LOW) > 0.0
 
     def test_follows_no_stroke(self):
         with refused("parts.no_stroke_to_follow", "characteristic"):
@@ -181,13 +180,13 @@ class TestReliefValve:
 
     @pytest.mark.parametrize(("pressure", "opening"), [(4.9e5, 0.0), (5e5, 0.0), (5.5e5, 0.5), (6e5, 1.0), (9e5, 1.0)])
     def test_opens_over_its_accumulation(self, pressure, opening):
-        result = passed(self.valve, Gas(pressure, 300.0), Gas(1e5, 300.0))
+        result = passed(self.valve, GasState(pressure, 300.0), GasState(1e5, 300.0))
         assert result.outputs["opening"][0] == pytest.approx(opening, abs=1e-12)
-        known = opening * expected(1e-8, 0.3, Gas(pressure, 300.0), Gas(1e5, 300.0))
+        known = opening * expected(1e-8, 0.3, GasState(pressure, 300.0), GasState(1e5, 300.0))
         assert result.outputs["mass_flow_rate"][0] == pytest.approx(known, rel=1e-12, abs=1e-18)
 
     def test_does_not_let_gas_in(self):
-        assert flow_of(self.valve, Gas(6e5, 300.0), Gas(9e5, 300.0)) == 0.0
+        assert flow_of(self.valve, GasState(6e5, 300.0), GasState(9e5, 300.0)) == 0.0
 
     def test_set_pressure_may_be_gauge(self):
         assert ReliefValve(**ENDS, **SIZE, set_pressure="4 bar g").parameters(AIR)["set_pressure"] == 5e5
@@ -257,14 +256,14 @@ class TestDirectionalValve:
         assert np.any((position > 0.2) & (position < 0.45))
 
     def test_three_ports_vent_at_rest(self):
-        gas = (Gas(7e5, 300.0), Gas(4e5, 300.0))
+        gas = (GasState(7e5, 300.0), GasState(4e5, 300.0))
         part = DirectionalValve(
             supply="s", outlet="o", exhaust="e", **SIZE, exhaust_conductance=2e-8, exhaust_ratio=0.5
         )
         rest = passed(part, *gas, states={"position": 0.0}).outputs
         assert rest["supply_mass_flow_rate"][0] == 0.0
         assert rest["exhaust_mass_flow_rate"][0] == pytest.approx(
-            expected(2e-8, 0.5, gas[1], Gas(1e5, 293.15)), rel=1e-12
+            expected(2e-8, 0.5, gas[1], GasState(1e5, 293.15)), rel=1e-12
         )
         on = passed(part, *gas, states={"position": 1.0}).outputs
         assert on["supply_mass_flow_rate"][0] == pytest.approx(expected(1e-8, 0.3, *gas), rel=1e-12)
@@ -327,7 +326,7 @@ class TestFlowSource:
         source = FlowSource(to="tank", mass_flow_rate=-1e-3, temperature="500 K")
         numbers = source.parameters(AIR)
         scope = Scope(numbers, {}, {"mass_flow_rate": -1e-3}, AIR)
-        flow = source.passing(scope, {"to": Gas(2e5, 280.0)}).flows[0]
+        flow = source.flows(scope, {"to": GasState(2e5, 280.0)}).flows[0]
         assert flow.enthalpy == pytest.approx(-1e-3 * AIR.heat_capacity_pressure * 280.0, rel=1e-14)
 
     def test_a_volume_flow_without_its_state_is_read_at_anr_and_noted(self):

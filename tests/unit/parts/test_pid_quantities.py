@@ -252,4 +252,4 @@ def test_the_schema_has_no_limits_that_another_quantity_does_not_have():
 
 
 def test_pictures_leave_out_what_any_sensor_shows():
-    assert {f"sensor_{name}" for name in QUANTITIES} <= {*SampledLoop.inside}
+    assert {f"sensor_{name}" for name in QUANTITIES} <= {*SampledLoop.internal_outputs}

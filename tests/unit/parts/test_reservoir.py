@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.circuit.file import loads
+from poppet import loads
 
 REGULATED = """
 [parts.supply]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, InputErrors, Orifice, Reservoir, SpoolValve, iso6358
-from poppet.parts.part import Gas, Scope, Surroundings
+from poppet.parts.part import GasState, Scope, Surroundings
 from poppet.signals import Steps
 from refusals import refused
 
@@ -17,8 +17,8 @@ AIR = Surroundings(1e5, 293.15, 287.05, 1.4, 1.0)
 PORTS = {"supply": "rail", "a": "first", "b": "second"}
 SIZE = {"sonic_conductance": 2e-8, "critical_ratio": 0.3}
 GAS = {
-    "supply": Gas(7e5, 300.0), "a": Gas(4e5, 310.0), "b": Gas(3e5, 280.0),
-    "exhaust_a": Gas(1e5, 293.15), "exhaust_b": Gas(1.1e5, 293.15),
+    "supply": GasState(7e5, 300.0), "a": GasState(4e5, 310.0), "b": GasState(3e5, 280.0),
+    "exhaust_a": GasState(1e5, 293.15), "exhaust_b": GasState(1.1e5, 293.15),
 }  # fmt: skip
 EDGES = {
     "supply_a": ("supply", "a"), "supply_b": ("supply", "b"),
@@ -30,7 +30,7 @@ def flows(position: float, **fields: Any) -> dict[str, float]:
     """Mass flow rate of each edge with the spool at a position."""
     valve = SpoolValve(**PORTS, **SIZE, **fields)
     scope = Scope(valve.parameters(AIR), {"position": position}, {"command": 0.0}, AIR)
-    outputs = valve.passing(scope, GAS).outputs
+    outputs = valve.flows(scope, GAS).outputs
     return {edge: outputs[f"{edge}_mass_flow_rate"][0] for edge in EDGES}
 
 

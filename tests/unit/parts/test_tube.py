@@ -7,8 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from poppet import Chamber, Circuit, DirectionalValve, FlowSource, Orifice, Reservoir, Tube, iso6358
-from poppet.circuit.file import loads
+from poppet import Chamber, Circuit, DirectionalValve, FlowSource, Orifice, Reservoir, Tube, iso6358, loads
 from poppet.circuit.schema import circuit_schema
 from poppet.laws.physics import pipe
 from poppet.parts import KINDS

@@ -8,7 +8,7 @@ import pytest
 import poppet
 from pages import lines, needs_nothing_else, plots
 from poppet.control import compare, tune
-from poppet.report.control_pages import (
+from poppet.report.control_report import (
     comparison_page,
     figure_table,
     loop_figure,
@@ -58,7 +58,7 @@ def test_the_page_of_a_tuning(tuning, circuit, tmp_path):
     (plot,) = plots(text)
     assert plot["panels"][0]["x"]["log"]
     assert "gain = " in text
-    for row in margin_table(tuning).shown():
+    for row in margin_table(tuning).cells():
         assert all(cell in text for cell in row)
     assert write_tuning(tuning, circuit, tmp_path / "tuning.html").read_text(encoding="utf-8") == text
 
@@ -73,6 +73,6 @@ def test_the_page_of_a_comparison(comparison, tmp_path):
     assert np.allclose(time, comparison.time, atol=1e-9)
     assert np.allclose(pressure, comparison.responses["pid"][0] / 1e5, atol=1e-4)
     assert "&lt;law&gt;" in text
-    for row in figure_table(comparison).shown():
+    for row in figure_table(comparison).cells():
         assert all(cell in text for cell in row[1:])
     assert write_comparison(comparison, tmp_path / "page.html", title="two").read_text(encoding="utf-8") == text

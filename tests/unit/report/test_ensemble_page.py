@@ -20,7 +20,15 @@ def page() -> str:
 
 def test_a_page_holds_all_that_an_ensemble_tells(page):
     headings = re.findall(r"<h2>(.*?)</h2>", page)
-    assert headings == ["Yield", "Curves", "Metrics", "What matters", "Runs", "Worst cases", "Numbers"]
+    assert headings == [
+        "Yield",
+        "Curves",
+        "Metrics",
+        "Influence of the parameters",
+        "Runs",
+        "Worst cases",
+        "Parameters",
+    ]
     assert re.findall(r"<h3>(.*?)</h3>", page) == ["end", "empty", "air"]
     assert page.count("<figure") == 1 + 2 + 1 + 3 + 1
     assert "hole.sonic_conductance" in page
@@ -39,7 +47,7 @@ def test_the_same_dataset_gives_the_same_page(page, tmp_path):
 def test_a_page_of_little(tmp_path):
     found = tank("").ensemble(runs=3, numbers=NUMBERS, metrics=METRICS)
     headings = re.findall(r"<h2>(.*?)</h2>", ensemble_page(found))
-    assert headings == ["Metrics", "What matters", "Runs", "Numbers"]
+    assert headings == ["Metrics", "Influence of the parameters", "Runs", "Parameters"]
 
 
 def test_failed_runs_are_said(tmp_path):

@@ -28,9 +28,13 @@ from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import FlowPoints
 from poppet.iso6358 import mass_flow_rate
 from poppet.report.identification.headline import headline, next_step, verdicts
-from poppet.report.identification.identification_figures import channel_figure, flow_curve, interval_range
+from poppet.report.identification.identification_figures import (
+    channel_figure,
+    flow_curve,
+    interval_range,
+    traces_of,
+)
 from poppet.report.identification.identification_report import identification_page, write_identification
-from poppet.report.identification.series import traces_of
 from poppet.timeseries.plotting.figures import style
 from refusals import refused
 
@@ -108,13 +112,13 @@ def drawn_page() -> str:
 def test_parameters_findings_and_verdicts_are_on_the_page():
     whole = result()
     page = Page(drawn_page())
-    assert "Of 3 numbers 1 is determined, 1 is weakly determined, 1 is at a bound." in page.text
+    assert "Of 3 parameters, 1 is determined, 1 is weakly determined, 1 is at a bound." in page.text
     for name, estimate in whole.parameters.items():
         assert page.text.count(name) >= 2
         assert estimate.verdict in page.text
     places = [page.text.index(finding) for finding in whole.findings]
     assert places == sorted(places)
-    assert page.text.index("Findings") < places[0] < page.text.index(" Numbers number")
+    assert page.text.index("Findings") < places[0] < page.text.index(" Parameters parameter")
 
 
 def test_a_number_stands_in_a_readable_unit_and_in_si():
@@ -170,8 +174,8 @@ def test_a_comparison_has_both_models_and_its_sentence():
 def test_held_out_recordings_are_named_as_such():
     conditions = {"recordings": ["discharge"], "validation": ["discharge"]}
     text = Page(identification_page(result(conditions=conditions))).text
-    assert "discharge.tank.pressure held out" in text
-    assert "discharge.tank.pressure , held out of the fit" in text
+    assert "discharge.tank.pressure validation" in text
+    assert "discharge.tank.pressure , used for validation" in text
 
 
 def test_text_is_escaped():
@@ -277,7 +281,7 @@ def test_the_headline_has_the_numbers_of_the_passage_with_their_doubts():
     two = {f"{part}.critical_ratio": Estimate(0.3, "1", 0.01, 0.28, 0.32, "determined") for part in ("a", "b")}
     assert headline(result(parameters=two)).startswith("b of a = 0.300 ± 0.010, b of b = 0.300 ± 0.010. All 2")
     lag = {"discharge.lag": Estimate(2.0, "s", 0.1, 1.8, 2.2, "determined")}  # of a recording, no number of the circuit
-    assert headline(result(parameters=lag)) == "The one number sought is determined."
+    assert headline(result(parameters=lag)) == "The parameter is determined."
 
 
 def test_the_most_urgent_finding_says_what_to_do_next():
@@ -321,7 +325,8 @@ def test_the_figure_of_a_channel_has_the_bands_of_model_and_samples():
     assert ends == pytest.approx([0.1, 1.4])  # in kPa, as the axis
     page = Page(identification_page(banded(100.0, 1400.0))).text
     inside = 100.0 * np.mean(np.abs(NOISE) <= 1400.0)
-    assert f"± 1.4 kPa at most, and {inside:.1f} % lie in it; the coloured one 95 % of the model, ± 0.1 kPa" in page
+    assert f"at most ± 1.4 kPa; it contains {inside:.1f} %" in page
+    assert "the coloured band is the 95 % band of the model (at most ± 0.1 kPa)" in page
 
 
 # --- other models and points off the law ---
@@ -331,9 +336,9 @@ def test_other_models_stand_beside_the_fit_with_their_numbers():
     e = {"value": 1.4e-8, "low": 1.38e-8, "high": 1.42e-8, "unit": "m^3/(s Pa)"}
     model = {"aicc_difference": -12.34, "free": {"valve.sonic_conductance": e}}
     page = Page(identification_page(result(comparison={"alternatives": {"wall_heat_capacity": model}}))).text
-    assert "Other models of the same recordings" in page
+    assert "Alternative models" in page
     assert "wall heat capacity -12.3 1.4 dm³/(s bar) 1.380 ... 1.420 - -" in page
-    assert "Other models" not in Page(drawn_page()).text
+    assert "Alternative models" not in Page(drawn_page()).text
 
 
 def test_a_point_off_the_law_has_a_ring_in_both_pictures():
@@ -355,11 +360,11 @@ def test_a_point_off_the_law_has_a_ring_in_both_pictures():
 @pytest.mark.parametrize(
     ("found", "expected"),
     [
-        ((), "No number was sought."),
-        (("weak",), "The one number sought is weakly determined."),
-        (("at bound",), "The one number sought is at a bound."),
-        (("not determined", "not determined"), "None of the 2 numbers is determined."),
-        (("determined", "weak", "weak"), "Of 3 numbers 1 is determined, 2 are weakly determined."),
+        ((), "There are no free parameters."),
+        (("weak",), "The parameter is weakly determined."),
+        (("at bound",), "The parameter is at a bound."),
+        (("not determined", "not determined"), "None of the 2 parameters is determined."),
+        (("determined", "weak", "weak"), "Of 3 parameters, 1 is determined, 2 are weakly determined."),
     ],
 )
 def test_verdicts(found, expected):
@@ -374,8 +379,8 @@ def test_the_worst_verdict_colours_the_summary():
 def test_a_result_that_was_read_has_a_page_without_figures_of_the_fit():
     page = Page(identification_page(result(series={}, correlation={})))
     assert page.count("svg") == 1
-    assert "nothing to object" not in page.text
-    assert "nothing to object" in Page(identification_page(Result("tank", "empty", {}))).text
+    assert "found no problems" not in page.text
+    assert "found no problems" in Page(identification_page(Result("tank", "empty", {}))).text
 
 
 # --- figures ---
@@ -465,7 +470,7 @@ def test_a_characteristic_shows_its_curves_before_its_numbers(form):
     tests = [StrokePoint(x, c, 0.4, 3e-11, 0.004) for x, c in zip(strokes, conductance, strict=True)]
     found = identify_characteristic(tests, form=form)
     page = Page(identification_page(found))
-    assert page.text.index(" Fit ") < page.text.index(" Numbers number")
+    assert page.text.index(" Fit ") < page.text.index(" Parameters parameter")
     assert "The 95 % band of sonic conductance stays within ±" in page.text
     assert "between the first and the last point" in page.text
     assert "Tests at the strokes" in page.text

@@ -25,9 +25,9 @@ from poppet.core.codes import Note
 from poppet.core.errors import MissingDependencyError
 from poppet.ensemble import Ensemble
 from poppet.identify.result import Estimate, Result
-from poppet.report.notebook import PAGES, html_of
-from poppet.report.notebook.card import MOST_ROWS, STYLE
-from poppet.report.notebook.plot import COLUMNS, MOST_LINES, WIDTH, path, plot
+from poppet.report.notebook import CARDS, html_of
+from poppet.report.notebook.card import MAX_ROWS, STYLE
+from poppet.report.notebook.plot import COLUMNS, MAX_LINES, WIDTH, path, plot
 from poppet.signals import Constant
 from poppet.timeseries.plotting.panels import Series
 
@@ -159,16 +159,16 @@ def test_colours_come_from_the_notebook(kind):
 
 
 def test_every_class_that_shows_itself_has_a_page():
-    for name in PAGES:
+    for name in CARDS:
         module, _, kind = name.rpartition(".")
         assert issubclass(getattr(import_module(module), kind), notebook.HtmlMixin)
     kinds = {each.__name__ for each in notebook.HtmlMixin.__subclasses__()}
-    assert kinds == {"Columns", "Circuit", "LinearModel", "Result", "BenchResult", "LimitsResult", "Ensemble"}
+    assert kinds == {"Columns", "BaseCircuit", "LinearModel", "Result", "BenchResult", "LimitsResult", "Ensemble"}
     assert html_of(3.0) is None
 
 
-def test_without_a_front_door_text_will_do(monkeypatch):
-    monkeypatch.setattr(notebook, "_drawn", None)
+def test_without_a_renderer_the_result_is_none(monkeypatch):
+    monkeypatch.setattr(notebook.HtmlMixin, "renderer", None)
     assert circuit()._repr_html_() is None
 
 
@@ -182,7 +182,7 @@ def test_a_circuit_shows_its_drawing_and_its_assumed_numbers():
     assumed = [a for a, n in circuit().numbers().items() if n.source.kind == "assumed"]
     assert [row[0] for row in found.rows[1:]] == assumed
     assert "fill.critical_ratio" in assumed
-    assert ("open" in found.named("details")[0]) == (len(assumed) <= MOST_ROWS)
+    assert ("open" in found.named("details")[0]) == (len(assumed) <= MAX_ROWS)
 
 
 def test_two_circuits_of_one_notebook_share_no_names():
@@ -251,12 +251,12 @@ def test_odd_recordings_are_shown():
 
 def test_every_part_has_a_line_before_any_has_two():
     time = np.linspace(0.0, 1.0, 11)
-    names = [f"valve.p{k}" for k in range(MOST_LINES + 3)] + ["tank.pressure"]
+    names = [f"valve.p{k}" for k in range(MAX_LINES + 3)] + ["tank.pressure"]
     rec = Recording.from_series(time, {f"{name} [Pa]": 1e5 * (1.0 + time) for name in names})
     found = parsed(plot(rec))
-    assert len(found.named("path")) == MOST_LINES
+    assert len(found.named("path")) == MAX_LINES
     assert "tank" in found.texts
-    assert f"and {len(names) - MOST_LINES} more" in found.texts
+    assert f"and {len(names) - MAX_LINES} more" in found.texts
 
 
 def test_steps_go_across_first_and_what_is_lost_is_a_gap():

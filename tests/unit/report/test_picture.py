@@ -12,7 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from poppet.circuit.circuit import Circuit
+from poppet import Circuit
 from poppet.core.errors import InputError, MissingDependencyError
 from poppet.core.provenance import Number, Source
 from poppet.parts import (

@@ -12,9 +12,10 @@ import pytest
 
 from browser import Browser, found
 from pages import column, lines, needs_nothing_else, plots
-from poppet.report.html_page import document, head, picture, table
+from poppet.report.html_page import document, head, picture
 from poppet.report.plots.reading import DIGITS, MOST_POINTS, plot_data
 from poppet.report.plots.scripts import data_element
+from poppet.report.tables import Table, numeric
 from poppet.timeseries.plotting.figures import axes_in, new_figure, style
 from poppet.timeseries.plotting.plots import plot_recordings
 from poppet.timeseries.recording import Recording
@@ -329,7 +330,9 @@ def test_the_dark_page_turns_paper_and_pictures_over(browser, page):
 
 def test_a_telephone_cuts_no_value_of_a_table(browser, tmp_path):
     cells = [f"{10.0**k:.4f} dm³/(s bar)" for k in range(8)]
-    wide = table([f"heading {k}" for k in range(8)], [["valve.sonic_conductance", *cells[1:]]] * 3, numbers=range(1, 8))
+    wide = Table(
+        ("heading 0", *numeric(*(f"heading {k}" for k in range(1, 8)))), [["valve.sonic_conductance", *cells[1:]]] * 3
+    )
     path = tmp_path / "table.html"
     path.write_text(document("a_title_" * 12, [("", head("a_title_" * 12, "Table")), ("", wide)]), encoding="utf-8")
     browser.open(path, 360)

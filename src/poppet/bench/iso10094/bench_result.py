@@ -1,4 +1,4 @@
-"""What a bench ends in: figures with their definitions, tables of cases, sentences; as TOML or JSON."""
+"""Result of a bench: characteristic values, tables of cases, notes; TOML or JSON files."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ MOST_POINTS = 240
 
 @dataclass(frozen=True)
 class BenchResult(HtmlMixin):
-    """Outcome of a bench."""
+    """Result of a bench."""
 
     title: str
     source: str  # `circuit`, `recordings` or `stand-in`
@@ -37,7 +37,7 @@ class BenchResult(HtmlMixin):
     outcome: str = "done"  # `done`, `failed` where a test could not be run, or `interrupted`
 
     def content(self) -> dict[str, Any]:
-        """Everything that is written to a file, as plain tables."""
+        """Return the content of the result file as plain tables."""
         figures = {
             name: {"value": f.value, "unit": f.unit, "definition": f.definition, "standard": DEFINITIONS[name].standard}
             | ({"bound": f.bound} if f.bound else {})
@@ -48,8 +48,8 @@ class BenchResult(HtmlMixin):
         }
         tables = {TESTS[test].table or test: rows for test, rows in self.rows.items() if rows}
         curves = {
-            test: {f"{c.case} / {c.name}": {"x": _thinned(c.x), "y": _thinned(c.y)} for c in found}
-            for test, found in self.curves.items()
+            test: {f"{c.case} / {c.name}": {"x": _thinned(c.x), "y": _thinned(c.y)} for c in test_curves}
+            for test, test_curves in self.curves.items()
         }
         return {
             "method": METHOD,
@@ -69,14 +69,14 @@ class BenchResult(HtmlMixin):
         }
 
     def save(self, path: str | Path) -> None:
-        """Write the result, `.toml` or `.json`, aside and renamed."""
+        """Write the result as `.toml` or `.json`; replace a file completely or not at all."""
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 def _thinned(values: Any) -> list[float]:
-    kept = np.unique(np.linspace(0, len(values) - 1, min(len(values), MOST_POINTS)).astype(int))
-    return [float(f"{value:.7g}") for value in np.asarray(values)[kept]]
+    indices = np.unique(np.linspace(0, len(values) - 1, min(len(values), MOST_POINTS)).astype(int))
+    return [float(f"{value:.7g}") for value in np.asarray(values)[indices]]
 
 
 def read_bench_result(path: str | Path) -> BenchResult:
@@ -93,7 +93,7 @@ def read_bench_result(path: str | Path) -> BenchResult:
 
 
 def is_result(data: Mapping[str, Any]) -> bool:
-    """True for the tables of a result of the bench."""
+    """Return True for the tables of a bench result."""
     return data.get("method") == METHOD
 
 
@@ -111,8 +111,8 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
     if unknown:
         raise ValueError(f"unknown figures: {', '.join(unknown)}")
     curves: dict[str, list[Curve]] = {}
-    for test, named in data.get("curves", {}).items():
-        for heading, points in named.items():
+    for test, test_curves in data.get("curves", {}).items():
+        for heading, points in test_curves.items():
             case, _, name = heading.rpartition(" / ")
             x, y = (np.array(points[key], dtype=float) for key in ("x", "y"))
             curves.setdefault(test, []).append(Curve(name, case, x, y))
@@ -120,7 +120,11 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
         data["title"],
         data["source"],
         figures,
-        {test: data[each.table or test] for test, each in TESTS.items() if (each.table or test) in data},
+        {
+            test: data[definition.table or test]
+            for test, definition in TESTS.items()
+            if (definition.table or test) in data
+        },
         curves,
         _notes(data),
         data.get("conditions", {}),
@@ -130,16 +134,19 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
 
 
 def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
-    """Notes of a file by their test; files without codes have sentences that begin with it."""
-    pairs: list[tuple[str, Any]] = [(each["test"], {**each}) for each in data.get("codes", ())]
+    """Return the notes of a file by test.
+
+    In files without codes, each sentence begins with the name of the test.
+    """
+    pairs: list[tuple[str, Any]] = [(entry["test"], {**entry}) for entry in data.get("codes", ())]
     for _, table in pairs:
         del table["test"]  # the rest is the note
-    pairs = pairs or [(each.partition(": ")[0], each.partition(": ")[2]) for each in data.get("notes", ())]
-    return {test: notes_of(each for owner, each in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
+    pairs = pairs or [(entry.partition(": ")[0], entry.partition(": ")[2]) for entry in data.get("notes", ())]
+    return {test: notes_of(entry for owner, entry in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
 
 
-def compared(result: BenchResult, other: BenchResult) -> dict[str, Any]:
-    """Figures of two results beside each other.
+def compared(result: BenchResult, other_result: BenchResult) -> dict[str, Any]:
+    """Compare the characteristic values of two results.
 
     Examples
     --------
@@ -150,28 +157,30 @@ def compared(result: BenchResult, other: BenchResult) -> dict[str, Any]:
     """
     rows: dict[str, dict[str, Any]] = {}
     for name in DEFINITIONS:
-        here, there = result.figures.get(name), other.figures.get(name)
-        if here is None and there is None:
+        value, reference = result.figures.get(name), other_result.figures.get(name)
+        if value is None and reference is None:
             continue
         row: dict[str, Any] = {"unit": DEFINITIONS[name].unit}
-        row |= {key: f.value for key, f in (("value", here), ("other", there)) if f is not None}
-        row |= {f"{key}_bound": f.bound for key, f in (("value", here), ("other", there)) if f is not None and f.bound}
-        if here is not None and there is not None and not here.bound and not there.bound:
-            row["difference"] = here.value - there.value
+        row |= {key: f.value for key, f in (("value", value), ("other", reference)) if f is not None}
+        row |= {
+            f"{key}_bound": f.bound for key, f in (("value", value), ("other", reference)) if f is not None and f.bound
+        }
+        if value is not None and reference is not None and not value.bound and not reference.bound:
+            row["difference"] = value.value - reference.value
         rows[name] = row
-    return {"other": other.title, "notes": _unfair(result, other), "figures": rows}
+    return {"other": other_result.title, "notes": _unfair(result, other_result), "figures": rows}
 
 
-def _unfair(result: BenchResult, other: BenchResult) -> list[Note]:
-    """Conditions in which two results differ, and which their figures depend on."""
+def _unfair(result: BenchResult, other_result: BenchResult) -> list[Note]:
+    """Return notes on different conditions that affect the comparison."""
     notes = []
     for key in ("full_scale", "supply_pressure", "volumes"):
-        here, there = (each.conditions.get(key) for each in (result, other))
-        if here is not None and there is not None and not np.allclose(here, there, rtol=1e-3, atol=0.0):
-            notes.append(Note(f"bench.differs.{key}", here=here, there=there))
+        value, reference = (candidate.conditions.get(key) for candidate in (result, other_result))
+        if value is not None and reference is not None and not np.allclose(value, reference, rtol=1e-3, atol=0.0):
+            notes.append(Note(f"bench.differs.{key}", here=value, there=reference))
     for test in TESTS:
         for key in ("flow_drawn", "flow_fed", "amplitude", "mean"):
-            here, there = (each.conditions.get(test, {}).get(key) for each in (result, other))
-            if here and there and abs(here - there) > 0.02 * abs(here):
-                notes.append(Note(f"bench.differs.{key}", test, here=here, there=there))
+            value, reference = (candidate.conditions.get(test, {}).get(key) for candidate in (result, other_result))
+            if value and reference and abs(value - reference) > 0.02 * abs(value):
+                notes.append(Note(f"bench.differs.{key}", test, here=value, there=reference))
     return notes

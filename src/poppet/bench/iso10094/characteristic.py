@@ -1,4 +1,4 @@
-"""Outlet pressure over a slow sweep of the setpoint: linearity, hysteresis, repeatability, zero."""
+"""Outlet pressure during a slow setpoint sweep: linearity, hysteresis, repeatability, zero."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ STOPPING = 70.0
 
 
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
-    """Slow sweeps from end to end of the setpoint's range, up and down, with a hold at each end."""
+    """Return slow sweeps over the setpoint range, up and down, with a hold at each end."""
     hold = max(hold, 0.05 * sweep)
     times, values = [0.0, 2.0 * hold], [0.0, 0.0]
     for _ in range(CYCLES):
@@ -62,7 +62,7 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
 
 @dataclass(frozen=True, eq=False)
 class SetpointSweep:
-    """A record in % FS, the setpoint `late` by its lag, and its branches."""
+    """Record in % FS with its branches; `late` is the setpoint delayed by the lag."""
 
     time: FloatArray
     x: FloatArray
@@ -73,13 +73,13 @@ class SetpointSweep:
 
     @property
     def is_judged(self) -> bool:
-        """False where clipped samples stand in the judged range."""
+        """False if the evaluated range contains clipped samples."""
         return not bool(np.any(self.cut & (self.x >= RANGE[0]) & (self.x <= RANGE[1])))
 
 
 @dataclass(frozen=True, eq=False)
 class Branches:
-    """The outlet on `GRID`, a row per branch, NaN where it was not."""
+    """Outlet on `GRID`, one row per branch, NaN outside the branch."""
 
     up: FloatArray
     down: FloatArray
@@ -87,31 +87,41 @@ class Branches:
     share: int  # neighbouring values that share their noise: places between two stairs
 
 
-def _evaluate(found: Evaluation, records: Sequence[Record]) -> None:
-    every = [_swept(found.scale, record) for record in records]
+def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
+    all_sweeps = [_swept(evaluation.scale, record) for record in records]
     # One lag for all: the same valve at the same rate, and not every sweep stops for long enough to show it.
-    stopping = [each for each in every if not np.any(each.cut & (each.x > STOPPING))]
-    lags = [lag for each in stopping for lag in lags_of(each.time, each.x, each.y, each.parts)]
-    every = [replace(each, late=caught_up(each.time, each.x, lags)) for each in every]
-    swept = [each for each in every if each.is_judged]
-    sweep = _on_grid(swept)
+    complete = [
+        sweep_record for sweep_record in all_sweeps if not np.any(sweep_record.cut & (sweep_record.x > STOPPING))
+    ]
+    lags = [
+        lag
+        for sweep_record in complete
+        for lag in lags_of(sweep_record.time, sweep_record.x, sweep_record.y, sweep_record.parts)
+    ]
+    all_sweeps = [
+        replace(sweep_record, late=caught_up(sweep_record.time, sweep_record.x, lags)) for sweep_record in all_sweeps
+    ]
+    evaluated = [sweep_record for sweep_record in all_sweeps if sweep_record.is_judged]
+    sweep = _on_grid(evaluated)
     up, down = (rows.mean(axis=0) if rows.size else np.full(GRID.size, np.nan) for rows in (sweep.up, sweep.down))
-    found.conditions |= {
+    evaluation.conditions |= {
         "branches_up": len(sweep.up), "branches_down": len(sweep.down), "range": list(RANGE),
-        "sweep_rate": _rate(swept), "noise": sweep.error,
+        "sweep_rate": _rate(evaluated), "noise": sweep.error,
     }  # fmt: skip
-    moved, doubt = moved_by(lags) if lags else (0.0, Uncertainty(0.0))
-    _straightness(found, sweep, up, down, doubt.standard)
-    _accuracy(found, sweep, doubt.standard)
-    _repeatability(found, sweep)
-    _ends(found, every, moved, doubt.standard)
+    lag_change, uncertainty = moved_by(lags) if lags else (0.0, Uncertainty(0.0))
+    _straightness(evaluation, sweep, up, down, uncertainty.standard)
+    _accuracy(evaluation, sweep, uncertainty.standard)
+    _repeatability(evaluation, sweep)
+    _ends(evaluation, all_sweeps, lag_change, uncertainty.standard)
     if lags:
-        found.add("sweep_lag", max(0.0, moved), doubt, time=max(0.0, float(np.mean([lag.time for lag in lags]))))
+        evaluation.add(
+            "sweep_lag", max(0.0, lag_change), uncertainty, time=max(0.0, float(np.mean([lag.time for lag in lags])))
+        )
     else:
-        found.absent("no_stop" if len(stopping) == len(every) else "clipped_stop", "sweep_lag")
-    _curves(found, sweep, up, down)
-    if every and not swept:
-        found.lack("linearity", "hysteresis", "repeatability", "accuracy")
+        evaluation.note_absence("no_stop" if len(complete) == len(all_sweeps) else "clipped_stop", "sweep_lag")
+    _curves(evaluation, sweep, up, down)
+    if all_sweeps and not evaluated:
+        evaluation.limit_to_bounds("linearity", "hysteresis", "repeatability", "accuracy")
 
 
 def _swept(scale: Scale, record: Record) -> SetpointSweep:
@@ -125,9 +135,9 @@ def _swept(scale: Scale, record: Record) -> SetpointSweep:
 def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares = [1]
-    for each in swept:
-        for branch in each.parts:
-            value, share = _branch(each, branch)
+    for sweep in swept:
+        for branch in sweep.parts:
+            value, share = _branch(sweep, branch)
             if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
                 rows[branch.sign].append(value)
                 shares.append(share)
@@ -137,92 +147,92 @@ def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
 
 
 def _branch(swept: SetpointSweep, branch: Branch) -> tuple[FloatArray, int]:
-    """The outlet on the grid, and the places between two stairs, whose ends are joined; one where there are none."""
+    """Return the outlet on the grid and the number of grid points per stair, 1 without stairs."""
     x, y = swept.late[branch.samples], swept.y[branch.samples]
-    held = stairs(x)
-    if len(held) >= FEWEST_STAIRS and sum(s.stop - s.start for s in held) > 0.8 * (branch.end - branch.first):
-        last = [rested(swept.time[branch.samples], s, 0.2) for s in held]
-        places, levels = (np.array([float(np.mean(series[s])) for s in last]) for series in (x, y))
-        order = np.argsort(places)
-        value = np.interp(GRID, places[order], levels[order], np.nan, np.nan)
-        return value, max(1, round(float(np.median(np.diff(places[order])))))
+    holds = stairs(x)
+    if len(holds) >= FEWEST_STAIRS and sum(s.stop - s.start for s in holds) > 0.8 * (branch.end - branch.first):
+        ends = [rested(swept.time[branch.samples], s, 0.2) for s in holds]
+        setpoints, levels = (np.array([float(np.mean(series[s])) for s in ends]) for series in (x, y))
+        order = np.argsort(setpoints)
+        value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
+        return value, max(1, round(float(np.median(np.diff(setpoints[order])))))
     return at_places(x, y, GRID, HALF)[0], 1
 
 
-def _straightness(found: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
-    """Linearity and hysteresis; `lag` is the standard uncertainty of the lag that was taken out [% FS]."""
-    both = INSIDE & np.isfinite(up) & np.isfinite(down)
-    if np.count_nonzero(both) < FEWEST_STAIRS:
-        found.absent("one_way", "linearity", "hysteresis")
+def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
+    """Add linearity and hysteresis; `lag` is the standard uncertainty of the removed lag [% FS]."""
+    is_common = INSIDE & np.isfinite(up) & np.isfinite(down)
+    if np.count_nonzero(is_common) < FEWEST_STAIRS:
+        evaluation.note_absence("one_way", "linearity", "hysteresis")
         return
-    x, mean, gap = GRID[both], 0.5 * (up + down)[both], (down - up)[both]
+    x, mean, gap = GRID[is_common], 0.5 * (up + down)[is_common], (down - up)[is_common]
     # Ends count half, as in an integral over the range: the line does not depend on how fine the grid is.
     weight = np.ones(x.size)
     weight[[0, -1]] = math.sqrt(0.5)
     slope, offset = np.polyfit(x, mean, 1, w=weight)
-    found.conditions |= {"slope": float(slope), "offset": float(offset)}
+    evaluation.conditions |= {"slope": float(slope), "offset": float(offset)}
     matrix = np.vander(x, 2)
-    away = np.eye(x.size) - matrix @ np.linalg.pinv(matrix * weight[:, None]) * weight
+    deviation = np.eye(x.size) - matrix @ np.linalg.pinv(matrix * weight[:, None]) * weight
     error = sweep.error * math.sqrt(1.0 / len(sweep.up) + 1.0 / len(sweep.down))
     mean_curve, gap_curve = (smooth(x, y, e, sweep.share) for y, e in ((mean, 0.5 * error), (gap, error)))
-    k, j = (int(np.argmax(np.abs(y))) for y in (away @ mean_curve.values, gap_curve.values))
-    value, doubt = unbiased([mean_curve], lambda draws: np.max(np.abs(draws[0] @ away.T), axis=1))
-    found.add_judged("linearity", value, doubt, at=float(x[k]))
-    value, doubt = unbiased([gap_curve], lambda draws: np.max(np.abs(draws[0]), axis=1))
+    k, j = (int(np.argmax(np.abs(y))) for y in (deviation @ mean_curve.values, gap_curve.values))
+    value, uncertainty = unbiased([mean_curve], lambda draws: np.max(np.abs(draws[0] @ deviation.T), axis=1))
+    evaluation.add_nonnegative("linearity", value, uncertainty, at=float(x[k]))
+    value, uncertainty = unbiased([gap_curve], lambda draws: np.max(np.abs(draws[0]), axis=1))
     # Up and down stand behind the setpoint by the same lag, on either side.
-    found.add_judged("hysteresis", value, doubt.wider(2.0 * lag), at=float(x[j]))
-    if gap_curve.values[j] < -NORMAL * math.hypot(doubt.standard, 2.0 * lag):
-        found.note("characteristic.leads", at=float(x[j]))
+    evaluation.add_nonnegative("hysteresis", value, uncertainty.wider(2.0 * lag), at=float(x[j]))
+    if gap_curve.values[j] < -NORMAL * math.hypot(uncertainty.standard, 2.0 * lag):
+        evaluation.note("characteristic.leads", at=float(x[j]))
 
 
-def _accuracy(found: Evaluation, sweep: Branches, lag: float) -> None:
-    rows = [(row[known], GRID[known]) for row, known in _known(np.concatenate([sweep.up, sweep.down]))]
+def _accuracy(evaluation: Evaluation, sweep: Branches, lag: float) -> None:
+    rows = [(row[is_known], GRID[is_known]) for row, is_known in _known(np.concatenate([sweep.up, sweep.down]))]
     if not rows:
-        found.absent("no_sweep", "accuracy")
+        evaluation.note_absence("no_sweep", "accuracy")
         return
     curves = [smooth(x, row - x, sweep.error, sweep.share) for row, x in rows]
-    value, doubt = unbiased(curves, lambda draws: np.max([np.max(np.abs(d), axis=1) for d in draws], axis=0))
+    value, uncertainty = unbiased(curves, lambda draws: np.max([np.max(np.abs(d), axis=1) for d in draws], axis=0))
     worst = max(range(len(rows)), key=lambda k: float(np.max(np.abs(curves[k].values))))
-    place = int(np.argmax(np.abs(curves[worst].values)))
-    found.add_judged("accuracy", value, doubt.wider(lag), at=float(rows[worst][1][place]))
+    index = int(np.argmax(np.abs(curves[worst].values)))
+    evaluation.add_nonnegative("accuracy", value, uncertainty.wider(lag), at=float(rows[worst][1][index]))
 
 
 def _known(rows: FloatArray) -> list[tuple[FloatArray, Mask]]:
-    """Rows with where they are known in the judged range."""
+    """Return rows with their known points in the evaluated range."""
     return [(row, INSIDE & np.isfinite(row)) for row in rows]
 
 
-def _repeatability(found: Evaluation, sweep: Branches) -> None:
-    ways = []
+def _repeatability(evaluation: Evaluation, sweep: Branches) -> None:
+    directions = []
     for rows in (sweep.up, sweep.down):
-        known = INSIDE & np.isfinite(rows).all(axis=0)
-        if len(rows) > 1 and np.count_nonzero(known) > FEWEST_STAIRS:
-            apart = rows[:, known] - rows[:, known].mean(axis=0)
-            curves = [smooth(GRID[known], row, sweep.error, sweep.share) for row in apart]
-            ways.append(unbiased(curves, lambda draws: np.max(np.ptp(draws, axis=0), axis=1)))
-    if not ways:
-        found.absent("one_cycle", "repeatability")
+        is_known = INSIDE & np.isfinite(rows).all(axis=0)
+        if len(rows) > 1 and np.count_nonzero(is_known) > FEWEST_STAIRS:
+            deviations = rows[:, is_known] - rows[:, is_known].mean(axis=0)
+            curves = [smooth(GRID[is_known], row, sweep.error, sweep.share) for row in deviations]
+            directions.append(unbiased(curves, lambda draws: np.max(np.ptp(draws, axis=0), axis=1)))
+    if not directions:
+        evaluation.note_absence("one_cycle", "repeatability")
         return
-    value, doubt, _ = greatest(*zip(*ways, strict=True))
+    value, uncertainty, _ = greatest(*zip(*directions, strict=True))
     cycles = min(len(rows) for rows in (sweep.up, sweep.down) if len(rows) > 1)
-    found.add_judged("repeatability", value, doubt, cycles=cycles)
+    evaluation.add_nonnegative("repeatability", value, uncertainty, cycles=cycles)
 
 
-def _ends(found: Evaluation, swept: Sequence[SetpointSweep], lag: float, error: float) -> None:
-    """What happens at setpoint zero, and at the upper end where the sweep stops."""
+def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
+    """Add the values at setpoint zero, and a note if the sweep stops below its upper end."""
     zero, short = [], []
     holds: dict[int, FloatArray] = {}
     is_cut = False
-    for each in swept:
-        x, y = each.x, each.y
-        if np.any(each.cut & (x < RANGE[0])):
+    for sweep in sweeps:
+        x, y = sweep.x, sweep.y
+        if np.any(sweep.cut & (x < RANGE[0])):
             is_cut = True
             continue
-        for branch in each.parts:
+        for branch in sweep.parts:
             low, high = (branch.first, branch.end - 1)[:: branch.sign]
             if branch.sign > 0:
-                zero.append(_leaves_zero(each.late[branch.samples], y[branch.samples], lag))
-                if x[high] > 95.0 and not np.any(each.cut):
+                zero.append(_leaves_zero(sweep.late[branch.samples], y[branch.samples], lag))
+                if x[high] > 95.0 and not np.any(sweep.cut):
                     short.append(float(np.mean(y[_held_at(x, high)])) - float(x[high]))
             if abs(_level(x, low)) < ZERO_STEP:
                 holds[_held_at(x, low).start] = y[_held_at(x, low)]
@@ -232,27 +242,27 @@ def _ends(found: Evaluation, swept: Sequence[SetpointSweep], lag: float, error: 
     noise = noise_about(list(holds.values()))
     offset = [(float(np.mean(part)), Uncertainty(noise.mean(part.size))) for part in holds.values()]
     for name, values, reason in (("zero_suppression", zero, "no_start"), ("zero_offset", offset, "no_zero")):
-        good = [value for value in values if math.isfinite(value[0])]
-        if good:
-            value, doubt = mean_of([each for each, _ in good], [each for _, each in good])
-            found.add(name, value, doubt.wider(error) if name == "zero_suppression" else doubt)
+        pairs = [value for value in values if math.isfinite(value[0])]
+        if pairs:
+            value, uncertainty = mean_of([sweep for sweep, _ in pairs], [sweep for _, sweep in pairs])
+            evaluation.add(name, value, uncertainty.wider(error) if name == "zero_suppression" else uncertainty)
         else:
-            found.absent("clipped" if is_cut else reason, name)
+            evaluation.note_absence("clipped" if is_cut else reason, name)
     if short and min(short) < -SHORT:
-        found.note("characteristic.short", short=-min(short))
+        evaluation.note("characteristic.short", short=-min(short))
 
 
-def _level(x: FloatArray, place: int) -> float:
-    """The setpoint about a turn; its noise makes an extreme of any sample of a hold."""
-    return float(np.median(x[max(0, place - 4) : place + 5]))
+def _level(x: FloatArray, index: int) -> float:
+    """Return the median setpoint around a turn, which is robust to noise of single samples."""
+    return float(np.median(x[max(0, index - 4) : index + 5]))
 
 
-def _held_at(x: FloatArray, place: int) -> slice:
-    """The end of a hold of the setpoint around a sample."""
-    away = np.abs(x - _level(x, place)) > max(ZERO_STEP, 5.0 * scatter_of(x))
-    before, after = np.flatnonzero(away[:place]), np.flatnonzero(away[place:])
-    begin = int(before[-1]) + 1 if before.size else 0
-    end = place + int(after[0]) if after.size else x.size
+def _held_at(x: FloatArray, index: int) -> slice:
+    """Return the final part of the setpoint hold around a sample."""
+    is_away = np.abs(x - _level(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
+    earlier, later = np.flatnonzero(is_away[:index]), np.flatnonzero(is_away[index:])
+    begin = int(earlier[-1]) + 1 if earlier.size else 0
+    end = index + int(later[0]) if later.size else x.size
     # Its last third but for the last eighth, in which a setpoint with noise may have begun to leave.
     middle = max(begin, end - max(1, (end - begin) // 3))
     return slice(middle, max(middle + 1, end - (end - begin) // 8))
@@ -262,7 +272,9 @@ NOWHERE = (math.nan, Uncertainty(math.nan))
 
 
 def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
-    """Setpoint at which the outlet leaves the pressure that it has at setpoint zero.
+    """Return the setpoint at which the outlet leaves its pressure at setpoint zero.
+
+    The outlet needs several lags before it moves at the rate of the setpoint.
 
     It is some lags further on before it moves as fast as the setpoint.
     """
@@ -276,52 +288,54 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     size = max(1, int(np.count_nonzero(x < 2.0 * RANGE[0]) / (8.0 * RANGE[0]))) if noise.sigma > 1e-6 else 1
     blocks = [np.convolve(series, np.full(size, 1.0 / size), "valid")[::size] for series in (x, y - zero)]
     rise = max(ZERO_STEP, 5.0 * noise.mean(size))
-    above = np.flatnonzero(blocks[1] > rise)
-    if not above.size:
+    risen = np.flatnonzero(blocks[1] > rise)
+    if not risen.size:
         return NOWHERE
-    left = float(blocks[0][above[0]])
+    left = float(blocks[0][risen[0]])
     start = left + STARTED * max(lag, 0.0)
-    near = (x > start) & (x <= start + ZERO_SPAN)
-    if np.count_nonzero(near) < 4 or np.ptp(x[near]) <= ZERO_SPAN / JUMP:
+    is_near = (x > start) & (x <= start + ZERO_SPAN)
+    if np.count_nonzero(is_near) < 4 or np.ptp(x[is_near]) <= ZERO_SPAN / JUMP:
         return left, Uncertainty(math.nan)
-    matrix = np.vander(x[near] - left, 2)
-    solved = np.linalg.pinv(matrix)
-    slope, level = (solved @ (y[near] - zero)).tolist()
-    even = 0.5 * float(np.ptp(x[: size + 1]))
+    matrix = np.vander(x[is_near] - left, 2)
+    inverse = np.linalg.pinv(matrix)
+    slope, level = (inverse @ (y[is_near] - zero)).tolist()
+    half_width = 0.5 * float(np.ptp(x[: size + 1]))
     if level > 2.0 * rise + ZERO_STEP or slope <= 0.0:  # it leaves zero with a jump to where it goes on
-        return left, Uncertainty(0.0, max(even, 0.5 * float(np.median(np.abs(np.diff(x))))))
-    back = level / slope
+        return left, Uncertainty(0.0, max(half_width, 0.5 * float(np.median(np.abs(np.diff(x))))))
+    distance = level / slope
     # A characteristic that bends: where the rise begins it is as much steeper or flatter as further up.
-    further = (x > left + 2.0 * RANGE[0]) & (x <= left + 3.0 * RANGE[0])
-    if np.count_nonzero(further) > np.count_nonzero(near):
-        bend = (float(np.polyfit(x[further], y[further], 1)[0]) - slope) / float(np.mean(x[further]) - np.mean(x[near]))
-        ahead, width = float(np.mean(x[near])) - left + back, float(np.ptp(x[near]))
-        back += 0.5 * bend * (ahead**2 - width**2 / 12.0) / slope
+    is_further = (x > left + 2.0 * RANGE[0]) & (x <= left + 3.0 * RANGE[0])
+    if np.count_nonzero(is_further) > np.count_nonzero(is_near):
+        bend = (float(np.polyfit(x[is_further], y[is_further], 1)[0]) - slope) / float(
+            np.mean(x[is_further]) - np.mean(x[is_near])
+        )
+        ahead, width = float(np.mean(x[is_near])) - left + distance, float(np.ptp(x[is_near]))
+        distance += 0.5 * bend * (ahead**2 - width**2 / 12.0) / slope
     # The choice of the samples by a noisy start adds to it.
-    error = CHOSEN * math.hypot(noise.of(solved[1] - back * solved[0]), noise.mean(begin))
-    return max(0.0, left - back), Uncertainty(math.hypot(error / slope, UNDER_WAY * max(lag, 0.0)))
+    error = CHOSEN * math.hypot(noise.of(inverse[1] - distance * inverse[0]), noise.mean(begin))
+    return max(0.0, left - distance), Uncertainty(math.hypot(error / slope, UNDER_WAY * max(lag, 0.0)))
 
 
 def _rate(swept: Sequence[SetpointSweep]) -> float:
-    """Usual rate of the sweep [% FS/s]."""
+    """Return the median rate of the sweep [% FS/s]."""
     rates = []
-    for each in swept:
-        for branch in each.parts:
-            x, time = each.x[branch.samples], each.time[branch.samples]
-            inside = np.flatnonzero((x >= RANGE[0]) & (x <= RANGE[1]))
-            if inside.size > 1:
-                first, last = inside[0], inside[-1]
+    for sweep in swept:
+        for branch in sweep.parts:
+            x, time = sweep.x[branch.samples], sweep.time[branch.samples]
+            indices = np.flatnonzero((x >= RANGE[0]) & (x <= RANGE[1]))
+            if indices.size > 1:
+                first, last = indices[0], indices[-1]
                 rates.append(abs(x[last] - x[first]) / (time[last] - time[first]))
     return float(np.median(rates)) if rates else math.nan
 
 
-def _curves(found: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray) -> None:
+def _curves(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray) -> None:
     for name, mean, rows in (("up", up, sweep.up), ("down", down, sweep.down)):
-        named = [(name, "characteristic", mean), *((f"{name} {k + 1}", "cycles", row) for k, row in enumerate(rows))]
-        for label, case, values in named:
-            known = np.isfinite(values)
-            found.curves.append(Curve(label, case, GRID[known], values[known]))
-    found.rows = [
+        curves = [(name, "characteristic", mean), *((f"{name} {k + 1}", "cycles", row) for k, row in enumerate(rows))]
+        for label, case, values in curves:
+            is_known = np.isfinite(values)
+            evaluation.curves.append(Curve(label, case, GRID[is_known], values[is_known]))
+    evaluation.rows = [
         {"setpoint": float(x), "up": float(u), "down": float(d)}
         for x, u, d in zip(GRID[::5], up[::5], down[::5], strict=True)
         if math.isfinite(u) and math.isfinite(d)

@@ -1,4 +1,4 @@
-"""Samples that a sensor or its converter has cut off: with noise, and without."""
+"""Detection of samples that a sensor or its converter has clipped, with and without noise."""
 
 from __future__ import annotations
 
@@ -11,26 +11,26 @@ from poppet.timeseries.measurements.noise import noise_of, quantum_of
 from poppet.timeseries.measurements.verdicts import cuts_a_peak, stays_in_noise
 
 SHORTEST = 5
-"""Samples of one value at an extreme that are looked at."""
+"""Smallest number of equal samples at an extreme value."""
 STEEP, SLOWER = 4.0, 0.3
-"""Steps of the recording by which a series still changes from sample to sample before it is cut off, and the least part
-of the change before: what comes to rest slows down."""
+"""Change per sample before clipping, in resolution steps, and its smallest ratio to the change before; a settling
+series slows down."""
 BELOW, BEYOND = 0.3, 1.0
-"""Distance from the setpoint at which no outlet rests at once, and how much further the setpoint must go [% FS]."""
+"""Deviation from the setpoint at which an outlet cannot stop suddenly, and further change of the setpoint [% FS]."""
 RETURNED = 0.003
-"""Part of the outlet's range by which it goes and comes back while what drives it seems to rest."""
+"""Excursion of the outlet while its driver seems constant, relative to the range of the outlet."""
 LOADED = 0.02
-"""Part of the flow's range by which the flow goes on while the outlet stays."""
+"""Change of the flow while the outlet is constant, relative to the range of the flow."""
 CLEAR, RAMP = 6.0, 12.0
-"""Standard deviations of the noise, and steps of the recording, that make a ramp."""
+"""Smallest change of a ramp, in standard deviations of the noise and in resolution steps."""
 FLOOR = 1.0
-"""Near the pressure of setpoint zero an outlet rests because there is nothing below [% FS]."""
+"""Outlet near its lower limit, where a constant outlet is normal [% FS]."""
 MOST_LOOKED_AT = 200
-"""Samples before a run that tell how it began."""
+"""Maximum number of samples before a run that are examined."""
 
 
 def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
-    """Cut-off samples of each series that has some; setpoint and outlet in % FS.
+    """Return the clipped samples of each series with any; setpoint and outlet in % FS.
 
     Examples
     --------
@@ -39,7 +39,7 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
     >>> {name: int(mask.sum()) for name, mask in found.items()}
     {'outlet': 250}
     """
-    found: dict[str, Mask] = {}
+    masks: dict[str, Mask] = {}
     for name, values in series.items():
         if not values.size or float(np.ptp(values)) == 0.0:
             continue
@@ -48,8 +48,8 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
             if _is_cut(name, series, level, sign):
                 mask |= values == level
         if mask.any():
-            found[name] = mask
-    return found
+            masks[name] = mask
+    return masks
 
 
 def _is_cut(name: str, series: Mapping[str, FloatArray], level: float, sign: float) -> bool:
@@ -57,7 +57,7 @@ def _is_cut(name: str, series: Mapping[str, FloatArray], level: float, sign: flo
     runs = _runs(values == level)
     if not runs or (name == "outlet" and sign < 0.0 and level <= FLOOR):
         return False
-    # A command is as quiet as the computer that writes it.
+    # A digital setpoint has no noise to test.
     if name != "setpoint" and stays_in_noise(values, level, quantum_of(values)):
         return True
     if name in ("setpoint", "flow"):
@@ -66,7 +66,7 @@ def _is_cut(name: str, series: Mapping[str, FloatArray], level: float, sign: flo
 
 
 def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool:
-    """True where the outlet stays although nothing holds it."""
+    """Return True if the outlet is constant although its drivers change."""
     y, x, flow = sign * series["outlet"], sign * series["setpoint"], series.get("flow", np.zeros(0))
     half = slice((run.start + run.stop) // 2, run.stop)
     is_held = _is_ramp(x, run) and float(np.ptp(x[half])) < max(BELOW, CLEAR * noise_of(x))
@@ -75,8 +75,8 @@ def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool
     return is_peak or is_loaded or _is_abrupt(y, x, run) or _is_left(x, run, BEYOND)
 
 
-def _runs(at: Mask) -> list[slice]:
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], at, [False]]).astype(int)))
+def _runs(mask: Mask) -> list[slice]:
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
     return [slice(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= SHORTEST]
 
 
@@ -89,32 +89,32 @@ def _before(run: slice) -> slice:
 
 
 def _is_ramp(x: FloatArray, run: slice) -> bool:
-    """True where a series comes to a run step by step, and not with a jump."""
-    before = x[_before(run)]
-    change = before[-1] - before[0]
-    return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(before)) < 0.5 * change)
+    """Return True if a series approaches a run in steps and not with a jump."""
+    approach = x[_before(run)]
+    change = approach[-1] - approach[0]
+    return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
 
 
 def _is_abrupt(y: FloatArray, x: FloatArray, run: slice) -> bool:
-    """True where the outlet stops at once below its setpoint, which did not stop with it."""
+    """Return True if the outlet stops suddenly below its setpoint while the setpoint continues."""
     if run.start < 4 or float(np.max(x[run])) - y[run.start] < BELOW or _is_ramp(x, run):
         return False
     earlier, last = np.diff(y[run.start - 3 : run.start])
     return bool(min(earlier, last) > STEEP * _step(y) and last > SLOWER * earlier)
 
 
-def _is_left(x: FloatArray, run: slice, least: float) -> bool:
-    """True where what drives the outlet goes on while the outlet stays."""
-    return bool(float(np.max(x[run])) - x[run.start] > max(least, CLEAR * noise_of(x)))
+def _is_left(x: FloatArray, run: slice, threshold: float) -> bool:
+    """Return True if the driver of the outlet continues while the outlet is constant."""
+    return bool(float(np.max(x[run])) - x[run.start] > max(threshold, CLEAR * noise_of(x)))
 
 
 def _goes_on(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
-    """True where the outlet goes and comes back while what drives it, after a ramp, seems to rest."""
+    """Return True if the outlet moves away and returns while its driver seems constant after a ramp."""
     if run.start == 0 or not _is_ramp(x, run):
         return False
     width = max(1, (run.stop - run.start) // 20)
     y = np.convolve(outlet[run], np.full(width, 1.0 / width), "valid")
     peak = int(np.argmax(np.abs(y - y[0])))
-    went, returned = abs(y[peak] - y[0]), abs(y[peak] - y[-1])
+    rise, fall = abs(y[peak] - y[0]), abs(y[peak] - y[-1])
     noise = CLEAR * noise_of(outlet) / width**0.5
-    return bool(min(went, returned) > max(RETURNED * float(np.ptp(outlet)), noise))
+    return bool(min(rise, fall) > max(RETURNED * float(np.ptp(outlet)), noise))

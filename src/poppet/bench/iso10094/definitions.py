@@ -1,4 +1,4 @@
-"""All tests of the bench and the figures that they find: documents, results and reports read them here."""
+"""All tests of the bench and their characteristic values, for documents, results and reports."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ from poppet.bench.iso10094.step import STEP
 from poppet.bench.iso10094.supply import LEAKAGE, SUPPLY
 
 _ALL = (CHARACTERISTIC, RESOLUTION, FLOW, SUPPLY, LEAKAGE, STEP, FREQUENCY)
-TESTS: Mapping[str, BenchTest] = MappingProxyType({each.name: each for each in _ALL})
+TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _ALL})
 """Tests by name, as in `--tests`."""
 DEFINITIONS: Mapping[str, Definition] = MappingProxyType(
-    {name: definition for each in _ALL for name, definition in each.definitions.items()}
+    {name: definition for test in _ALL for name, definition in test.definitions.items()}
 )
 """All figures by name, in the order of the tests."""

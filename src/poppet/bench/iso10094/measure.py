@@ -1,4 +1,4 @@
-"""Puts a specimen through the trials of a test; how long they last follows from how fast it answers."""
+"""Measurement of a test valve in the trials of a test; the response time sets the durations."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ Say = Callable[[str], object]
 
 
 class EvaluatedRecord(NamedTuple):
-    """A record of steps or a sine, and its rows, which are found but once."""
+    """Record of steps or a sine with its rows."""
 
     record: Record
     rows: list[Row]
@@ -40,7 +40,7 @@ class EvaluatedRecord(NamedTuple):
 
 @dataclass
 class Bench:
-    """A specimen on the bench: what has been measured of it."""
+    """Test valve on the bench with its measurements."""
 
     specimen: Specimen
     settings: BenchSettings
@@ -49,7 +49,7 @@ class Bench:
     steps: dict[tuple[float, float], EvaluatedRecord] = field(default_factory=dict)  # by volume and amplitude
 
     def records(self, test: str) -> list[Record]:
-        """All records of a test."""
+        """Return all records of a test."""
         trials = TESTS[test].trials
         if trials is not None:
             pace = Pace(self.specimen, self.settings, self.hold(), self._sweep)
@@ -63,10 +63,10 @@ class Bench:
         return self.specimen.respond(trial)
 
     def step(self, volume: float, amplitude: float) -> EvaluatedRecord:
-        """A step up and down, held as long as the outlet needs."""
-        known = self.steps.get((volume, amplitude))
-        if known is not None:
-            return known
+        """Measure a step up and down with a sufficient hold."""
+        measured = self.steps.get((volume, amplitude))
+        if measured is not None:
+            return measured
         scale, hold = self.specimen.scale, FIRST_HOLD
         while True:
             record = self._respond(step_trial(scale, volume, amplitude, hold))
@@ -80,53 +80,53 @@ class Bench:
         return self.steps[volume, amplitude]
 
     def hold(self) -> float:
-        """Time that the specimen needs to come to rest at the first volume [s]."""
+        """Return the settling time of the test valve with the first volume [s]."""
         volume = self.settings.volumes[0]
         if volume not in self.holds:
             self.step(volume, max(self.settings.amplitudes))
         return self.holds[volume]
 
     def _response_times(self, steps: Iterable[EvaluatedRecord]) -> list[float]:
-        """Response times of steps; a quarter of the hold where none can be judged [s]."""
-        known = [row["response_time"] for step in steps for row in step.rows if "response_time" in row]
-        return known or [self.hold() / 4.0]
+        """Return the response times of steps; without any, a quarter of the hold [s]."""
+        times = [row["response_time"] for step in steps for row in step.rows if "response_time" in row]
+        return times or [self.hold() / 4.0]
 
     def _sweep(self) -> float:
-        """Time for a sweep of the setpoint from end to end that is slow for the specimen [s]."""
+        """Return the duration of a sweep that is slow for the test valve [s]."""
         first = self.settings.volumes[0]
         response = max(self._response_times(step for (volume, _), step in self.steps.items() if volume == first))
-        given = self.settings.sweep_time
+        sweep_time = self.settings.sweep_time
         usual = float(np.clip(SWEEP_PER_RESPONSE * response, SHORTEST_SWEEP, LONGEST_SWEEP))
-        if given < response:
-            raise InputError("bench.sweep_time", given=given, response=response, usual=usual)
-        return given if math.isfinite(given) else usual
+        if sweep_time < response:
+            raise InputError("bench.sweep_time", given=sweep_time, response=response, usual=usual)
+        return sweep_time if math.isfinite(sweep_time) else usual
 
     def _sines(self) -> list[Record]:
-        """Sines from well below to beyond both bandwidths, close to each other where these are."""
-        chosen = self.settings.frequencies
-        if chosen:
-            return [self._sine(f).record for f in sorted(chosen)]
+        """Measure sines from far below to above both bandwidths, with a fine grid near them."""
+        frequencies = self.settings.frequencies
+        if frequencies:
+            return [self._sine(f).record for f in sorted(frequencies)]
         smallest = self.step(self.settings.volumes[0], min(self.settings.amplitudes))
         # A first order rises from 10 to 90 % in 0.35 periods of its corner frequency.
         corner = 0.35 / min(self._response_times([smallest]))
-        ladder = [preferred(corner * 10.0 ** (place / 10.0)) for place in range(DECADE_BELOW, DECADE_ABOVE)]
-        found: dict[float, EvaluatedRecord] = {}
-        beyond = 0
+        ladder = [preferred(corner * 10.0 ** (step / 10.0)) for step in range(DECADE_BELOW, DECADE_ABOVE)]
+        sines: dict[float, EvaluatedRecord] = {}
+        n_beyond = 0
         # Three to a decade tell where the bandwidths are; between them it is filled up.
         for frequency in ladder[::3]:
-            found[frequency] = self._sine(frequency)
-            beyond = beyond + 1 if _is_beyond(self._bode(found).rows) else 0
-            if beyond >= AFTER:
+            sines[frequency] = self._sine(frequency)
+            n_beyond = n_beyond + 1 if _is_beyond(self._bode(sines).rows) else 0
+            if n_beyond >= AFTER:
                 break
         for frequency in dict.fromkeys(ladder):
-            if frequency not in found and frequency < max(found):
-                found[frequency] = self._sine(frequency)
+            if frequency not in sines and frequency < max(sines):
+                sines[frequency] = self._sine(frequency)
         for _ in range(REFINED):
             for name in ("bandwidth_gain", "bandwidth_phase"):
-                figure = self._bode(found).figures.get(name)
-                if figure is not None and not figure.bound and figure.value not in found:
-                    found[figure.value] = self._sine(figure.value)
-        return [found[frequency].record for frequency in sorted(found)]
+                figure = self._bode(sines).figures.get(name)
+                if figure is not None and not figure.bound and figure.value not in sines:
+                    sines[figure.value] = self._sine(figure.value)
+        return [sines[frequency].record for frequency in sorted(sines)]
 
     def _sine(self, frequency: float) -> EvaluatedRecord:
         choices, scale, hold = self.settings, self.specimen.scale, self.hold()
@@ -136,13 +136,13 @@ class Bench:
         return EvaluatedRecord(record, sine_rows(Evaluation(FREQUENCY, scale), record))
 
     def _bode(self, sines: Mapping[float, EvaluatedRecord]) -> Evaluation:
-        found = Evaluation(FREQUENCY, self.specimen.scale)
-        conclude(found, [row for frequency in sorted(sines) for row in sines[frequency].rows])
-        return found
+        evaluation = Evaluation(FREQUENCY, self.specimen.scale)
+        conclude(evaluation, [row for frequency in sorted(sines) for row in sines[frequency].rows])
+        return evaluation
 
 
 def _needed(rows: list[Row]) -> float:
-    """Time for which levels must be held, from the steps seen so far [s]."""
+    """Return the required hold time from the measured steps [s]."""
     if any("hum_amplitude" in row for row in rows):
         # What swings never settles: enough of its periods to be measured, and time to have fallen to the swing.
         slowest = min(row["hum_frequency"] for row in rows if "hum_frequency" in row)
@@ -154,12 +154,12 @@ def _needed(rows: list[Row]) -> float:
 
 
 def _is_beyond(rows: list[Row]) -> bool:
-    """True where the last frequency lies beyond both bandwidths."""
+    """Return True if the last frequency is above both bandwidths."""
     return len(rows) > 1 and bool(rows[-1]["gain_db"] < GAIN_DB and rows[-1]["phase"] < PHASE_DEG)
 
 
 def preferred(frequency: float) -> float:
-    """The nearest of ten preferred frequencies per decade.
+    """Return the nearest of ten preferred frequencies per decade.
 
     Examples
     --------
@@ -167,5 +167,5 @@ def preferred(frequency: float) -> float:
     (0.315, 12.5)
     """
     series = (1.0, 1.25, 1.6, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0)
-    place = round(10.0 * math.log10(frequency))
-    return float(f"{series[place % 10] * 10.0 ** (place // 10):.6g}")
+    index = round(10.0 * math.log10(frequency))
+    return float(f"{series[index % 10] * 10.0 ** (index // 10):.6g}")

@@ -1,4 +1,4 @@
-"""A valve of a circuit on the bench: its part between a supply, a closed volume, a bleed and a feed."""
+"""Virtual bench for a valve of a circuit: supply, closed volume, bleed and feed."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from poppet.bench.iso10094.bench_settings import Trial, held
 from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.circuit.circuit import Circuit
-from poppet.circuit.notes import recording_of
+from poppet.circuit.notes import make_recording
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, SimulationError
 from poppet.engine.problem import Outcome, is_failure
@@ -47,7 +47,7 @@ BELOW_SUPPLY = 1e5
 
 @dataclass
 class Rig:
-    """A specimen made of a part of a circuit."""
+    """Test valve made of a part of a circuit."""
 
     circuit: Circuit  # the valve with all that the bench has put around it
     valve: str
@@ -75,22 +75,22 @@ class Rig:
             is_exact=True,
         )
 
-    def _run(self, trial: Trial, drawn: tuple[float, Signal], fed: Signal, stops: Sequence[str] = ()) -> Recording:
-        """A run of a trial with the bleed, size and opening, and the feed that stand for its load."""
+    def _run(self, trial: Trial, bleed: tuple[float, Signal], feed: Signal, stops: Sequence[str] = ()) -> Recording:
+        """Run a trial with a bleed (size and opening) and a feed as its load."""
         scale, circuit = self.scale, self.circuit
         # The outlet starts where a valve without errors would hold it.
-        asked = scale.setpoint_percent(trial.setpoint.evaluate(0.0, trial.duration))
+        setpoint = scale.setpoint_percent(trial.setpoint.evaluate(0.0, trial.duration))
         values = {
             f"{OUTLET}.volume": trial.volume,
             f"{OUTLET}.wall_conductance": WALL * trial.volume ** (2.0 / 3.0),
-            f"{OUTLET}.initial_pressure": float(scale.pressure(np.clip(asked, 0.0, 100.0))),
-            f"{BLEED}.sonic_conductance": drawn[0],
+            f"{OUTLET}.initial_pressure": float(scale.pressure(np.clip(setpoint, 0.0, 100.0))),
+            f"{BLEED}.sonic_conductance": bleed[0],
         }
         signals = {
             self.setpoint: trial.setpoint,
             f"{SUPPLY}.pressure": trial.supply or Constant(self.supply),
-            f"{BLEED}.opening": drawn[1],
-            f"{FEED}.mass_flow_rate": fed,
+            f"{BLEED}.opening": bleed[1],
+            f"{FEED}.mass_flow_rate": feed,
         }
         circuit = replace(circuit.with_values(values), signals={**circuit.signals, **signals})
         run = circuit.run.changed(duration=trial.duration, output_step=trial.step, stop_when=list(stops))
@@ -98,26 +98,26 @@ class Rig:
         raw = solve(problem, progress=lambda _: None)  # only a run that tells its progress ends at Ctrl-C
         if raw.outcome is Outcome.INTERRUPTED:
             raise KeyboardInterrupt
-        recording = recording_of(circuit.instance, problem, raw)
+        recording = make_recording(circuit.instance, problem, raw)
         if is_failure(problem, raw):
             raise SimulationError(recording.outcome, recording)
         return recording
 
     def _row_time(self, trial: Trial) -> float:
-        """Time between rows: that of the samples where a mean flow is wanted; solenoids open for single samples."""
-        numbers, own = self.circuit.parameters, f"{self.valve}."
-        clocks = [name for name in numbers if name.startswith(own) and name.endswith(".sample_time")]
+        """Return the row interval: the sample time for mean flows, because solenoids open for single samples."""
+        numbers, prefix = self.circuit.parameters, f"{self.valve}."
+        clocks = [name for name in numbers if name.startswith(prefix) and name.endswith(".sample_time")]
         fastest = min((numbers[name] for name in clocks), default=math.inf)
         if trial.kind != "leakage" or fastest >= trial.step:
             return trial.step
         if trial.duration > MOST_SAMPLES * fastest:
-            missed = Note("rig.pulses", step=trial.step, sample=fastest)
-            self.notes += [] if missed in self.notes else [missed]
+            note = Note("rig.pulses", step=trial.step, sample=fastest)
+            self.notes += [] if note in self.notes else [note]
             return trial.step
         return fastest
 
     def _consumption(self, recording: Recording) -> FloatArray:
-        """All that leaves the supply."""
+        """Return the total flow out of the supply."""
         total = np.zeros(recording.time.size)
         for flow in self.circuit.model.flows:
             if SUPPLY in (flow.source, flow.target) and flow.name in recording:
@@ -127,97 +127,97 @@ class Rig:
     # Flow --------------------------------------------------------------------------------------------------------
 
     def _flows(self, trial: Trial) -> tuple[tuple[float, Signal], Signal]:
-        """Size and opening of the bleed, and the flow that is fed in, for the load of a trial."""
+        """Return size and opening of the bleed, and the feed, for the load of a trial."""
         if trial.load is None:
             return NOT_DRAWN, NOT_FED
         assert isinstance(trial.load, Points)
         times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
-        drawn, fed = np.maximum(load, 0.0), np.maximum(-load, 0.0)
-        size = self._size(1.0, trial.volume) if drawn.any() else NOT_DRAWN[0]
-        flow = self._size(-1.0, trial.volume) if fed.any() else 0.0
-        return (size, Points(times, drawn)), Points(times, flow * fed)
+        outflow, inflow = np.maximum(load, 0.0), np.maximum(-load, 0.0)
+        size = self._size(1.0, trial.volume) if outflow.any() else NOT_DRAWN[0]
+        flow = self._size(-1.0, trial.volume) if inflow.any() else 0.0
+        return (size, Points(times, outflow)), Points(times, flow * inflow)
 
     def _size(self, sign: float, volume: float) -> float:
-        """Conductance of the bleed, or flow of the feed, at which the outlet has moved by a good part of full scale."""
+        """Return the bleed conductance or feed flow that moves the outlet by a large fraction of full scale."""
         if sign not in self._sizes:  # one for all trials: their flows are to be compared
             self._sizes[sign] = self._probe(sign, volume)
         return self._sizes[sign]
 
     def _probe(self, sign: float, volume: float) -> float:
-        """Let the load grow by decades until the outlet has moved that far."""
-        places = np.arange(10 * DECADES + 1, dtype=np.float64)  # two seconds for each tenth of a decade
-        times, load = 2.0 * (1.0 + places), SMALLEST * 10.0 ** (places / 10.0)
+        """Increase the load by decades until the outlet has moved sufficiently."""
+        steps = np.arange(10 * DECADES + 1, dtype=np.float64)  # two seconds for each tenth of a decade
+        times, load = 2.0 * (1.0 + steps), SMALLEST * 10.0 ** (steps / 10.0)
         largest, growing = float(load[-1]), load / load[-1]
         level = float(self.scale.pressure(PROBE_SETPOINT - sign * PROBED))
-        drawn, fed = NOT_DRAWN, NOT_FED
+        bleed, feed = NOT_DRAWN, NOT_FED
         if sign > 0.0:
-            drawn = BLEED_UNIT * largest, Points(times, growing)
+            bleed = BLEED_UNIT * largest, Points(times, growing)
         else:
-            fed = Points(times, FEED_UNIT * largest * growing)
+            feed = Points(times, FEED_UNIT * largest * growing)
         stop = f"{OUTLET}.pressure {'<' if sign > 0.0 else '>'} {level:.6g}"
         end = float(times[-1])
         trial = Trial("flow", "probe", held(self.scale, PROBE_SETPOINT), end, 0.0, 0.05, volume)
-        reached = np.interp(self._run(trial, drawn, fed, [stop]).time[-1], times, load, left=SMALLEST)
+        reached = np.interp(self._run(trial, bleed, feed, [stop]).time[-1], times, load, left=SMALLEST)
         return (BLEED_UNIT if sign > 0.0 else FEED_UNIT) * float(reached)
 
 
 def rig_of(
     circuit: Circuit, valve: str, *, full_scale: tuple[float, float] | None = None, supply: float | None = None
 ) -> Rig:
-    """Put a valve of a circuit on the bench."""
+    """Return the bench for a valve of a circuit."""
     part = circuit.parts[valve_of(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
     notes: list[Note] = []
     pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
     ambient = circuit.surroundings.pressure
-    least, most = (circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high"))
-    own = None if least is None or most is None else (float(least), float(most))
-    ends = full_scale or own or _full_scale(pressure, ambient, notes)
-    if own is not None:
+    smallest, largest = (circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high"))
+    scaling = None if smallest is None or largest is None else (float(smallest), float(largest))
+    ends = full_scale or scaling or _full_scale(pressure, ambient, notes)
+    if scaling is not None:
         slack = 1e-9 * ends[1]
         # A setpoint knows no pressure beyond the scaling of its valve.
-        if not own[0] - slack <= ends[0] < ends[1] <= own[1] + slack:
-            (low, high), (own_low, own_high) = ends, own
+        if not scaling[0] - slack <= ends[0] < ends[1] <= scaling[1] + slack:
+            (low, high), (own_low, own_high) = ends, scaling
             address = f"{valve}.{SCALING}"
             raise InputError("rig.beyond_scaling", address, low=low, high=high, own_low=own_low, own_high=own_high)
     if ends[1] > pressure:
         notes.append(Note("rig.above_supply", high=ends[1], supply=pressure))
     if item.unit not in ("Pa", *ELECTRIC):
         raise InputError("rig.setpoint_unit", f"{valve}.{item.name}", unit=item.unit)
-    kept = dict.fromkeys(part.ports(), "ambient") | {"supply": SUPPLY, "outlet": OUTLET}
+    ports = dict.fromkeys(part.ports(), "ambient") | {"supply": SUPPLY, "outlet": OUTLET}
     parts: dict[str, Part] = {
         SUPPLY: Reservoir(pressure=pressure),
-        valve: replace(part, **kept),  # type: ignore[type-var]
+        valve: replace(part, **ports),  # type: ignore[type-var]
         OUTLET: Chamber(volume=1e-3, wall_conductance=WALL * 1e-2),
         BLEED: Orifice(from_=OUTLET, to="ambient", sonic_conductance=NOT_DRAWN[0], critical_ratio=0.3, opening=0.0),
         FEED: FlowSource(to=OUTLET),
     }
-    others = {f"{valve}.{each.name}" for each in part.inputs()} - {f"{valve}.{item.name}"}
-    signals = {name: Constant(_at_start(signal)) for name, signal in circuit.signals.items() if name in others}
+    other_inputs = {f"{valve}.{input_.name}" for input_ in part.inputs()} - {f"{valve}.{item.name}"}
+    signals = {name: Constant(_at_start(signal)) for name, signal in circuit.signals.items() if name in other_inputs}
     rig = replace(circuit, parts=parts, signals=signals, connections={})
     scale = setpoint_scale(None, ends, ambient, item.unit)
-    if item.unit != "Pa" and own:  # the part of the setpoint's range that belongs to another full scale
-        whole = setpoint_scale(None, own, ambient, item.unit)
-        low, high = (float(whole.setpoint(whole.percent(end))) for end in ends)
+    if item.unit != "Pa" and scaling:  # the part of the setpoint's range that belongs to another full scale
+        full = setpoint_scale(None, scaling, ambient, item.unit)
+        low, high = (float(full.setpoint(full.percent(end))) for end in ends)
         scale = Scale(low, high, item.unit, *ends)
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, circuit.title or valve, notes)
 
 
-def valve_of(circuit: Circuit, given: str | None = None) -> str:
-    """The valve of a circuit that is tested."""
-    fit = [name for name, part in circuit.parts.items() if _is_valve(part)]
-    if given in fit:
-        return str(given)
-    if given is None and len(fit) == 1:
-        return fit[0]
-    if given is None:
-        code = "rig.several_valves" if fit else "rig.no_valve"
-        raise InputError(code, count=len(fit), valves=tuple(fit))
-    if not fit:
-        raise InputError("rig.none_fit", given=given)
-    if given not in circuit.parts:
-        raise InputError("rig.unknown", given=given, near=NameSuggestion(given, fit))
-    raise InputError("rig.unfit", given=given, kind=circuit.parts[given].kind, valves=tuple(fit))
+def valve_of(circuit: Circuit, name: str | None = None) -> str:
+    """Return the name of the test valve in a circuit."""
+    candidates = [name for name, part in circuit.parts.items() if _is_valve(part)]
+    if name in candidates:
+        return str(name)
+    if name is None and len(candidates) == 1:
+        return candidates[0]
+    if name is None:
+        code = "rig.several_valves" if candidates else "rig.no_valve"
+        raise InputError(code, count=len(candidates), valves=tuple(candidates))
+    if not candidates:
+        raise InputError("rig.none_fit", given=name)
+    if name not in circuit.parts:
+        raise InputError("rig.unknown", given=name, near=NameSuggestion(name, candidates))
+    raise InputError("rig.unfit", given=name, kind=circuit.parts[name].kind, valves=tuple(candidates))
 
 
 def _is_valve(part: Part) -> bool:
@@ -229,7 +229,7 @@ def _at_start(signal: Signal) -> float:
 
 
 def _supply_pressure(circuit: Circuit, part: Part, notes: list[Note]) -> float:
-    """The pressure that the circuit has at the valve's supply."""
+    """Return the pressure at the supply of the valve."""
     store = part.ports()["supply"]
     if store == "ambient":
         raise InputError("rig.open_supply")
@@ -237,13 +237,13 @@ def _supply_pressure(circuit: Circuit, part: Part, notes: list[Note]) -> float:
         value = _at_start(circuit.signals[f"{store}.pressure"])
         notes.append(Note("rig.supply_at_start", supply=value))
         return value
-    own = circuit.parameters
-    name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in own)
-    return float(own[name])
+    parameters = circuit.parameters
+    name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in parameters)
+    return float(parameters[name])
 
 
 def _full_scale(supply: float, ambient: float, notes: list[Note]) -> tuple[float, float]:
-    """A full scale where nobody gave one: a bar below the supply, in whole bars above the ambient pressure."""
+    """Return a default full scale: 1 bar below the supply, in whole bars above ambient."""
     bars = math.floor((supply - ambient - BELOW_SUPPLY) / 1e5 + 1e-9)
     if bars < 1:
         raise InputError("rig.low_supply", supply=supply)

@@ -1,4 +1,4 @@
-"""All tests of a bench, of a specimen that is driven or of recordings of a real valve: the same evaluation for both."""
+"""Tests of a bench, with the same evaluation for models and recordings."""
 
 from __future__ import annotations
 
@@ -24,25 +24,25 @@ def run_bench(
     source: str = "circuit", notes: Sequence[Note | str] = (), conditions: Mapping[str, Any] | None = None,
     say: Say | None = None,
 ) -> BenchResult:  # fmt: skip
-    """Put a specimen through tests."""
+    """Run the tests of a test valve."""
     settings = settings or BenchSettings()
     check_tests(tests)
     bench = Bench(specimen, settings, say or (lambda _: None))
-    found: dict[str, Evaluation] = {}
+    evaluations: dict[str, Evaluation] = {}
     outcome = "done"
-    for name in sorted(tests, key=lambda each: (each not in FIRST, list(TESTS).index(each))):
+    for name in sorted(tests, key=lambda test: (test not in FIRST, list(TESTS).index(test))):
         try:
-            found[name] = TESTS[name].evaluated(bench.records(name), specimen.scale, settings.rated_flow)
+            evaluations[name] = TESTS[name].evaluated(bench.records(name), specimen.scale, settings.rated_flow)
         except SimulationError as error:
             outcome = "failed"
-            found[name] = Evaluation(TESTS[name], specimen.scale)
-            found[name].note("failed", why=error.note.code, text=str(error))
-            found[name].absent("not_run", *TESTS[name].units)
+            evaluations[name] = Evaluation(TESTS[name], specimen.scale)
+            evaluations[name].note("failed", why=error.note.code, text=str(error))
+            evaluations[name].note_absence("not_run", *TESTS[name].units)
         except KeyboardInterrupt:
             outcome = "interrupted"
             break
-    known = {"supply_pressure": specimen.supply, "volumes": list(settings.volumes)} | dict(conditions or {})
-    return _assembled(specimen.title, source, found, specimen.scale, known, notes, outcome)
+    all_conditions = {"supply_pressure": specimen.supply, "volumes": list(settings.volumes)} | dict(conditions or {})
+    return _assembled(specimen.title, source, evaluations, specimen.scale, all_conditions, notes, outcome)
 
 
 def run_recordings(
@@ -51,13 +51,13 @@ def run_recordings(
 ) -> BenchResult:  # fmt: skip
     """Evaluate recordings of a real valve."""
     check_tests(tests)
-    found = {name: TESTS[name].evaluated(records[name], scale, rated_flow) for name in tests if records.get(name)}
-    missing = [Note("bench.not_given", name) for name in tests if name not in found]
-    return _assembled(title, "recordings", found, scale, conditions or {}, [*notes, *missing])
+    evaluations = {name: TESTS[name].evaluated(records[name], scale, rated_flow) for name in tests if records.get(name)}
+    missing = [Note("bench.not_given", name) for name in tests if name not in evaluations]
+    return _assembled(title, "recordings", evaluations, scale, conditions or {}, [*notes, *missing])
 
 
 def check_tests(tests: Sequence[str]) -> None:
-    """Refuse names of tests that do not exist."""
+    """Reject unknown names of tests."""
     if not tests:
         raise InputError("bench.no_test", known=tuple(TESTS))
     for test in tests:
@@ -66,25 +66,25 @@ def check_tests(tests: Sequence[str]) -> None:
 
 
 def _assembled(
-    title: str, source: str, found: Mapping[str, Evaluation], scale: Scale, conditions: Mapping[str, Any],
+    title: str, source: str, evaluations: Mapping[str, Evaluation], scale: Scale, conditions: Mapping[str, Any],
     notes: Sequence[Note | str], outcome: str = "done",
 ) -> BenchResult:  # fmt: skip
-    """One result of all tests, in their order."""
-    tests = {name: found[name] for name in TESTS if name in found}
-    figures = {name: figure for each in tests.values() for name, figure in each.figures.items()}
+    """Combine the evaluations of all tests in one result."""
+    tests = {name: evaluations[name] for name in TESTS if name in evaluations}
+    figures = {name: figure for evaluation in tests.values() for name, figure in evaluation.figures.items()}
     ranges = {
         "setpoint_range": [scale.setpoint_low, scale.setpoint_high],
         "setpoint_unit": scale.setpoint_unit,
         "full_scale": [scale.pressure_low, scale.pressure_high],
     }
-    own = {name: each.conditions for name, each in tests.items() if each.conditions}
+    test_conditions = {name: evaluation.conditions for name, evaluation in tests.items() if evaluation.conditions}
     return BenchResult(
         title,
         source,
         {name: figures[name] for name in DEFINITIONS if name in figures},
-        {name: each.rows for name, each in tests.items()},
-        {name: each.curves for name, each in tests.items() if each.curves},
-        {"bench": notes_of(notes)} | {name: tuple(each.notes) for name, each in tests.items()},
-        {**ranges, **conditions, **own},
+        {name: evaluation.rows for name, evaluation in tests.items()},
+        {name: evaluation.curves for name, evaluation in tests.items() if evaluation.curves},
+        {"bench": notes_of(notes)} | {name: tuple(evaluation.notes) for name, evaluation in tests.items()},
+        {**ranges, **conditions, **test_conditions},
         outcome=outcome,
     )

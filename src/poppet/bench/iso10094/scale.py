@@ -1,4 +1,4 @@
-"""What a bench records, and the scale on which it is judged."""
+"""Records of the bench and their scale."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PERCENT = 100.0
 
 @dataclass(frozen=True)
 class Scale:
-    """Ranges of setpoint and outlet pressure: their ends belong to each other, and FS is the span of the pressure.
+    """Corresponding ranges of setpoint and outlet pressure; FS is the span of the pressure.
 
     Examples
     --------
@@ -41,52 +41,52 @@ class Scale:
 
     @property
     def span(self) -> float:
-        """FS, the span of the outlet pressure [Pa]."""
+        """Full scale FS, the span of the outlet pressure [Pa]."""
         return self.pressure_high - self.pressure_low
 
     def setpoint(self, percent: float | FloatArray) -> FloatArray:
-        """The setpoint at a part of its range."""
+        """Return the setpoint at a percentage of its range."""
         part = np.asarray(percent) / PERCENT
         return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
 
     def setpoint_percent(self, setpoint: float | FloatArray) -> FloatArray:
-        """A setpoint as part of its range."""
+        """Return a setpoint as a percentage of its range."""
         width = self.setpoint_high - self.setpoint_low
         return np.asarray(PERCENT * (np.asarray(setpoint) - self.setpoint_low) / width)
 
     def pressure(self, percent: float | FloatArray) -> FloatArray:
-        """The outlet pressure at a part of full scale."""
+        """Return the outlet pressure at a percentage of full scale."""
         return np.asarray(self.pressure_low + self.span * np.asarray(percent) / PERCENT)
 
     def percent(self, pressure: float | FloatArray) -> FloatArray:
-        """An outlet pressure as part of full scale."""
+        """Return an outlet pressure as a percentage of full scale."""
         return np.asarray(PERCENT * (np.asarray(pressure) - self.pressure_low) / self.span)
 
     def percents(self, record: Record) -> tuple[FloatArray, FloatArray]:
-        """Setpoint and outlet of a record as parts of their ranges."""
+        """Return setpoint and outlet of a record as percentages of their ranges."""
         return self.setpoint_percent(record.setpoint), self.percent(record.outlet)
 
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """One run of a test, of a model or of a real valve: channels over one time base."""
+    """Run of a test of a model or a real valve: channels over one time base."""
 
     name: str  # of the trial or the recording
     test: str
     time: FloatArray  # strictly increasing [s]
     setpoint: FloatArray  # in the unit of the scale
     outlet: FloatArray  # absolute pressure [Pa]
-    # Empty where they were not recorded.
+    # The following series are empty if they were not recorded.
     supply: FloatArray  # absolute pressure [Pa]
-    flow: FloatArray  # out of the outlet, negative where gas is fed in [kg/s]
+    flow: FloatArray  # forward flow; relief flow is negative [kg/s]
     consumption: FloatArray  # from the supply into the valve [kg/s]
-    volume: float = math.nan  # at the outlet; NaN where it is not known [m^3]
-    # The setpoint is known at every instant, as that of a model: it jumps exactly at the sample that shows it.
+    volume: float = math.nan  # at the outlet; NaN if unknown [m^3]
+    # True for a model: a setpoint step occurs exactly at the sample that shows it.
     is_exact: bool = False
-    clipped: Mapping[str, Mask] = field(default_factory=dict)  # series to its samples that are cut off
+    clipped: Mapping[str, Mask] = field(default_factory=dict)  # clipped samples by series
 
     def cuts(self, *series: str, part: slice = slice(None)) -> bool:
-        """True where some samples of a part are cut off, of any series if none is named."""
+        """Return True if a part has clipped samples, of any series by default."""
         return any(bool(mask[part].any()) for name, mask in self.clipped.items() if not series or name in series)
 
     @property

@@ -1,4 +1,4 @@
-"""An answer without its noise: each place as smooth as the answer itself is there."""
+"""Smoothing of a response with a local width that adapts to its curvature."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ WIDER = 1.2
 
 @dataclass(frozen=True, eq=False)
 class SmoothedSeries:
-    """A series over its time, and one standard deviation of each of its values."""
+    """Smoothed series with the standard deviation of each value."""
 
     time: FloatArray
     values: FloatArray
@@ -42,38 +42,42 @@ class SmoothedSeries:
     noise: Noise
 
     def since(self, first: int) -> SmoothedSeries:
-        """The part from a sample on."""
+        """Return the part from a sample on."""
         cut = {name: getattr(self, name)[first:] for name in ("time", "values", "errors", "raw", "widths")}
         return replace(self, **cut)
 
     def summit(self) -> tuple[float, Uncertainty]:
-        """Its largest value above one: of a polynomial through as much of its peak as that follows."""
+        """Return the largest value above one, from a polynomial through its peak."""
         return _agreed([self._peak(flank) for flank in FLANKS])
 
     def _peak(self, part: float) -> tuple[float, Uncertainty]:
-        """The largest value, from all samples above a part of the height of the peak."""
+        """Return the largest value from the samples above a fraction of the peak height."""
         k = int(np.argmax(self.values))
         flank = 1.0 + part * (float(self.values[k]) - 1.0)
-        before, after = np.flatnonzero(self.values[:k] < flank), np.flatnonzero(self.values[k:] < flank)
-        near = slice(int(before[-1]) + 1 if before.size else 0, k + int(after[0]) if after.size else self.values.size)
-        count = near.stop - near.start
+        earlier, later = np.flatnonzero(self.values[:k] < flank), np.flatnonzero(self.values[k:] < flank)
+        window = slice(
+            int(earlier[-1]) + 1 if earlier.size else 0, k + int(later[0]) if later.size else self.values.size
+        )
+        count = window.stop - window.start
         if count < 5:
             a, b, c = np.interp([k - 1, k, k + 1], np.arange(self.values.size), self.values).tolist()
             bend = 2.0 * b - a - c
-            beyond = (c - a) ** 2 / (8.0 * bend) if bend > 0.0 else 0.0
-            return b + min(beyond, 0.125 * bend), Uncertainty(float(self.errors[k]), 0.03 * abs(bend))
-        solved = np.linalg.pinv(np.vander(np.linspace(-1.0, 1.0, count), 5 if count > 6 else 3))
-        fine = np.vander(np.linspace(-0.5, 0.5, 101), solved.shape[0])
-        curve = fine @ (solved @ self.raw[near])
+            excess = (c - a) ** 2 / (8.0 * bend) if bend > 0.0 else 0.0
+            return b + min(excess, 0.125 * bend), Uncertainty(float(self.errors[k]), 0.03 * abs(bend))
+        inverse = np.linalg.pinv(np.vander(np.linspace(-1.0, 1.0, count), 5 if count > 6 else 3))
+        fine = np.vander(np.linspace(-0.5, 0.5, 101), inverse.shape[0])
+        curve = fine @ (inverse @ self.raw[window])
         top = int(np.argmax(curve))
         # The largest value of a noisy curve is too large by what more noise of the same kind adds to it.
         random = np.random.default_rng(SEED)
-        drawn = fine @ solved @ random.normal(0.0, self.noise.spread, (count, DRAWS))
-        bias = float(np.mean(np.max(curve[:, None] + drawn, axis=0))) - float(curve[top])
-        return float(curve[top]) - bias, Uncertainty(WIDER * self.noise.of(fine[top] @ solved))
+        samples = fine @ inverse @ random.normal(0.0, self.noise.spread, (count, DRAWS))
+        bias = float(np.mean(np.max(curve[:, None] + samples, axis=0))) - float(curve[top])
+        return float(curve[top]) - bias, Uncertainty(WIDER * self.noise.of(fine[top] @ inverse))
 
     def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Uncertainty]:
-        """When the series first reaches a level, or last leaves it downwards for good, and how well that is known.
+        """Return the time of the first rise to a level, or of the last fall below it, with uncertainty.
+
+        `extra` is the standard deviation of the level.
 
         `extra` is the standard deviation of the level itself.
         """
@@ -82,95 +86,95 @@ class SmoothedSeries:
             return math.nan, Uncertainty(math.nan)
         k = int(np.clip(np.searchsorted(self.time, time), 1, self.time.size - 1))
         error = NORMAL * math.hypot(float(np.interp(time, self.time, self.errors)), extra)
-        early, late = self._when(level - error, last=last), self._when(level + error, last=last)
+        earliest, latest = self._when(level - error, last=last), self._when(level + error, last=last)
         if last:
-            early, late = late, early
+            earliest, latest = latest, earliest
         # Between two samples the answer bends away from the straight line.
-        near = self.values[max(0, k - 2) : k + 2]
+        neighbours = self.values[max(0, k - 2) : k + 2]
         slope = abs(self.values[k] - self.values[k - 1]) / (self.time[k] - self.time[k - 1])
-        bend = float(np.max(np.abs(np.diff(near, 2)), initial=0.0)) / 8.0
-        even = min(bend / max(slope, 1e-300), 0.5 * (self.time[k] - self.time[k - 1]))
-        if not (math.isfinite(early) and math.isfinite(late)):
+        bend = float(np.max(np.abs(np.diff(neighbours, 2)), initial=0.0)) / 8.0
+        half_width = min(bend / max(slope, 1e-300), 0.5 * (self.time[k] - self.time[k - 1]))
+        if not (math.isfinite(earliest) and math.isfinite(latest)):
             return time, Uncertainty(math.nan)
-        normal = (late - early) / (2.0 * NORMAL)
-        is_even = max(late - time, time - early) < LOPSIDED * min(late - time, time - early) + even
-        return time, Uncertainty(normal, even, None if is_even else (early - even, late + even))
+        normal = (latest - earliest) / (2.0 * NORMAL)
+        is_even = max(latest - time, time - earliest) < LOPSIDED * min(latest - time, time - earliest) + half_width
+        return time, Uncertainty(normal, half_width, None if is_even else (earliest - half_width, latest + half_width))
 
     def leaving(self, band: float, extra: float) -> tuple[float, Uncertainty]:
-        """When the series last leaves a band about one: on a cubic through as many samples about it as that follows."""
+        """Return the time of the last exit from a band about one, from a local cubic."""
         away = replace(self, values=np.abs(self.values - 1.0))
-        time, doubt = away.crossing(band, extra, last=True)
-        if not math.isfinite(doubt.standard) or self.noise.sigma <= 0.0 or time <= self.time[0]:
-            return time, doubt
+        time, uncertainty = away.crossing(band, extra, last=True)
+        if not math.isfinite(uncertainty.standard) or self.noise.sigma <= 0.0 or time <= self.time[0]:
+            return time, uncertainty
         k = int(np.clip(np.searchsorted(self.time, time), 1, self.time.size - 1))
         side = 1.0 if self.values[k - 1] > 1.0 else -1.0
         lobe = side * (self.values[:k] - 1.0)
-        inside, far = np.flatnonzero(lobe <= 0.0), np.flatnonzero(lobe >= 2.0 * band)
-        first = int(inside[-1]) + 1 if inside.size else 0
+        inner, outer = np.flatnonzero(lobe <= 0.0), np.flatnonzero(lobe >= 2.0 * band)
+        first = int(inner[-1]) + 1 if inner.size else 0
         first += int(np.argmax(lobe[first:])) if first < k else 0
-        most = k - max(first, int(far[-1]) if far.size else 0)
-        found = [self._left_on_cubic(k, int(most * part), side, band) for part in SPANS]
-        known = [(t, Uncertainty(WIDER * own, doubt.even)) for t, own in found if math.isfinite(t)]
-        if not known:
-            return time, doubt
+        reach = k - max(first, int(outer[-1]) if outer.size else 0)
+        exits = [self._left_on_cubic(k, int(reach * part), side, band) for part in SPANS]
+        estimates = [(t, Uncertainty(WIDER * error, uncertainty.even)) for t, error in exits if math.isfinite(t)]
+        if not estimates:
+            return time, uncertainty
         # The level of the band is that of the final value: what moves it moves the time as the slope there has it.
-        slope = band / max(time - float(self.time[max(k - most, 0)]), 1e-300)
-        at, own = _agreed(known)
-        return at, own.wider(extra / slope)
+        slope = band / max(time - float(self.time[max(k - reach, 0)]), 1e-300)
+        exit_time, error = _agreed(estimates)
+        return exit_time, error.wider(extra / slope)
 
-    def _left_on_cubic(self, k: int, most: int, side: float, band: float) -> tuple[float, float]:
-        """When a cubic through the samples about a place meets the edge of the band, and its standard uncertainty."""
-        near = slice(k - most, min(k + most + 1, self.time.size))
-        if near.stop - near.start < 9:
+    def _left_on_cubic(self, k: int, reach: int, side: float, band: float) -> tuple[float, float]:
+        """Return the time at which a local cubic reaches the edge of the band, and its uncertainty."""
+        window = slice(k - reach, min(k + reach + 1, self.time.size))
+        if window.stop - window.start < 9:
             return math.nan, math.nan
-        middle, width = float(self.time[k]), float(self.time[near.stop - 1] - self.time[near.start])
-        solved = np.linalg.pinv(np.vander((self.time[near] - middle) / width, 4))
-        curve = solved @ (side * (self.raw[near] - 1.0))
+        middle, width = float(self.time[k]), float(self.time[window.stop - 1] - self.time[window.start])
+        inverse = np.linalg.pinv(np.vander((self.time[window] - middle) / width, 4))
+        curve = inverse @ (side * (self.raw[window] - 1.0))
         roots = np.roots(curve - np.array([0.0, 0.0, 0.0, band]))
         real = roots[(np.abs(roots.imag) < 1e-9) & (np.abs(roots.real) < 0.5)].real
-        at = float(real[np.argmin(np.abs(real))]) if real.size else math.nan
-        slope = float(np.polyval(np.polyder(curve), at)) / width
+        root = float(real[np.argmin(np.abs(real))]) if real.size else math.nan
+        slope = float(np.polyval(np.polyder(curve), root)) / width
         if not slope < 0.0:
             return math.nan, math.nan
-        return middle + at * width, -self.noise.of(np.vander([at], 4)[0] @ solved) / slope
+        return middle + root * width, -self.noise.of(np.vander([root], 4)[0] @ inverse) / slope
 
     def _when(self, level: float, *, last: bool) -> float:
-        """The middle between the first and the last place at which a rough series crosses a level."""
+        """Return the middle between the first and last crossing of a level by a rough series."""
         if last:
             return self._left(level)
-        above = np.flatnonzero(self.values >= level)
-        if not above.size or above[0] == 0:
-            return math.nan if not above.size else float(self.time[0])
-        first = int(above[0])
-        sure = np.flatnonzero(self.values[first:] >= level + CLEAR * self.errors[first])
-        until = first + int(sure[0]) if sure.size else first
-        below = np.flatnonzero(self.values[:until] < level)
-        return 0.5 * (self._between(first, level) + self._between(int(below[-1]) + 1, level))
+        risen = np.flatnonzero(self.values >= level)
+        if not risen.size or risen[0] == 0:
+            return math.nan if not risen.size else float(self.time[0])
+        first = int(risen[0])
+        certain = np.flatnonzero(self.values[first:] >= level + CLEAR * self.errors[first])
+        limit = first + int(certain[0]) if certain.size else first
+        fallen = np.flatnonzero(self.values[:limit] < level)
+        return 0.5 * (self._between(first, level) + self._between(int(fallen[-1]) + 1, level))
 
     def _left(self, level: float) -> float:
-        beyond = np.flatnonzero(self.values > level)
-        if not beyond.size or beyond[-1] + 1 >= self.values.size:
-            return math.nan if beyond.size else float(self.time[0])
-        last = int(beyond[-1]) + 1
-        sure = np.flatnonzero(self.values[:last] > level + CLEAR * self.errors[last])
-        since = int(sure[-1]) if sure.size else last - 1
+        outside_samples = np.flatnonzero(self.values > level)
+        if not outside_samples.size or outside_samples[-1] + 1 >= self.values.size:
+            return math.nan if outside_samples.size else float(self.time[0])
+        last = int(outside_samples[-1]) + 1
+        certain = np.flatnonzero(self.values[:last] > level + CLEAR * self.errors[last])
+        since = int(certain[-1]) if certain.size else last - 1
         first = since + int(np.argmax(self.values[since:] <= level))
         return 0.5 * (self._between(first, level) + self._between(last, level))
 
     def _between(self, k: int, level: float) -> float:
-        """When a cubic between a sample and the one before it meets a level."""
+        """Return the time at which a cubic between two adjacent samples reaches a level."""
         time, b, c = self.time, float(self.values[k - 1]), float(self.values[k])
         a = float(self.values[k - 2]) if k > 1 else 2.0 * b - c
         d = float(self.values[k + 1]) if k + 1 < self.values.size else 2.0 * c - b
         s = np.linspace(0.0, 1.0, 33)
         cubic = b + 0.5 * s * ((c - a) + s * ((2.0 * a - 5.0 * b + 4.0 * c - d) + s * (3.0 * (b - c) + d - a)))
-        way = np.maximum.accumulate(cubic if c > b else -cubic)
-        part = float(np.interp(level if c > b else -level, way, s))
+        monotone = np.maximum.accumulate(cubic if c > b else -cubic)
+        part = float(np.interp(level if c > b else -level, monotone, s))
         return float(time[k - 1] + part * (time[k] - time[k - 1]))
 
 
 def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeries:
-    """A series by parabolas, each as wide as all narrower ones allow: the intersection of their confidence intervals.
+    """Smooth a series by parabolas with adaptive widths (intersection of confidence intervals).
 
     References
     ----------
@@ -196,32 +200,32 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeri
             break
         weights = _parabola(width)
         inner = slice(width, values.size - width)
-        wide = np.convolve(values, weights, "valid")
+        fitted = np.convolve(values, weights, "valid")
         error = noise.of(weights)
-        low[inner] = np.maximum(low[inner], wide - APART * error)
-        high[inner] = np.minimum(high[inner], wide + APART * error)
+        low[inner] = np.maximum(low[inner], fitted - APART * error)
+        high[inner] = np.minimum(high[inner], fitted + APART * error)
         agrees = np.zeros(values.size)
         agrees[inner] = low[inner] <= high[inner]
         # What the place and most of its neighbours allow.
         sums = np.concatenate([[0.0], np.cumsum(agrees * is_open)])
-        near = sums[2 * width + 1 :] - sums[: -2 * width - 1]
-        is_open[inner] &= (near > width) & (agrees[inner] > 0.0)
+        n_agreeing = sums[2 * width + 1 :] - sums[: -2 * width - 1]
+        is_open[inner] &= (n_agreeing > width) & (agrees[inner] > 0.0)
         is_open[:width] = is_open[values.size - width :] = False
-        best[inner] = np.where(is_open[inner], wide, best[inner])
+        best[inner] = np.where(is_open[inner], fitted, best[inner])
         errors[is_open], widths[is_open] = error, width
     return SmoothedSeries(time, best, WIDER * errors, values, widths, noise)
 
 
-def _agreed(found: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
-    """The first of several answers, from ever fewer samples, that the next one does not contradict."""
-    for (value, doubt), (other, its) in pairwise(found):
-        if abs(value - other) <= AGREED * math.hypot(doubt.standard, its.standard):
-            return value, doubt
-    return found[-1]
+def _agreed(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
+    """Return the first estimate that agrees with the next one, which uses fewer samples."""
+    for (value, uncertainty), (next_value, next_uncertainty) in pairwise(estimates):
+        if abs(value - next_value) <= AGREED * math.hypot(uncertainty.standard, next_uncertainty.standard):
+            return value, uncertainty
+    return estimates[-1]
 
 
 @cache
 def _parabola(width: int) -> FloatArray:
-    """Weights of the samples for the middle of the parabola through them; of a straight line through three."""
-    place = np.arange(-width, width + 1, dtype=np.float64)
-    return np.asarray(np.linalg.pinv(np.vander(place, 3 if width > 1 else 2))[-1])
+    """Return the weights of the central value of a fitted parabola (a line for three samples)."""
+    offsets = np.arange(-width, width + 1, dtype=np.float64)
+    return np.asarray(np.linalg.pinv(np.vander(offsets, 3 if width > 1 else 2))[-1])

@@ -1,4 +1,4 @@
-"""What the outlet does while nothing is asked of it: noise, drift, and a periodic motion that is neither."""
+"""Outlet at constant setpoint: noise, drift and limit cycles."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ FIRST = 3
 
 @dataclass(frozen=True)
 class Hum:
-    """A periodic motion: half of its swing from top to bottom [% FS], and its frequency [Hz]."""
+    """Limit cycle: half of its peak-to-peak value [% FS] and its frequency [Hz]."""
 
     amplitude: float
     frequency: float
@@ -33,7 +33,10 @@ class Hum:
 
 
 def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
-    """A periodic motion about rest, if there is one that noise does not explain.
+    """Return a limit cycle about a steady state, None if noise can explain the motion.
+
+    The largest line of the spectrum without drift is compared with the mean of the others (Fisher's g). The amplitude
+    is that of the mean period, so noise and waveform cause little bias.
 
     The largest line of the spectrum, after a straight drift is taken out, is compared with the mean of the others
     (Fisher's g); the swing is that of the mean period, so that neither noise nor the form of the motion bias it much.
@@ -52,31 +55,31 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     values = values - np.polyval(np.polyfit(even - even[0], values, 1), even - even[0])
     if float(np.ptp(values)) < 2.0 * LEAST:
         return None
-    whole = np.abs(np.fft.rfft(values * np.hanning(values.size))) ** 2
-    spectrum = whole[FIRST:]
-    place = int(np.argmax(spectrum))
+    power = np.abs(np.fft.rfft(values * np.hanning(values.size))) ** 2
+    spectrum = power[FIRST:]
+    index = int(np.argmax(spectrum))
     # The slow end of a settling outlet falls from line to line; a hum stands above its neighbours.
-    if whole[FIRST + place - 1] >= spectrum[place]:
+    if power[FIRST + index - 1] >= spectrum[index]:
         return None
-    line, total = float(np.sum(spectrum[max(place - 1, 0) : place + 2])), float(np.sum(spectrum))
+    line, total = float(np.sum(spectrum[max(index - 1, 0) : index + 2])), float(np.sum(spectrum))
     lines = spectrum.size / 1.5  # neighbours under a window share their noise
     # Part of all power that one of so many lines of white noise has at most, but for a small chance.
     if line < min(0.9, 3.0 * min(1.0, math.log(lines / CHANCE) / lines)) * total:
         return None
-    place += FIRST
-    frequency = _refined(even, values, place / (even[-1] - even[0]))
-    amplitude, left = _half_swing(even, values, frequency, noise_of(values))
+    index += FIRST
+    frequency = _refined(even, values, index / (even[-1] - even[0]))
+    amplitude, residual = _half_swing(even, values, frequency, noise_of(values))
     if not amplitude > LEAST:
         return None
     # Of the best fit of a sine in noise: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20 (1974) 591-598.
     span = float(even[-1] - even[0])
-    noise = noise_about([left], 0).at(2.0 * math.pi * frequency * span / even.size)
+    noise = noise_about([residual], 0).at(2.0 * math.pi * frequency * span / even.size)
     error = WIDER * noise / math.sqrt(even.size)
     return Hum(amplitude, frequency, math.sqrt(2.0) * error, math.sqrt(6.0) * error / (math.pi * amplitude * span))
 
 
 def _refined(time: FloatArray, values: FloatArray, frequency: float) -> float:
-    """The frequency of the sine that fits best, near a line of a spectrum."""
+    """Return the frequency of the best fitting sine near a spectral line."""
     width = 1.0 / (time[-1] - time[0])
     for _ in range(5):
         trial = frequency + width * np.linspace(-1.0, 1.0, 21)
@@ -91,17 +94,20 @@ def _power(time: FloatArray, values: FloatArray, frequency: float) -> float:
 
 
 def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: float) -> tuple[float, FloatArray]:
-    """Half of the swing of the mean period, of its harmonics as far as they stand above the noise; and what is left."""
+    """Return half of the peak-to-peak value of the mean period, and the residual.
+
+    Harmonics below the noise are excluded.
+    """
     phase = 2.0 * math.pi * frequency * (time - time[0])
     per_period = values.size / (frequency * (time[-1] - time[0]))
     highest = max(1, min(10, int(per_period / 4.0)))
     orders = range(1, highest + 1)
     columns = [np.ones_like(phase), *(np.cos(k * phase) for k in orders), *(np.sin(k * phase) for k in orders)]
-    found = np.linalg.lstsq(np.stack(columns, axis=1), values, rcond=None)[0]
+    coefficients = np.linalg.lstsq(np.stack(columns, axis=1), values, rcond=None)[0]
     turn = np.linspace(0.0, 2.0 * math.pi, 400, endpoint=False)
     wave = np.zeros_like(turn)
     floor = 4.0 * noise * math.sqrt(2.0 / values.size)
-    for k, a, b in zip(orders, found[1 : highest + 1], found[highest + 1 :], strict=True):
+    for k, a, b in zip(orders, coefficients[1 : highest + 1], coefficients[highest + 1 :], strict=True):
         if k == 1 or math.hypot(a, b) > floor:
             wave += a * np.cos(k * turn) + b * np.sin(k * turn)
-    return 0.5 * float(np.ptp(wave)), values - np.stack(columns, axis=1) @ found
+    return 0.5 * float(np.ptp(wave)), values - np.stack(columns, axis=1) @ coefficients

@@ -1,4 +1,4 @@
-"""What the supply does to the outlet, and what the valve takes from it at rest."""
+"""Effect of the supply pressure on the outlet, and consumption in steady state."""
 
 from __future__ import annotations
 
@@ -36,22 +36,22 @@ DRIFT = 0.05
 def supply_trial(
     scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, ends: tuple[float, float]
 ) -> Trial:
-    """A sweep of the supply pressure up and down at a constant setpoint."""
+    """Return a sweep of the supply pressure up and down at a constant setpoint."""
     low, high = ends
     # One cycle ahead: what the valve remembers of its way to the setpoint is over.
     times = np.cumsum([0.0, hold, sweep, sweep, sweep, hold, sweep, hold])
     signal = Points(times, np.array([low, low, high, low, high, high, low, low]))
-    lead, duration = float(times[3]), float(times[-1])
+    settling, duration = float(times[3]), float(times[-1])
     return Trial(
-        "supply", f"supply at {setpoint:g} % FS", held(scale, setpoint), duration, lead, sweep / ROWS, volume,
+        "supply", f"supply at {setpoint:g} % FS", held(scale, setpoint), duration, settling, sweep / ROWS, volume,
         supply=signal, load=Points([0.0], [LOAD]),
     )  # fmt: skip
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """A constant setpoint with the outlet closed."""
-    name, lead = f"rest at {setpoint:g} % FS", 5.0 * hold
-    return Trial("leakage", name, held(scale, setpoint), 2.0 * lead, lead, lead / ROWS, volume)
+    """Return a constant setpoint with a closed outlet."""
+    name, settling = f"rest at {setpoint:g} % FS", 5.0 * hold
+    return Trial("leakage", name, held(scale, setpoint), 2.0 * settling, settling, settling / ROWS, volume)
 
 
 def _supply_trials(pace: Pace) -> list[Trial]:
@@ -69,76 +69,78 @@ def _leakage_trials(pace: Pace) -> list[Trial]:
     return [leakage_trial(pace.specimen.scale, pace.volume, setpoint, pace.hold) for setpoint in setpoints]
 
 
-def _evaluate_supply(found: Evaluation, records: Sequence[Record]) -> None:
+def _evaluate_supply(evaluation: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
-        _one(found, record)
-    judged = [row for row in found.rows if "sensitivity" in row]
-    if judged:
-        sizes, doubts = found.known(judged, "sensitivity")
-        value, doubt, k = greatest([abs(size) for size in sizes], doubts)
-        conditions = {key: judged[k][key] for key in ("setpoint", "lowest_supply", "highest_supply")}
+        _one(evaluation, record)
+    evaluated = [row for row in evaluation.rows if "sensitivity" in row]
+    if evaluated:
+        sizes, uncertainties = evaluation.pairs(evaluated, "sensitivity")
+        value, uncertainty, k = greatest([abs(size) for size in sizes], uncertainties)
+        conditions = {key: evaluated[k][key] for key in ("setpoint", "lowest_supply", "highest_supply")}
         signed = math.copysign(value, sizes[k])
-        found.add_seen("supply_sensitivity", signed, 2.0 * NORMAL * doubt.standard, doubt, **conditions)
+        evaluation.add_or_bound(
+            "supply_sensitivity", signed, 2.0 * NORMAL * uncertainty.standard, uncertainty, **conditions
+        )
     else:
-        found.absent("no_supply_sweep", "supply_sensitivity")
-    both = [row for row in found.rows if "hysteresis" in row]
-    if both:
-        value, doubt, k = greatest(*found.known(both, "hysteresis"))
-        found.add_judged("supply_hysteresis", value, doubt)
+        evaluation.note_absence("no_supply_sweep", "supply_sensitivity")
+    rows_with_hysteresis = [row for row in evaluation.rows if "hysteresis" in row]
+    if rows_with_hysteresis:
+        value, uncertainty, k = greatest(*evaluation.pairs(rows_with_hysteresis, "hysteresis"))
+        evaluation.add_nonnegative("supply_hysteresis", value, uncertainty)
     else:
-        found.absent("supply_one_way", "supply_hysteresis")
+        evaluation.note_absence("supply_one_way", "supply_hysteresis")
 
 
-def _one(found: Evaluation, record: Record) -> None:
-    supply, scale = record.supply, found.scale
+def _one(evaluation: Evaluation, record: Record) -> None:
+    supply, scale = record.supply, evaluation.scale
     x, y = scale.percents(record)
     row: Row = {"record": record.name, "setpoint": float(np.median(x))}
-    found.rows.append(row)
-    judged = scale.percent(supply) > float(np.median(y)) + MARGIN
-    extent = float(np.ptp(supply[judged])) if np.count_nonzero(judged) > 10 else 0.0
+    evaluation.rows.append(row)
+    evaluated = scale.percent(supply) > float(np.median(y)) + MARGIN
+    extent = float(np.ptp(supply[evaluated])) if np.count_nonzero(evaluated) > 10 else 0.0
     if extent < 0.02 * scale.span:
-        found.note("supply.still", record.name, extent=extent)
+        evaluation.note("supply.still", record.name, extent=extent)
         return
     # Ends of the sweep, not of its noise.
-    aside = 2.0 * noise_of(supply)
-    low, high = float(np.min(supply[judged])) + aside, float(np.max(supply[judged])) - aside
+    margin = 2.0 * noise_of(supply)
+    low, high = float(np.min(supply[evaluated])) + margin, float(np.max(supply[evaluated])) - margin
     row |= {"lowest_supply": low, "highest_supply": high}
     grid = np.linspace(low, high, PLACES)
-    ways: dict[int, list[FloatArray]] = {1: [], -1: []}
+    values_by_sign: dict[int, list[FloatArray]] = {1: [], -1: []}
     parts = branches(supply, TURN * extent)
     lags = lags_of(record.time, supply, y, parts)
-    late = caught_up(record.time, supply, lags)
+    delayed = caught_up(record.time, supply, lags)
     for branch in parts:
-        value, _ = at_places(late[branch.samples], y[branch.samples], grid, 0.5 * extent / (PLACES - 1))
-        ways[branch.sign].append(value)
-    means = {sign: np.mean(values, axis=0) for sign, values in ways.items() if values}
+        value, _ = at_places(delayed[branch.samples], y[branch.samples], grid, 0.5 * extent / (PLACES - 1))
+        values_by_sign[branch.sign].append(value)
+    means = {sign: np.mean(values, axis=0) for sign, values in values_by_sign.items() if values}
     for sign, mean in means.items():
-        known = np.isfinite(mean)
-        way, case = "rising" if sign > 0 else "falling", f"{row['setpoint']:.0f} % FS"
-        found.curves.append(Curve(way, case, grid[known], mean[known]))
+        is_known = np.isfinite(mean)
+        direction, case = "rising" if sign > 0 else "falling", f"{row['setpoint']:.0f} % FS"
+        evaluation.curves.append(Curve(direction, case, grid[is_known], mean[is_known]))
     mean = np.mean(list(means.values()), axis=0)
-    known = np.isfinite(mean)
-    if np.count_nonzero(known) < PLACES // 2:
-        found.note("supply.incomplete", record.name)
+    is_known = np.isfinite(mean)
+    if np.count_nonzero(is_known) < PLACES // 2:
+        evaluation.note("supply.incomplete", record.name)
         return
-    every = np.array([value for values in ways.values() for value in values])
-    sigma = roughness(every)
+    all_values = np.array([value for values in values_by_sign.values() for value in values])
+    sigma = roughness(all_values)
     # Where the sweep has turned, there and back have not parted yet.
-    inner = known & (np.arange(PLACES) >= PLACES // 10) & (np.arange(PLACES) < PLACES - PLACES // 10)
-    place = (grid[inner] - np.mean(grid[inner])) * 100.0 / scale.span
-    slope = float(place @ mean[inner]) / float(place @ place)
+    inner = is_known & (np.arange(PLACES) >= PLACES // 10) & (np.arange(PLACES) < PLACES - PLACES // 10)
+    centred = (grid[inner] - np.mean(grid[inner])) * 100.0 / scale.span
+    slope = float(centred @ mean[inner]) / float(centred @ centred)
     # Of as many sweeps, each of as many places.
-    slope_error = sigma / math.sqrt(len(every) * float(place @ place))
-    found.know(row, "sensitivity", slope, Uncertainty(slope_error))
+    slope_error = sigma / math.sqrt(len(all_values) * float(centred @ centred))
+    evaluation.set_value(row, "sensitivity", slope, Uncertainty(slope_error))
     if len(means) == 2:
-        own = sigma * math.sqrt(sum(1.0 / len(values) for values in ways.values() if values))
-        gap = smooth(grid[inner], (means[1] - means[-1])[inner], own)
-        widest, doubt = unbiased([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
-        lag = float(np.linalg.norm([each.error for each in lags])) / len(lags) if lags else 0.0
-        found.know(row, "hysteresis", widest, doubt.wider(2.0 * lag))
+        gap_error = sigma * math.sqrt(sum(1.0 / len(values) for values in values_by_sign.values() if values))
+        gap = smooth(grid[inner], (means[1] - means[-1])[inner], gap_error)
+        widest, uncertainty = unbiased([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
+        lag = float(np.linalg.norm([lag_of_branch.error for lag_of_branch in lags])) / len(lags) if lags else 0.0
+        evaluation.set_value(row, "hysteresis", widest, uncertainty.wider(2.0 * lag))
 
 
-def _evaluate_leakage(found: Evaluation, records: Sequence[Record]) -> None:
+def _evaluate_leakage(evaluation: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
         last = record.time >= record.time[-1] - HOLD * (record.time[-1] - record.time[0])
         clock, flow = record.time[last], record.consumption[last]
@@ -146,25 +148,27 @@ def _evaluate_leakage(found: Evaluation, records: Sequence[Record]) -> None:
         half = flow.size // 2
         drift = abs(float(np.mean(flow[half:]) - np.mean(flow[:half])))
         error = 4.0 * noise_of(flow) / math.sqrt(max(1, half))
-        x, y = (series[last] for series in found.scale.percents(record))
+        x, y = (series[last] for series in evaluation.scale.percents(record))
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": float(np.mean(y))}
-        doubt = Uncertainty(noise_about([flow]).mean(flow.size)) if float(np.ptp(flow)) > 0.0 else Uncertainty(0.0)
-        found.rows.append(row)
-        found.know(row, "flow", mean, doubt)
+        uncertainty = (
+            Uncertainty(noise_about([flow]).mean(flow.size)) if float(np.ptp(flow)) > 0.0 else Uncertainty(0.0)
+        )
+        evaluation.rows.append(row)
+        evaluation.set_value(row, "flow", mean, uncertainty)
         row["known_to"] = max(error, drift)
         if drift > max(DRIFT * abs(mean), error) and drift > UNSEEN:
-            found.note("leakage.drifts", record.name)
-    worst = largest(found.rows, "flow")
+            evaluation.note("leakage.drifts", record.name)
+    worst = largest(evaluation.rows, "flow")
     if worst is None:
-        found.absent("no_consumption", "leakage")
+        evaluation.note_absence("no_consumption", "leakage")
         return
     is_lost = worst["known_to"] > 0.0 and abs(worst["flow"]) < worst["known_to"]
     if is_lost:
-        found.add("leakage", worst["known_to"], bound=AT_MOST, setpoint=worst["setpoint"])
+        evaluation.add("leakage", worst["known_to"], bound=AT_MOST, setpoint=worst["setpoint"])
         return
-    rows = [row for row in found.rows if "flow" in row]
-    value, doubt, k = greatest(*found.known(rows, "flow"))
-    found.add("leakage", value, doubt, setpoint=rows[k]["setpoint"])
+    rows = [row for row in evaluation.rows if "flow" in row]
+    value, uncertainty, k = greatest(*evaluation.pairs(rows, "flow"))
+    evaluation.add("leakage", value, uncertainty, setpoint=rows[k]["setpoint"])
 
 
 SUPPLY = BenchTest(

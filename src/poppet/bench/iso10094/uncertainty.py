@@ -1,4 +1,7 @@
-r"""How far a figure is known: from noise, sampling and repetition.
+r"""Uncertainty of characteristic values: noise, sampling and repetition.
+
+Standard uncertainties follow the GUM (JCGM 100). The 95 % intervals combine normal and uniform distributions. The
+autocovariance of the noise prevents means of coloured noise from appearing too accurate.
 
 Standard uncertainties after the GUM (JCGM 100), and intervals of 95 % of what is partly normal and partly evenly
 distributed. Noise is described by its autocovariance: a mean of coloured noise is not taken for better than it is.
@@ -17,25 +20,25 @@ from poppet.timeseries.measurements.noise import quantum_of
 
 COVERAGE = 0.95
 NORMAL = 1.959964
-"""Standard deviations within which a normal distribution has 95 %."""
+"""Half width of the 95 % interval of a normal distribution, in standard deviations."""
 SHORT = 1.2
-"""Variance of a mean of coloured noise over what a short record lets see of its colour."""
+"""Variance of a mean of coloured noise relative to its estimate from a short record."""
 LAGS = 24
-"""Samples over which noise is looked at for its colour."""
+"""Largest lag of the autocovariance [samples]."""
 DRAWS = 400
-"""Draws of noise from which the bias of a largest value and its scatter are known."""
+"""Number of noise draws for the bias and the scatter of a maximum."""
 DEGREES = 14
-"""Highest degree of a polynomial that may stand for a curve."""
+"""Highest degree of a polynomial fitted to a curve."""
 SEED = 20
 
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """What is not known of a figure: one standard deviation of its normal part, half width of its even part."""
+    """Standard deviation of the normal part and half width of the uniform part."""
 
     normal: float
     even: float = 0.0
-    # Both ends of the interval of 95 %, where it does not lie evenly about the value.
+    # Ends of an asymmetric 95 % interval.
     ends: tuple[float, float] | None = None
 
     @property
@@ -44,18 +47,18 @@ class Uncertainty:
         return math.hypot(self.normal, self.even / math.sqrt(3.0))
 
     def wider(self, normal: float) -> Uncertainty:
-        """The same with another independent part."""
+        """Return the uncertainty with another independent normal part."""
         return Uncertainty(math.hypot(self.normal, normal), self.even, self.ends)
 
-    def plus(self, other: Uncertainty) -> Uncertainty:
-        """With that of something that is added, or taken away: the wider even part stays one."""
-        small, even = sorted((self.even, other.even))
-        aside = NORMAL * other.standard
-        ends = None if self.ends is None else (self.ends[0] - aside, self.ends[1] + aside)
-        return Uncertainty(math.hypot(self.normal, other.normal, small / math.sqrt(3.0)), even, ends)
+    def plus(self, addend: Uncertainty) -> Uncertainty:
+        """Return the uncertainty of a sum or difference; the larger uniform part stays uniform."""
+        small, even = sorted((self.even, addend.even))
+        margin = NORMAL * addend.standard
+        ends = None if self.ends is None else (self.ends[0] - margin, self.ends[1] + margin)
+        return Uncertainty(math.hypot(self.normal, addend.normal, small / math.sqrt(3.0)), even, ends)
 
     def interval(self, value: float) -> tuple[float, float]:
-        """Where the true value lies in 95 of 100 cases.
+        """Return the 95 % interval of the true value.
 
         Examples
         --------
@@ -71,15 +74,15 @@ class Uncertainty:
 
 
 def _half(normal: float) -> float:
-    """Half width of 95 % of a normal and an even distribution of half width one."""
+    """Return the 95 % half width of a normal plus a uniform distribution of half width one."""
     if normal < 1e-6:
         return COVERAGE
-    places = np.linspace(-1.0, 1.0, 65)
+    offsets = np.linspace(-1.0, 1.0, 65)
     low, high = 0.0, 1.0 + 3.0 * normal
     for _ in range(40):
         half = 0.5 * (low + high)
-        inside = np.mean([_phi((half - u) / normal) - _phi((-half - u) / normal) for u in places])
-        low, high = (half, high) if inside < COVERAGE else (low, half)
+        probability = np.mean([_phi((half - u) / normal) - _phi((-half - u) / normal) for u in offsets])
+        low, high = (half, high) if probability < COVERAGE else (low, half)
     return half
 
 
@@ -92,41 +95,41 @@ def _phi(x: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """Noise of a series by its autocovariance, from lag zero on."""
+    """Noise of a series as its autocovariance, starting with lag zero."""
 
     covariance: FloatArray
 
     @property
     def sigma(self) -> float:
-        """Its standard deviation."""
+        """Standard deviation."""
         return math.sqrt(float(self.covariance[0]))
 
     def of(self, weights: FloatArray) -> float:
-        """Standard deviation of a weighted sum of samples that follow each other."""
+        """Return the standard deviation of a weighted sum of consecutive samples."""
         lags = min(self.covariance.size, weights.size)
-        own = np.array([float(weights[k:] @ weights[: weights.size - k]) for k in range(lags)])
-        own[1:] *= 2.0
-        return math.sqrt(max(float(own @ self.covariance[:lags]), 0.0))
+        products = np.array([float(weights[k:] @ weights[: weights.size - k]) for k in range(lags)])
+        products[1:] *= 2.0
+        return math.sqrt(max(float(products @ self.covariance[:lags]), 0.0))
 
     @property
     def spread(self) -> float:
-        """Standard deviation that white noise would have whose means scatter alike."""
+        """Standard deviation of white noise whose means have the same scatter."""
         total = float(self.covariance[0]) + 2.0 * float(np.sum(self.covariance[1:]))
         return math.sqrt(SHORT * max(total, 0.25 * float(self.covariance[0])))
 
     def mean(self, count: int) -> float:
-        """Standard deviation of a mean of samples."""
+        """Return the standard deviation of a mean of samples."""
         return self.spread / math.sqrt(max(1, count))
 
     def at(self, turn: float) -> float:
-        """Standard deviation that white noise would have which is as strong at a frequency [rad per sample]."""
+        """Return the standard deviation of white noise with equal power at a frequency [rad/sample]."""
         lags = np.arange(1, self.covariance.size)
         total = float(self.covariance[0]) + 2.0 * float(np.sum(self.covariance[1:] * np.cos(turn * lags)))
         return math.sqrt(max(total, 0.5 * float(self.covariance[0])))
 
 
 def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
-    """The noise of series about smooth curves: what polynomials leave of them.
+    """Return the noise of series about fitted polynomials.
 
     Examples
     --------
@@ -135,16 +138,16 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
     >>> round(found.sigma, 2), abs(found.spread / 0.3 - 1.0) < 0.1
     (0.3, True)
     """
-    left = [_left(part, degree) for part in parts if part.size > degree + 3]
-    if not left:
+    residuals = [_left(part, degree) for part in parts if part.size > degree + 3]
+    if not residuals:
         return Noise(np.zeros(1))
-    count = sum(each.size for each in left)
-    lags = max(1, min(LAGS, min(each.size for each in left) // 4))
+    count = sum(residual.size for residual in residuals)
+    lags = max(1, min(LAGS, min(residual.size for residual in residuals) // 4))
     covariance = np.zeros(lags)
-    for each in left:
-        covariance += [float(each[k:] @ each[: each.size - k]) for k in range(lags)]
-    covariance /= max(1, count - (degree + 1) * len(left))
-    # What is not told from nothing ends the colour.
+    for residual in residuals:
+        covariance += [float(residual[k:] @ residual[: residual.size - k]) for k in range(lags)]
+    covariance /= max(1, count - (degree + 1) * len(residuals))
+    # The autocovariance ends at the first insignificant lag.
     small = np.flatnonzero(np.abs(covariance) < 2.0 * covariance[0] / math.sqrt(count))
     covariance = covariance[: int(small[0])] if small.size and small[0] else covariance
     floor = max(quantum_of(part) for part in parts) ** 2 / 12.0
@@ -153,15 +156,15 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
 
 
 def _left(values: FloatArray, degree: int) -> FloatArray:
-    place = np.linspace(-1.0, 1.0, values.size)
-    return values - np.polynomial.legendre.legval(place, np.polynomial.legendre.legfit(place, values, degree))
+    positions = np.linspace(-1.0, 1.0, values.size)
+    return values - np.polynomial.legendre.legval(positions, np.polynomial.legendre.legfit(positions, values, degree))
 
 
 # Curves ------------------------------------------------------------------------------------------------------------
 
 
 def roughness(rows: FloatArray, stride: int = 1) -> float:
-    """Standard deviation of single values of smooth curves on an even grid, from how they jump about.
+    """Return the noise of smooth curves on an even grid, from their second differences.
 
     Examples
     --------
@@ -173,34 +176,36 @@ def roughness(rows: FloatArray, stride: int = 1) -> float:
     bends = np.abs(bends[np.isfinite(bends)]) / math.sqrt(6.0)
     if not bends.size:
         return 0.0
-    sigma = 1.4826 * float(np.median(bends))  # a bend or two of the curve itself is no noise
-    kept = bends[bends <= 4.0 * sigma]
-    return float(np.sqrt(np.mean(kept**2))) if kept.size else 0.0
+    sigma = 1.4826 * float(np.median(bends))  # the median ignores a few bends of the curve
+    inliers = bends[bends <= 4.0 * sigma]
+    return float(np.sqrt(np.mean(inliers**2))) if inliers.size else 0.0
 
 
 @dataclass(frozen=True, eq=False)
 class SmoothCurve:
-    """A curve on a grid without its noise, and one standard deviation of what it may be beside it."""
+    """Curve on a grid without its noise, with the standard deviation of its coefficients."""
 
     values: FloatArray
-    basis: FloatArray  # (n, m), orthonormal: what remains of the noise lies in it
-    sigma: float  # of each of its coefficients
-    # Columns of the basis that the curve has. One more might have been there as well: what it would add is doubt.
+    basis: FloatArray  # (n, m), orthonormal basis of the remaining noise
+    sigma: float  # standard deviation of each coefficient
+    # Number of selected columns of the basis; the next column contributes to the uncertainty.
     kept: int
 
     def draws(self, random: np.random.Generator) -> tuple[FloatArray, FloatArray]:
-        """Curves that differ by what remains of the noise, a row each: of those columns, and of all."""
+        """Return random curves, one per row: with the selected columns, and with all columns."""
         chance = self.sigma * random.standard_normal((DRAWS, self.basis.shape[1]))
-        own = self.values + chance[:, : self.kept] @ self.basis[:, : self.kept].T
-        return own, self.values + chance @ self.basis.T
+        selected = self.values + chance[:, : self.kept] @ self.basis[:, : self.kept].T
+        return selected, self.values + chance @ self.basis.T
 
     def error(self, weights: FloatArray) -> float:
-        """Standard deviation of a weighted sum of its values."""
+        """Return the standard deviation of a weighted sum of values."""
         return self.sigma * float(np.linalg.norm(weights @ self.basis))
 
 
 def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.0) -> SmoothCurve:
-    """The simplest polynomial that noise does not tell from a curve; the curve itself where none is.
+    """Fit the simplest polynomial within the noise of a curve; without one, return the curve.
+
+    `share` is the number of neighbouring values with common noise.
 
     `share` is the number of neighbouring values that share their noise.
 
@@ -215,29 +220,31 @@ def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.
     spread = sigma * math.sqrt(share)
     if sigma <= 1e-9 * max(1e-300, float(np.max(np.abs(values)))) or count < 8:
         return SmoothCurve(values, np.eye(count), sigma, count)
-    place = 2.0 * (grid - grid[0]) / (grid[-1] - grid[0]) - 1.0
+    positions = 2.0 * (grid - grid[0]) / (grid[-1] - grid[0]) - 1.0
     highest = min(DEGREES, count // 3)
-    basis = np.linalg.qr(np.polynomial.legendre.legvander(place, highest))[0]
-    found = basis.T @ values
-    left = float(values @ values) - np.cumsum(found**2)
+    basis = np.linalg.qr(np.polynomial.legendre.legvander(positions, highest))[0]
+    coefficients = basis.T @ values
+    residual = float(values @ values) - np.cumsum(coefficients**2)
     parameters = np.arange(1, highest + 2)
-    # Akaike's criterion with the noise known: each coefficient has to earn what it costs.
-    score = np.maximum(left, 0.0) / spread**2 + COST * parameters
+    # Akaike's criterion for known noise.
+    score = np.maximum(residual, 0.0) / spread**2 + COST * parameters
     best = int(np.argmin(score))
     freedom = (count - best - 1) / share
-    if left[best] / spread**2 > freedom + 4.0 * math.sqrt(2.0 * freedom):
+    if residual[best] / spread**2 > freedom + 4.0 * math.sqrt(2.0 * freedom):
         return SmoothCurve(values, np.eye(count), sigma, count)
-    return SmoothCurve(basis[:, : best + 1] @ found[: best + 1], basis[:, : best + 2], spread, best + 1)
+    return SmoothCurve(basis[:, : best + 1] @ coefficients[: best + 1], basis[:, : best + 2], spread, best + 1)
 
 
 COST = 4.0
-"""What a coefficient of a polynomial has to take off the sum of squares, in variances of the noise."""
+"""Penalty of a coefficient in the sum of squares, in variances of the noise."""
 
 
 def unbiased(
     curves: Sequence[SmoothCurve], functional: Callable[[list[FloatArray]], FloatArray]
 ) -> tuple[float, Uncertainty]:
-    """A figure that is not linear in its curves, less the bias that noise gives it.
+    """Return a nonlinear value of curves without its noise bias.
+
+    `functional` takes arrays of shape (draws, n), one per curve, and returns one value per draw.
 
     `functional` takes arrays (draws, n), one of each curve, and gives a value per draw.
 
@@ -249,17 +256,17 @@ def unbiased(
     True
     """
     random = np.random.default_rng(SEED)
-    plain = float(functional([each.values[None, :] for each in curves])[0])
-    own, every = zip(*(each.draws(random) for each in curves), strict=True)
-    bias = float(np.mean(functional(list(own)))) - plain
-    return plain - bias, Uncertainty(math.hypot(float(np.std(functional(list(every)))), bias))
+    biased = float(functional([curve.values[None, :] for curve in curves])[0])
+    selected, complete = zip(*(curve.draws(random) for curve in curves), strict=True)
+    bias = float(np.mean(functional(list(selected)))) - biased
+    return biased - bias, Uncertainty(math.hypot(float(np.std(functional(list(complete)))), bias))
 
 
 # Repetition --------------------------------------------------------------------------------------------------------
 
 
-def mean_of(values: Sequence[float], doubts: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
-    """The mean of what was found several times, and what is not known of it: scatter counts beyond what each explains.
+def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
+    """Return the mean of repeated values with its uncertainty, which includes their scatter.
 
     Examples
     --------
@@ -268,18 +275,22 @@ def mean_of(values: Sequence[float], doubts: Sequence[Uncertainty]) -> tuple[flo
     (2.0, True)
     """
     if len(values) == 1:
-        return float(values[0]), doubts[0]
-    own = float(np.mean([doubt.standard**2 for doubt in doubts]))
-    beyond = float(np.var(values, ddof=1)) - own * SCATTER
-    return float(np.mean(values)), Uncertainty(math.sqrt((own + max(0.0, beyond)) / len(values)))
+        return float(values[0]), uncertainties[0]
+    variance = float(np.mean([uncertainty.standard**2 for uncertainty in uncertainties]))
+    excess = float(np.var(values, ddof=1)) - variance * SCATTER
+    return float(np.mean(values)), Uncertainty(math.sqrt((variance + max(0.0, excess)) / len(values)))
 
 
 SCATTER = 3.0
-"""Ratio of scatter to what the noise explains, as variances, that chance may make of a few repetitions."""
+"""Ratio of scatter to noise variance that can occur by chance in a few repetitions."""
 
 
-def greatest(values: Sequence[float], doubts: Sequence[Uncertainty]) -> tuple[float, Uncertainty, int]:
-    """The largest of several values, and its place.
+def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty, int]:
+    """Return the largest of several values, its uncertainty and its index.
+
+    The largest of noisy values is biased. Values whose scatter is within their noise shrink to their mean (R.
+    DerSimonian and N. Laird, Controlled Clinical Trials 7 (1986) 177-188). Equal true values thus become equal, and
+    different values stay the same.
 
     Of values that noise has set apart the largest is too large. So far as they scatter no more than their noise does,
     each is drawn to their mean, by as much as is due to it (R. DerSimonian and N. Laird, Controlled Clinical Trials 7
@@ -293,18 +304,21 @@ def greatest(values: Sequence[float], doubts: Sequence[Uncertainty]) -> tuple[fl
     >>> round(greatest([1.0, 2.0, 9.0], [Uncertainty(0.1), Uncertainty(0.1), Uncertainty(0.1)])[0], 2)
     9.0
     """
-    spread, every = np.array([doubt.standard for doubt in doubts]), np.array(values, dtype=np.float64)
-    top = int(np.argmax(every))
-    if every.size == 1 or not spread.min() > 0.0:
-        return float(every[top]), doubts[top], top
+    spread, array = (
+        np.array([uncertainty.standard for uncertainty in uncertainties]),
+        np.array(values, dtype=np.float64),
+    )
+    top = int(np.argmax(array))
+    if array.size == 1 or not spread.min() > 0.0:
+        return float(array[top]), uncertainties[top], top
     weights = spread**-2.0
     total = float(weights.sum())
-    mean = float(weights @ every) / total
-    apart = float(weights @ (every - mean) ** 2) - (every.size - 1)
-    between = max(0.0, apart / (total - float(weights @ weights) / total))
-    own = between / (between + spread**2)
-    drawn = mean + own * (every - mean)
-    k = int(np.argmax(drawn))
-    shift = 0.5 * (1.0 - own[k]) * (every[k] - mean)
-    error = math.hypot(math.sqrt(own[k]) * spread[k], (1.0 - own[k]) * total**-0.5, shift)
-    return float(drawn[k]), Uncertainty(error), k
+    mean = float(weights @ array) / total
+    excess = float(weights @ (array - mean) ** 2) - (array.size - 1)
+    variance_between = max(0.0, excess / (total - float(weights @ weights) / total))
+    weight = variance_between / (variance_between + spread**2)
+    shrunk = mean + weight * (array - mean)
+    k = int(np.argmax(shrunk))
+    shift = 0.5 * (1.0 - weight[k]) * (array[k] - mean)
+    error = math.hypot(math.sqrt(weight[k]) * spread[k], (1.0 - weight[k]) * total**-0.5, shift)
+    return float(shrunk[k]), Uncertainty(error), k

@@ -1,4 +1,4 @@
-"""Recordings of a real valve: which file is which test, and which column which channel."""
+"""Recordings of a real valve: assignment of files to tests and of columns to channels."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ DEFAULT_AMBIENT = 101325.0
 
 @dataclass(frozen=True)
 class ValveRecordings:
-    """Recordings of a valve, read."""
+    """Recordings of a valve after reading."""
 
     title: str
     scale: Scale
@@ -73,20 +73,22 @@ def recorded(
     notes: list[Note] = []
     for name, table in data["recordings"].items():
         try:
-            record, found = _record(name, table, path.parent, ambient, scale)
+            record, found_notes = _record(name, table, path.parent, ambient, scale)
         except InputError as error:
             problems.append(error)
             continue
         records[record.test].append(record)
-        notes += found
+        notes += found_notes
     collect(problems)
     conditions: dict[str, Any] = {
         "ambient_pressure": ambient,
-        "recordings": {test: [record.name for record in found] for test, found in records.items() if found},
+        "recordings": {
+            test: [record.name for record in found_notes] for test, found_notes in records.items() if found_notes
+        },
     }
     if "supply_pressure" in data:
         conditions["supply_pressure"] = pressure(data["supply_pressure"], ambient, "supply_pressure")
-    volumes = sorted({r.volume for found in records.values() for r in found if math.isfinite(r.volume)})
+    volumes = sorted({r.volume for found_notes in records.values() for r in found_notes if math.isfinite(r.volume)})
     if volumes:
         conditions["volumes"] = volumes
     return ValveRecordings(str(data.get("title", path.stem)), scale, records, rated_flow, tuple(notes), conditions)
@@ -104,27 +106,29 @@ def _check_top(data: Mapping[str, Any], full_scale: str | None) -> None:
 
 
 def _ambient(data: Mapping[str, Any]) -> float:
-    given = data.get("ambient_pressure", DEFAULT_AMBIENT)
-    read = quantity(given, "Pa", kind="pressure", name="ambient_pressure")
+    raw = data.get("ambient_pressure", DEFAULT_AMBIENT)
+    read = quantity(raw, "Pa", kind="pressure", name="ambient_pressure")
     if read.reference == "gauge" or read.value <= 0.0:
-        raise InputError("recordings.ambient", "ambient_pressure", given=given)
+        raise InputError("recordings.ambient", "ambient_pressure", given=raw)
     return read.value
 
 
 def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
-    """One recording, and what a reader has to know of it."""
-    where = f"recordings.{name}"
+    """Return one recording and its notes."""
+    address = f"recordings.{name}"
     if not isinstance(table, Mapping):
-        raise InputError("recordings.no_table", where, given=table)
-    own = {key: table[key] for key in OF_RECORDING if key in table}
-    collect(_mistakes(where, table, own))
-    rest = {key: value for key, value in table.items() if key not in OF_RECORDING}
-    measurement = read_measurement(name, rest, folder, ambient_pressure=ambient, beside=OF_RECORDING)
-    record = _joined(name, measurement, own, where, ambient, scale)
+        raise InputError("recordings.no_table", address, given=table)
+    fields = {key: table[key] for key in OF_RECORDING if key in table}
+    collect(_mistakes(address, table, fields))
+    other_fields = {key: value for key, value in table.items() if key not in OF_RECORDING}
+    measurement = read_measurement(name, other_fields, folder, ambient_pressure=ambient, other_fields=OF_RECORDING)
+    record = _joined(name, measurement, fields, address, ambient, scale)
     # A bench knows more of its channels: a command rests at its ends, an outlet follows its setpoint.
-    findings = [each for each in measurement.findings if each.code != "suspicion.clipped"]
+    findings = [finding for finding in measurement.findings if finding.code != "suspicion.clipped"]
     if _is_staircase(record, scale):
-        findings = [each for each in findings if (each.code, each.address) != ("suspicion.coarse", SETPOINT)]
+        findings = [
+            finding for finding in findings if (finding.code, finding.address) != ("suspicion.coarse", SETPOINT)
+        ]
     notes = [note.within(name) for note in (*measurement.notes, *findings)]
     for series, mask in record.clipped.items():
         notes.append(Note("recordings.clipped", f"{name}.{SERIES[series]}", samples=int(mask.sum())))

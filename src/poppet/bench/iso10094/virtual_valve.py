@@ -1,4 +1,6 @@
-r"""A valve of which every figure is known beforehand, to prove the bench on.
+r"""Virtual valve with known characteristic values, for tests of the bench.
+
+.. math:: T \dot y + y = f(\mathrm{play}(w(t - T_d)))
 
 .. math:: T \dot y + y = f(\mathrm{play}(w(t - T_d))) \qquad
     \text{or} \qquad \ddot y + 2 D \omega \dot y + \omega^2 y = \omega^2 f(\ldots), \quad \omega = 1/T
@@ -24,35 +26,35 @@ _SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
 
 @dataclass(frozen=True)
 class StandIn:
-    """A linear valve of first or second order behind play, a threshold, a dead zone, and a dead time."""
+    """Linear valve of first or second order with backlash, threshold, dead zone and dead time."""
 
     scale: Scale = _SCALE
     supply: float = 9e5  # absolute [Pa]
-    time_constant: float = 0.05  # T, at the reference volume [s]
-    damping: float = 1.0  # D; at 1 or above the valve is one of first order
+    time_constant: float = 0.05  # T, with the reference volume [s]
+    damping: float = 1.0  # D; a value of 1 or more gives a first-order valve
     dead_time: float = 0.0  # T_d [s]
-    play: float = 0.0  # width of the play: the hysteresis [% FS]
-    threshold: float = 0.0  # change that the play must make before the valve follows it [% FS]
-    dead_zone: float = 0.0  # setpoint below which the outlet stays at zero [% FS]
-    bow: float = 0.0  # deviation from the straight line in the middle of the range, a parabola [% FS]
-    scatter: float = 0.0  # offset of every second cycle, which begins where the setpoint is zero [% FS]
+    play: float = 0.0  # width of the backlash, equal to the hysteresis [% FS]
+    threshold: float = 0.0  # smallest change after the backlash that the valve follows [% FS]
+    dead_zone: float = 0.0  # setpoint below which the outlet is zero [% FS]
+    bow: float = 0.0  # parabolic deviation from the straight line in the middle of the range [% FS]
+    scatter: float = 0.0  # offset of every second cycle, which begins at setpoint zero [% FS]
     offset: float = 0.0  # outlet at setpoint zero [% FS]
     droop: float = 0.0  # fall of the outlet at the full flow out of it [% FS]
     rise: float = 0.0  # rise of the outlet at the full flow into it [% FS]
-    flow_play: float = 0.0  # width of the play of the flow, as a part of the full flow
+    flow_play: float = 0.0  # width of the backlash of the flow, relative to the full flow
     full_flow: float = 0.01  # mass flow rate at a load of one [kg/s]
     supply_sensitivity: float = 0.0  # change of the outlet per change of the supply pressure
     leak: float = 0.0  # mass flow rate from the supply [kg/s]
-    hum: float = 0.0  # amplitude of a motion that never rests [% FS]
-    hum_frequency: float = 20.0  # of that motion [Hz]
-    reference_volume: float = 1e-3  # T is proportional to the volume; at this one it is `time_constant` [m^3]
+    hum: float = 0.0  # amplitude of a limit cycle [% FS]
+    hum_frequency: float = 20.0  # frequency of the limit cycle [Hz]
+    reference_volume: float = 1e-3  # volume for `time_constant`; T is proportional to the volume [m^3]
     title: str = "stand-in"
 
     def respond(self, trial: Trial) -> Record:
         """Run a trial."""
         constant = self.time_constant * trial.volume / self.reference_volume
         rows = round(trial.duration / trial.step)
-        # Jumps are ramps over one step; what has none needs no finer one.
+        # Jumps become ramps over one step; signals without jumps need no small step.
         fine = _FINE if trial.kind in ("step", "resolution") else 20.0
         finer = max(1, min(math.ceil(fine * trial.step / constant), _MOST // rows))
         time: FloatArray = np.arange(rows * finer + 1, dtype=np.float64) * (trial.step / finer)
@@ -63,45 +65,45 @@ class StandIn:
         target += self._load(load) + 100.0 * self.supply_sensitivity * (supply - self.supply) / self.scale.span
         y = _answer(target, trial.step / finer, constant, self.damping)
         y += self.offset + self.hum * np.sin(2.0 * math.pi * self.hum_frequency * time)
-        shown = np.arange(rows + 1) * finer
-        shown = shown[time[shown] >= trial.lead - 1e-9 * trial.step]
-        clock = time[shown]
+        rows_shown = np.arange(rows + 1) * finer
+        rows_shown = rows_shown[time[rows_shown] >= trial.lead - 1e-9 * trial.step]
+        clock = time[rows_shown]
         return Record(
             trial.name,
             trial.kind,
             clock - clock[0],
             trial.setpoint.evaluate(clock),
-            self.scale.pressure(y[shown]),
-            supply[shown],
-            self.full_flow * load[shown],
+            self.scale.pressure(y[rows_shown]),
+            supply[rows_shown],
+            self.full_flow * load[rows_shown],
             np.full(clock.size, self.leak),
             trial.volume,
             is_exact=True,
         )
 
     def static(self, setpoint: FloatArray) -> FloatArray:
-        """The outlet at rest for setpoints that follow each other."""
-        moved = play(setpoint, self.play)
+        """Return the steady outlet for consecutive setpoints."""
+        input_ = play(setpoint, self.play)
         if self.threshold > 0.0:
-            moved = _stuck(moved, self.threshold)
-        above = np.maximum(moved - self.dead_zone, 0.0) * 100.0 / (100.0 - self.dead_zone)
-        part = above / 100.0
-        result = above + 4.0 * self.bow * part * (1.0 - part)
+            input_ = _stuck(input_, self.threshold)
+        effective = np.maximum(input_ - self.dead_zone, 0.0) * 100.0 / (100.0 - self.dead_zone)
+        part = effective / 100.0
+        result = effective + 4.0 * self.bow * part * (1.0 - part)
         if self.scatter:
             at_zero = setpoint <= 0.1
             cycle = np.cumsum(np.diff(at_zero.astype(int), prepend=1) > 0)
-            result += np.where((cycle % 2 == 1) & (above > 0.0), self.scatter, 0.0)
+            result += np.where((cycle % 2 == 1) & (effective > 0.0), self.scatter, 0.0)
         return np.asarray(result)
 
     def _load(self, load: FloatArray) -> FloatArray:
-        """What the flow does to the outlet [% FS]."""
+        """Return the effect of the flow on the outlet [% FS]."""
         sign = 1.0 if float(np.max(load)) > 0.0 else -1.0
         slope = self.droop if sign > 0.0 else self.rise
         return -sign * slope * play(sign * load, self.flow_play)
 
 
 def play(values: FloatArray, width: float) -> FloatArray:
-    """A play: what follows within half of its width.
+    """Apply backlash to a series; the result follows within half of the width.
 
     Examples
     --------
@@ -111,7 +113,7 @@ def play(values: FloatArray, width: float) -> FloatArray:
     half = 0.5 * width
     result = np.empty_like(values)
     last, begin = float(values[0]), 0
-    # Between two turns of the series the play is pushed one way only, after it was crossed.
+    # Between two turning points, the backlash is pushed in one direction only.
     turns = np.flatnonzero(np.diff(np.sign(np.diff(values)))) + 2
     for end in (*turns.tolist(), values.size):
         part = values[begin:end]
@@ -121,7 +123,7 @@ def play(values: FloatArray, width: float) -> FloatArray:
 
 
 def _stuck(values: FloatArray, threshold: float) -> FloatArray:
-    """What stays where it is until the value has moved by a threshold, and then jumps to it."""
+    """Return a series that jumps to the value after each change by a threshold."""
     changes = np.flatnonzero(np.diff(values, prepend=np.nan))
     levels = values[changes]
     last = float(levels[0])
@@ -133,7 +135,7 @@ def _stuck(values: FloatArray, threshold: float) -> FloatArray:
 
 
 def _answer(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:
-    """Exact answer of the linear part to a series that is straight between its samples, from rest on."""
+    """Return the exact response of the linear part to a piecewise linear series, from steady state."""
     from scipy.signal import lfilter
 
     if damping >= 1.0:

@@ -1,1 +1,1 @@
-"""What limits a valve, over load volume and amplitude."""
+"""Limits of a valve versus load volume and amplitude."""

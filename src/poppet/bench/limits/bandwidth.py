@@ -1,4 +1,4 @@
-"""Bandwidth and step response of the full model at one volume and amplitude, and which part limits it."""
+"""Bandwidth and step response of the full model, and the part that limits them."""
 
 from __future__ import annotations
 
@@ -27,23 +27,23 @@ LONGEST = 20.0
 ATTEMPTS = 2
 """Runs that a sine is given to settle: a map bears the hunting of the bands within its gains."""
 BELOW = 2.5
-"""The search begins at the guess divided by this: bands may let the gain dip and come back."""
+"""The search starts at the guess divided by this factor, because bands can cause a local minimum of the gain."""
 WORTH = 1.05
-"""Bandwidth per bandwidth from which a part counts as the one that limits."""
+"""Bandwidth ratio from which a part counts as limiting."""
 
 
 @dataclass
 class Sweep:
-    """Gains of a circuit by frequency, worked out when they are asked for."""
+    """Gains of a circuit by frequency, computed on demand."""
 
     rig: SineRig  # the full model, settled
     amplitude: float  # of the setpoint [Pa]
     per_pascal: float  # setpoint per pressure
-    found: dict[float, complex] = field(default_factory=dict)  # frequency [Hz] to complex gain, pressure per pressure
-    loudest: float = 0.0  # largest part beside the fundamental so far
+    found: dict[float, complex] = field(default_factory=dict)  # complex gain, pressure per pressure, by frequency [Hz]
+    loudest: float = 0.0  # largest relative rms outside the fundamental so far
 
     def gain(self, frequency: float) -> float:
-        """Size of the gain [1]; 0 where the circuit cannot be run."""
+        """Return the magnitude of the gain, 0 if the circuit cannot be run."""
         if frequency not in self.found:
             wave = self.rig.response(self.amplitude * self.per_pascal, frequency, attempts=ATTEMPTS)
             self.found[frequency] = wave.gain * self.per_pascal
@@ -53,14 +53,17 @@ class Sweep:
         return size if math.isfinite(size) else 0.0
 
     def lag(self, frequency: float) -> float:
-        """Phase lag, from -90 to 270 [deg]."""
+        """Return the phase lag, from -90 to 270 [deg]."""
         self.gain(frequency)
         angle = -math.degrees(float(np.angle(self.found[frequency])))
         return angle + 360.0 if angle < -90.0 else angle
 
 
 def crossing(value: Callable[[float], float], limit: float, guess: float, lowest: float, highest: float) -> float:
-    """First frequency at which something that falls goes below a limit; 0 below the range, infinite above."""
+    """Return the first frequency at which a falling value goes below a limit.
+
+    The result is 0 below the range and infinite above it.
+    """
     low = high = min(max(guess, lowest), highest)
     while value(low) < limit:
         if low <= lowest:
@@ -72,7 +75,7 @@ def crossing(value: Callable[[float], float], limit: float, guess: float, lowest
         low, high = high, min(high * FACTOR, highest)
     for _ in range(REFINED):
         a, b = value(low), value(high)
-        # Away from both ends: a step of the secant method onto an end would bring nothing.
+        # Limited, because a secant step to an end of the interval gives no new value.
         share = min(max((a - limit) / (a - b), 0.1), 0.9)
         middle = low * (high / low) ** share
         low, high = (middle, high) if value(middle) >= limit else (low, middle)
@@ -82,35 +85,35 @@ def crossing(value: Callable[[float], float], limit: float, guess: float, lowest
 
 @dataclass(frozen=True)
 class Point:
-    """A valve at one volume and amplitude."""
+    """Results for a valve at one volume and amplitude."""
 
-    # Frequencies are 0 for below the range and infinite for above it [Hz].
-    gain_frequency: float  # where the gain has fallen by 3 dB
-    phase_frequency: float  # where the phase lags by 90 degrees
-    # Times to nine tenths of a step of twice the amplitude, NaN where they are not reached [s].
+    # Frequencies [Hz] are 0 below the range and infinite above it.
+    gain_frequency: float  # gain reduced by 3 dB
+    phase_frequency: float  # phase lag of 90 degrees
+    # Times to 90 % of a step of twice the amplitude, NaN if not reached [s].
     rise_up: float
     rise_down: float
-    noise: float  # largest part of the outlet pressure beside the fundamental, over that (root mean squares)
-    gains: dict[str, float]  # part to the bandwidth with it ideal over that without
-    limiting: str  # the part with the largest of these, or `controller`
+    noise: float  # largest rms of the outlet pressure outside the fundamental, relative to the fundamental
+    gains: dict[str, float]  # bandwidth ratio by ideal part
+    limiting: str  # part with the largest ratio, or `controller`
 
 
 def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
-    """A bandwidth to begin with: that of a slope of a bar per second and litre at ten litres, 30 Hz at most."""
+    """Return a start value: a slope of 1 bar/s with 1 l at 10 l, at most 30 Hz."""
     return float(np.clip(1e6 * 1e-3 / volume / (2.0 * np.pi * amplitude), plan.lowest, 30.0))
 
 
 def bandwidth_point(
     plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None, parts: Sequence[str] = (*PARTS, LOAD)
 ) -> Point:
-    """Everything about one volume and amplitude, with the gains by some parts made ideal."""
+    """Return all results for one volume and amplitude, with the gains of ideal parts."""
     sweep = _sweep(plan, volume, amplitude)
     if sweep is None:
         return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
     begin = guess if guess and math.isfinite(guess) else guessed(plan, volume, amplitude)
     end = _bandwidth(plan, sweep, begin)
-    near = end if plan.lowest < end < plan.highest else begin
-    lag = crossing(lambda f: -sweep.lag(f), -LAG, near, plan.lowest, plan.highest)
+    start = end if plan.lowest < end < plan.highest else begin
+    lag = crossing(lambda f: -sweep.lag(f), -LAG, start, plan.lowest, plan.highest)
     up, down = (_rise(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
     gains = _gains(plan, volume, amplitude, end, parts) if 0.0 < end < math.inf else {}
     best = max(gains, key=lambda part: gains[part], default="")
@@ -123,7 +126,7 @@ def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
 
 
 def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None) -> Sweep | None:
-    """A sweep at a settled circuit; None where it does not settle."""
+    """Return a sweep of a settled circuit, None if it does not settle."""
     try:
         return Sweep(plan.rig(volume, changes), amplitude, plan.per_pascal)
     except SimulationError:
@@ -131,19 +134,19 @@ def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes |
 
 
 def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float, parts: Sequence[str]) -> dict[str, float]:
-    """Bandwidth with each part ideal over that without."""
-    found = {}
+    """Return the bandwidth with each part ideal, relative to the unchanged bandwidth."""
+    gains = {}
     for part in parts:
         changes = ideal(plan, part) if part in PARTS else None
         sweep = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
         if sweep is not None:
             end = _bandwidth(plan, sweep, base)
-            found[part] = min(end, plan.highest) / base
-    return found
+            gains[part] = min(end, plan.highest) / base
+    return gains
 
 
 def _rise(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
-    """Time of a step of twice the amplitude about the mean."""
+    """Return the time of a step of twice the amplitude about the mean."""
     sweep = _sweep(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
     change = 2.0 * sign * amplitude
     return math.nan if sweep is None else sweep.rig.rise(change * plan.per_pascal, change, RISEN, LONGEST)

@@ -1,4 +1,4 @@
-"""What is looked at for the dynamic limits of a valve: ranges, and circuits with changed parts."""
+"""Settings for the dynamic limits of a valve: ranges, and circuits with changed parts."""
 
 from __future__ import annotations
 
@@ -215,7 +215,7 @@ def ideal(plan: LimitsPlan, part: str) -> Changes:
 
 
 def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
-    """Another spring rate at the same preload forces, another damping."""
+    """Return changes for another spring rate with equal preload forces, and another damping."""
     factors = {"damping": damping}
     for name in ("upper_spring", "lower_spring"):
         factors |= {f"{name}.rate": spring, f"{name}.preload": 1.0 / spring}
@@ -223,6 +223,6 @@ def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
 
 
 def _scaled(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
-    """Numbers of the valve times factors."""
+    """Return parameters of the valve times factors."""
     values, own = plan.circuit.parameters, f"{plan.valve}."
     return {own + name: values[own + name] * factor for name, factor in factors.items()}

@@ -1,4 +1,4 @@
-"""Which part limits a valve: maps of bandwidth, step response and stability of the full model."""
+"""Maps of bandwidth, step response and stability of the full model, with the limiting part."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 @dataclass
 class LimitsResult(HtmlMixin):
-    """Dynamic limits of a valve, as far as they were found."""
+    """Dynamic limits of a valve, as far as they are computed."""
 
     plan: LimitsPlan
     points: dict[tuple[float, float], Point] = field(default_factory=dict)  # by volume [m^3] and amplitude [Pa]
@@ -36,11 +36,11 @@ class LimitsResult(HtmlMixin):
     outcome: str = DONE  # `done` or `interrupted`
 
     def grid(self, name: str) -> list[list[Any]]:
-        """A field of the points over volumes (rows) and amplitudes (columns)."""
+        """Return a field of the points by volumes (rows) and amplitudes (columns)."""
         return self._over(attrgetter(name), "" if name == "limiting" else math.nan)
 
     def gains(self, part: str) -> list[list[float]]:
-        """Bandwidth with a part ideal over that without, over volumes (rows) and amplitudes (columns)."""
+        """Return the bandwidth ratio with a part ideal, by volumes (rows) and amplitudes (columns)."""
         return self._over(lambda point: point.gains.get(part, math.nan), math.nan)
 
     def _over(self, value: Callable[[Point], Any], missing: Any) -> list[list[Any]]:
@@ -48,21 +48,21 @@ class LimitsResult(HtmlMixin):
         return [[missing if point is None else value(point) for point in row] for row in rows]
 
     def map(self, name: str, spring: float) -> list[list[Any]]:
-        """A field of the stability over dampings (rows) and volumes (columns)."""
+        """Return a field of the stability by dampings (rows) and volumes (columns)."""
         missing: Any = "" if name in ("smooth", "word") else False if name in ("is_stable", "agrees") else math.nan
         rows = []
         for damping in self.plan.dampings:
             row = [self.stability.get((spring, damping, volume)) for volume in self.plan.volumes]
-            rows.append([missing if each is None else getattr(each, name) for each in row])
+            rows.append([missing if point is None else getattr(point, name) for point in row])
         return rows
 
     @property
     def findings(self) -> tuple[Note, ...]:
-        """What people should know of the maps."""
+        """Findings on the maps."""
         return (*_limiting(self), *_stability(self))
 
     def content(self) -> dict[str, Any]:
-        """Everything that is written to a file, as plain tables."""
+        """Return the content of the result file as plain tables."""
         plan = self.plan
         names = ("gain_frequency", "phase_frequency", "rise_up", "rise_down", "noise", "limiting")
         fields = (
@@ -88,84 +88,84 @@ class LimitsResult(HtmlMixin):
         }  # fmt: skip
 
     def save(self, path: str | Path) -> None:
-        """Write the result, `.toml` or `.json`, aside and renamed."""
+        """Write the result as `.toml` or `.json`; replace a file completely or not at all."""
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | None = None) -> LimitsResult:
-    """Look for the dynamic limits of a valve."""
+    """Compute the dynamic limits of a valve."""
     result = LimitsResult(plan)
     total = len(plan.volumes) * (len(plan.amplitudes) + len(plan.springs) * len(plan.dampings))
     done = 0
 
-    def tell(what: str) -> None:
+    def report(text: str) -> None:
         if progress is not None:
-            progress(done, total, what)
+            progress(done, total, text)
 
     try:
         for volume in plan.volumes:
             guess: float | None = None
             for amplitude in plan.amplitudes:
-                tell(f"bandwidth at {volume * 1e3:.3g} l, {amplitude / 1e3:.3g} kPa")
+                report(f"bandwidth at {volume * 1e3:.3g} l, {amplitude / 1e3:.3g} kPa")
                 point = bandwidth_point(plan, volume, amplitude, guess)
                 result.points[volume, amplitude] = point
-                # A larger amplitude has the lower bandwidth: the search goes on from the one just found.
+                # A larger amplitude has a lower bandwidth, so the last result is a start value.
                 guess, done = point.gain_frequency or None, done + 1
         for spring, damping, volume in product(plan.springs, plan.dampings, plan.volumes):
-            tell(f"stability at spring x {spring:g}, damping x {damping:g}, {volume * 1e3:.3g} l")
+            report(f"stability at spring x {spring:g}, damping x {damping:g}, {volume * 1e3:.3g} l")
             result.stability[spring, damping, volume] = stability_point(plan, spring, damping, volume)
             done += 1
     except KeyboardInterrupt:
         result.outcome = INTERRUPTED
-    tell("done")
+    report("done")
     return result
 
 
 def _limiting(result: LimitsResult) -> list[Note]:
-    """For every part the points that it limits."""
-    known = {key: point for key, point in result.points.items() if point.limiting}
+    """Return a note for each part on the points that it limits."""
+    limited = {key: point for key, point in result.points.items() if point.limiting}
     notes = []
     for part in (*PARTS, LOAD, CONTROLLER):
-        places = [key for key, point in known.items() if point.limiting == part]
-        if not places:
+        keys = [key for key, point in limited.items() if point.limiting == part]
+        if not keys:
             continue
-        volumes, amplitudes = zip(*places, strict=True)
-        where = {"count": len(places), "known": len(known), "volumes": _ends(volumes), "amplitudes": _ends(amplitudes)}
+        volumes, amplitudes = zip(*keys, strict=True)
+        facts = {"count": len(keys), "known": len(limited), "volumes": _ends(volumes), "amplitudes": _ends(amplitudes)}
         if part == CONTROLLER:
-            notes.append(Note("limits.controller", **where))
+            notes.append(Note("limits.controller", **facts))
             continue
-        best = max(places, key=lambda key: known[key].gains[part])
-        members, gain = 2 if part in SEVERAL else 1, known[best].gains[part]
-        notes.append(Note("limits.part", part, members=members, gain=gain, best=best, **where))
+        best = max(keys, key=lambda key: limited[key].gains[part])
+        members, gain = 2 if part in SEVERAL else 1, limited[best].gains[part]
+        notes.append(Note("limits.part", part, members=members, gain=gain, best=best, **facts))
     return notes
 
 
 def _ends(values: Sequence[float]) -> tuple[float, ...]:
-    """The least and the greatest, or the only one."""
+    """Return the smallest and the largest value, or the only one."""
     return tuple(sorted({min(values), max(values)}))
 
 
 def _stability(result: LimitsResult) -> list[Note]:
-    found = result.stability
-    if not found:
+    points = result.stability
+    if not points:
         return []
-    agreeing = sum(each.agrees for each in found.values())
-    notes = [Note("limits.agreement", count=agreeing, known=len(found))]
-    unstable = [key for key, each in found.items() if not each.is_stable and math.isfinite(each.growth)]
+    agreeing = sum(point.agrees for point in points.values())
+    notes = [Note("limits.agreement", count=agreeing, known=len(points))]
+    unstable = [key for key, point in points.items() if not point.is_stable and math.isfinite(point.growth)]
     if unstable:
-        worst = max(unstable, key=lambda key: found[key].growth)
+        worst = max(unstable, key=lambda key: points[key].growth)
         spring, damping, volume = worst
-        each = found[worst]
+        point = points[worst]
         notes.append(
             Note(
                 "limits.unstable", count=len(unstable), largest=max(key[2] for key in unstable), spring=spring,
-                damping=damping, volume=volume, pole=each.pole_frequency, frequency=each.smooth_frequency,
-                amplitude=each.smooth_amplitude,
+                damping=damping, volume=volume, pole=point.pole_frequency, frequency=point.smooth_frequency,
+                amplitude=point.smooth_amplitude,
             )
         )  # fmt: skip
     else:
         notes.append(Note("limits.stable"))
-    counted = Counter(each.note for each in found.values() if each.note is not None)
+    counted = Counter(point.note for point in points.values() if point.note is not None)
     notes += [Note(note.code, note.address, **(note.facts | {"points": n})) for note, n in counted.items()]
     return notes

@@ -1,4 +1,4 @@
-"""Does a valve hum: poles of its sampled linear model beside runs of the full one after a small push."""
+"""Stability of a valve: poles of its sampled linear model, and runs of the full model."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
 
 @dataclass(frozen=True)
 class Stability:
-    """A valve at one spring rate, damping and volume."""
+    """Stability of a valve at one spring rate, damping and volume."""
 
     # Of the linear model the one furthest to the right that moves to and fro, or at all where that is unstable [1/s].
     pole: complex
@@ -56,22 +56,22 @@ class Stability:
 
     @property
     def growth(self) -> float:
-        """Of the pole that decides [1/s]."""
+        """Growth rate of the dominant pole [1/s]."""
         return self.pole.real
 
     @property
     def pole_frequency(self) -> float:
-        """Of that pole [Hz]."""
+        """Frequency of the dominant pole [Hz]."""
         return abs(self.pole.imag) / (2.0 * math.pi)
 
     @property
     def word(self) -> str:
-        """The note in words."""
+        """Text of the note."""
         return "" if self.note is None else str(self.note)
 
 
 def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: float) -> Stability:
-    """Poles and motions at one point of the map."""
+    """Return poles and motions at one point of the map."""
     changes = stage_changes(plan, spring, damping)
     rough = _by_itself(plan, volume, changes)
     note = Note("limits.no_rest", points=None)
@@ -91,7 +91,10 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
 
 
 def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
-    """The rest: it does not depend on the damping, and the calmest circuit leads to it."""
+    """Return the steady state, which does not depend on the damping.
+
+    Circuits with higher damping provide start values.
+    """
     for factor in CALM:
         start = rig
         if factor != 1.0:
@@ -104,7 +107,7 @@ def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume:
 
 
 def _leading(poles: NDArray[np.complex128]) -> tuple[complex, bool]:
-    """The pole that decides, and whether all are stable."""
+    """Return the dominant pole, and True if all poles are stable."""
     right = poles[np.argmax(poles.real)]
     if right.real > 0.0:
         return complex(right), False
@@ -113,7 +116,7 @@ def _leading(poles: NDArray[np.complex128]) -> tuple[complex, bool]:
 
 
 def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
-    """What the full model does after a push at the outlet."""
+    """Return the motion of the full model after a push at the outlet."""
     pushed = v.copy()
     pushed[rig.point.names.index(rig.kernel.model.columns[0][rig.output])] += PUSH
     time = np.arange(1, int(WATCHED * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
@@ -121,23 +124,27 @@ def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
     if not run.outcome.is_success:
         return OSCILLATES, math.nan, math.nan
     y = run.values[rig.output]
-    early, _ = _motion(time, y, EARLY)
-    late, frequency = _motion(time, y, LATE)
-    if late > LOUD * PUSH or late > GROWN * early > QUIET * PUSH:
-        return OSCILLATES, late, frequency
-    return (DECAYS if late < DECAYED * early or late < QUIET * PUSH else MARGINAL), late, frequency
+    early_amplitude, _ = _motion(time, y, EARLY)
+    late_amplitude, frequency = _motion(time, y, LATE)
+    if late_amplitude > LOUD * PUSH or late_amplitude > GROWN * early_amplitude > QUIET * PUSH:
+        return OSCILLATES, late_amplitude, frequency
+    return (
+        (DECAYS if late_amplitude < DECAYED * early_amplitude or late_amplitude < QUIET * PUSH else MARGINAL),
+        late_amplitude,
+        frequency,
+    )
 
 
 def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:
-    """Amplitude and frequency in a part of a run, about a straight line."""
-    inside = (time > part[0]) & (time <= part[1])
-    t, y = time[inside], values[inside]
+    """Return amplitude and frequency in a part of a run, about a straight line."""
+    is_inside = (time > part[0]) & (time <= part[1])
+    t, y = time[is_inside], values[is_inside]
     amplitude, period = oscillation(t, y - np.polyval(np.polyfit(t - t[0], y, 1), t - t[0]))
     return amplitude, 1.0 / period if math.isfinite(period) else math.nan
 
 
 def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float, float]:
-    """Amplitude and frequency of what the valve as it is does at the outlet while its setpoint is held."""
+    """Return amplitude and frequency of the outlet of the valve with bands at constant setpoint."""
     try:
         rig = plan.rig(volume, changes)
     except SimulationError:
@@ -150,7 +157,7 @@ def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float
 
 
 def _note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
-    """Where linear and full model differ, and why; findings write into `points` at how many places they do."""
+    """Return a note on differences between linear and full model, with their cause."""
     amplitude, frequency = rough
     moves = math.isfinite(amplitude) and amplitude > LOUD * PUSH
     if not agrees:

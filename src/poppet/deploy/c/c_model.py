@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
@@ -10,7 +12,7 @@ from typing import Any
 from poppet.deploy.export_files import comment_text
 from poppet.deploy.export_model import ExportModel
 from poppet.engine.model import Model
-from poppet.engine.printers.c import print_function, print_step, used_prelude
+from poppet.engine.printers.c import DOUBLE, print_function, print_step, used_prelude
 from poppet.engine.printers.instructions import SIGNATURES, traced_functions
 
 
@@ -76,3 +78,42 @@ def fixed_step_functions(model: Model) -> dict[str, Any]:
     functions = traced_functions(replace(model, n_quadratures=0, symbols=symbols, expressions=expressions))
     names = names if model.states else ("outputs", "start", "update")
     return {name: functions[name] for name in names if name in functions and name in SIGNATURES}
+
+
+def fill_template(file: str, name: str, fields: Mapping[str, str]) -> str:
+    """Return a template with its fields, and the name of the model as prefix of its names."""
+    text = files("poppet.deploy.c").joinpath("texts", file).read_text(encoding="utf-8")
+    text = re.sub(r"\b(model|MODEL)_", lambda match: f"{name if match[1] == 'model' else name.upper()}_", text)
+    # The fields are inserted last and in one pass: texts of the circuit are not searched for fields.
+    return re.sub(r"@(\w+)@", lambda match: fields[match[1]], text)
+
+
+def number_list(numbers: Iterable[float]) -> str:
+    """Return a list of C literals with all digits."""
+    return ", ".join(DOUBLE.literal(float(number)) for number in numbers)
+
+
+def number_rows(rows: Iterable[Iterable[float]]) -> str:
+    """Return a table of numbers, one line per row."""
+    return ",\n".join(f"  {number_list(row)}" for row in rows) or "  0.0"
+
+
+def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
+    """Return the members of an enumeration with comments; the last member has no comma."""
+    lines = [
+        f"  {prefix}_{name} = {k}{'' if k == len(rows) - 1 else ','} /* {comment} */"
+        for k, (name, comment) in enumerate(rows)
+    ]
+    return "\n".join(lines) or f"  {prefix}_none = 0"
+
+
+def comment_rows(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
+    """Return identifiers with comments that have the address, the unit and the value."""
+    return [
+        (q.identifier, f"{comment_text(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
+        for q in quantities
+    ]
+
+
+def _unit(unit: str) -> str:
+    return comment_text(unit if unit not in ("", "1") else "-")

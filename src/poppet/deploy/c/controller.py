@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.core.version import __version__
-from poppet.deploy.c.project import comment_rows, enum_members, fill_template, number_list, number_rows
+from poppet.deploy.c.c_model import comment_rows, enum_members, fill_template, number_list, number_rows
 from poppet.deploy.controller import SIGNATURES, ControllerProgram, controller_program
 from poppet.deploy.export_files import c_string, comment_text, identifier
 from poppet.engine.printers.c import DOUBLE, SINGLE, print_function, used_prelude

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -13,12 +11,18 @@ import numpy as np
 from poppet.core.errors import InputError
 from poppet.core.version import __version__
 from poppet.deploy.c.c_model import (
+    comment_rows,
+    enum_members,
+    fill_template,
     fixed_step_functions,
     integrator_code,
     integrator_excerpt,
     model_code,
+    number_list,
+    number_rows,
     static_code,
 )
+from poppet.deploy.c.controller import c_controller
 from poppet.deploy.comparison import (
     MARGIN,
     change_effects,
@@ -59,8 +63,6 @@ def export_c(
     part: str | None = None, precision: str | None = None,
 ) -> Export:  # fmt: skip
     """Export a circuit or its sampled controllers as C; the keyword arguments are the options of the target."""
-    from poppet.deploy.c.controller import c_controller
-
     if precision and not part:
         raise InputError("deploy.precision")
     if substeps is not None and part:
@@ -119,24 +121,6 @@ def c_project(circuit: Circuit, name: str = "", *, substeps: int = 1) -> dict[st
     }
 
 
-def fill_template(file: str, name: str, fields: Mapping[str, str]) -> str:
-    """Return a template with its fields, and the name of the model as prefix of its names."""
-    text = files("poppet.deploy.c").joinpath("texts", file).read_text(encoding="utf-8")
-    text = re.sub(r"\b(model|MODEL)_", lambda match: f"{name if match[1] == 'model' else name.upper()}_", text)
-    # The fields are inserted last and in one pass: texts of the circuit are not searched for fields.
-    return re.sub(r"@(\w+)@", lambda match: fields[match[1]], text)
-
-
-def number_list(numbers: Iterable[float]) -> str:
-    """Return a list of C literals with all digits."""
-    return ", ".join(DOUBLE.literal(float(number)) for number in numbers)
-
-
-def number_rows(rows: Iterable[Iterable[float]]) -> str:
-    """Return a table of numbers, one line per row."""
-    return ",\n".join(f"  {number_list(row)}" for row in rows) or "  0.0"
-
-
 def _flags(flags: Iterable[bool]) -> str:
     return ", ".join(str(int(flag)) for flag in flags) or "0"
 
@@ -144,27 +128,6 @@ def _flags(flags: Iterable[bool]) -> str:
 def _table_rows(rows: Sequence[str], empty: str) -> str:
     """Return the elements of a table; a C table has at least one."""
     return ",\n".join(f"  {row}" for row in rows) or f"  {empty}"
-
-
-def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
-    """Return the members of an enumeration with comments; the last member has no comma."""
-    lines = [
-        f"  {prefix}_{name} = {k}{'' if k == len(rows) - 1 else ','} /* {comment} */"
-        for k, (name, comment) in enumerate(rows)
-    ]
-    return "\n".join(lines) or f"  {prefix}_none = 0"
-
-
-def comment_rows(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
-    """Return identifiers with comments that have the address, the unit and the value."""
-    return [
-        (q.identifier, f"{comment_text(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
-        for q in quantities
-    ]
-
-
-def _unit(unit: str) -> str:
-    return comment_text(unit if unit not in ("", "1") else "-")
 
 
 def _tables(export_model: ExportModel) -> dict[str, str]:

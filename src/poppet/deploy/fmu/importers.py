@@ -8,7 +8,7 @@ import time
 import tomllib
 import xml.etree.ElementTree as ElementTree
 import zipfile
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -20,7 +20,6 @@ from poppet.deploy.fmu.fmu_layout import FOLLOWS
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
-    from poppet.deploy.targets import CircuitSource
 
 Array = NDArray[np.float64]
 EXCHANGE_TOLERANCE = 1e-9
@@ -118,15 +117,15 @@ def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRu
     return ImporterRun(rows, grid, 1, time.perf_counter() - start_time)
 
 
-def circuit_resources(source: CircuitSource) -> dict[str, bytes]:
+def circuit_resources(text: str, changes: Mapping[str, float | str], result: str | None) -> dict[str, bytes]:
     """Return the circuit file and the changes before the export, as resources of an FMU."""
-    if not source.text:
+    if not text:
         return {}
     # Strings and numbers of JSON are valid in TOML.
-    changes = "".join(f"{json.dumps(address)} = {json.dumps(value)}\n" for address, value in source.changes.items())
-    resources = {CIRCUIT: source.text.encode()} | ({CHANGES: changes.encode()} if changes else {})
-    if source.result:
-        resources[f"{PARAMETERS}{Path(source.result).suffix}"] = Path(source.result).read_bytes()
+    table = "".join(f"{json.dumps(address)} = {json.dumps(value)}\n" for address, value in changes.items())
+    resources = {CIRCUIT: text.encode()} | ({CHANGES: table.encode()} if table else {})
+    if result:
+        resources[f"{PARAMETERS}{Path(result).suffix}"] = Path(result).read_bytes()
     return resources
 
 

@@ -66,9 +66,8 @@ def export_fmu(
 ) -> Export:  # fmt: skip
     """Export a circuit as an FMU; the keyword arguments are the options of the target."""
     platforms = [entry.strip() for entry in (platform or "").split(",") if entry.strip()] or ["linux64"]
-    fmu = build_fmu(
-        circuit, name or "", fmi=int(fmi), inputs=inputs, platforms=platforms, resources=circuit_resources(source)
-    )
+    resources = circuit_resources(source.text, source.changes, source.result)
+    fmu = build_fmu(circuit, name or "", fmi=int(fmi), inputs=inputs, platforms=platforms, resources=resources)
     names = {
         kind: [v.name for v in fmu.layout.variables if v.causality == kind] for kind in ("input", "parameter", "output")
     }

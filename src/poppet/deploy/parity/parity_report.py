@@ -41,7 +41,7 @@ def results_table(parity: Parity, *, is_long: bool = False) -> Table:
         descriptions = [(row.check.description, SCOPES[row.check.scope]) for row in parity.rows]
         descriptions = [(f"the reference, {parity.steps} steps", ""), *descriptions]
         rows = [(row[0], *texts, *row[1:]) for row, texts in zip(rows, descriptions, strict=True)]
-    return Table("parity", "", tuple(columns), tuple(rows))
+    return Table(columns, rows, name="parity")
 
 
 def outputs_table(parity: Parity) -> Table:
@@ -50,7 +50,7 @@ def outputs_table(parity: Parity) -> Table:
     names = list(dict.fromkeys([*parity.sizes, *(name for row in compared for name in row.differences)]))
     columns = Column("output"), Column("size", ".4g"), *(Column(row.name, ".1e") for row in compared)
     rows = tuple((name, parity.sizes.get(name), *(row.differences.get(name) for row in compared)) for name in names)
-    return Table("outputs", "", columns, rows)
+    return Table(columns, rows, name="outputs")
 
 
 def not_run_notes(parity: Parity) -> list[str]:

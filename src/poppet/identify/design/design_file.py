@@ -11,9 +11,9 @@ from typing import Any
 
 from poppet.circuit.circuit import Circuit
 from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSuggestion, relocated
-from poppet.core.tables import Field, read_fields
+from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
-from poppet.core.units import Kind, quantity
+from poppet.core.units import Kind
 from poppet.identify.fit.fit_file import read_circuit
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result, read_result
@@ -22,13 +22,27 @@ CRITERIA = ("intervals", "worst", "volume")
 OWN = ("duration", "sample_time", "sensors", "start")
 """What a test has beside numbers and options of the circuit."""
 TOP_LEVEL = {
-    "circuit": Field(is_required=True),
-    "free": Field(is_required=True, is_table=True),
-    "sensors": Field(is_required=True, is_table=True),
-    **dict.fromkeys(("tests", "vary", "set", "start"), Field(is_table=True)),
-    **dict.fromkeys(("title", "known", "select", "draws", "seed"), Field()),
+    "circuit": Field(is_required=True, meaning="circuit file", example='circuit = "bench.toml"'),
+    "free": Field(
+        type="table",
+        is_required=True,
+        meaning="list of free parameters",
+        example='[free] with "valve.critical_ratio" = 0.3',
+    ),
+    "sensors": Field(
+        type="table",
+        is_required=True,
+        meaning="list of sensors",
+        example='[sensors] with "tank.pressure" = { noise = "300 Pa" }',
+    ),
+    **dict.fromkeys(("tests", "vary", "set", "start"), Field(type="table")),
+    "title": Field(type="text"),
+    "known": Field(),
+    "select": Field(type="integer", low=1, high=20, default=1, meaning="number of tests to select"),
+    "draws": Field(type="integer", low=0, high=200, default=8, meaning="number of samples of the priors"),
+    "seed": Field(type="integer", low=0, high=2**31, default=1),
     **dict.fromkeys(("duration", "sample_time"), Field(unit="s")),
-    "criterion": Field(choices=CRITERIA),
+    "criterion": Field(choices=CRITERIA, default=CRITERIA[0]),
 }
 MOST_TESTS = 500
 """Candidates of one file: each costs a run and one more for every number."""
@@ -121,7 +135,7 @@ def read_design_file(path: str | Path) -> DesignPlan:
 
 def _plan(file: TomlFile) -> DesignPlan:
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, "design")
+        data = read_fields(errors, file.content, TOP_LEVEL, table="design file")
     circuit = read_circuit(data, file.folder)
     free: list[FreeParameter] = []
     sensors: dict[str, Sensor] = {}
@@ -136,20 +150,9 @@ def _plan(file: TomlFile) -> DesignPlan:
     with ErrorCollector() as errors:
         candidates = list(_candidates(errors, data, circuit, sensors))
     known = read_result(file.folder / str(data["known"])) if "known" in data else None
-    select, draws, seed = (_count(data, *each) for each in _COUNTS)
     title = str(data.get("title", circuit.title or Path(file.name).stem))
-    criterion = data.get("criterion", CRITERIA[0])
-    return DesignPlan(title, tuple(free), tuple(candidates), criterion, select, draws, seed, known)
-
-
-_COUNTS = (("select", 1, 20, 1), ("draws", 0, 200, 8), ("seed", 0, 2**31, 1))
-
-
-def _count(data: Mapping[str, Any], key: str, low: int, high: int, default: int) -> int:
-    value = data.get(key, default)
-    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-        raise InputError("design.count", key, value=value, low=low, high=high)
-    return value
+    options = {key: data[key] for key in ("criterion", "select", "draws", "seed")}
+    return DesignPlan(title, tuple(free), tuple(candidates), **options, known=known)
 
 
 def _sensor(address: str, table: Any, units: Mapping[str, str]) -> Sensor:
@@ -157,17 +160,18 @@ def _sensor(address: str, table: Any, units: Mapping[str, str]) -> Sensor:
     if address not in units:
         raise InputError("design.no_output", place, near=NameSuggestion(address, units))
     unit = units[address]
-    of_noise = Field(unit=unit, kind=_DIFFERENCE.get(unit, "plain"))
-    fields = {"noise": replace(of_noise, is_required=True), "offset": of_noise}
+    deviation = Field(unit=unit, kind=_DIFFERENCE.get(unit, "plain"), low=0.0, default=0.0)
+    fields = {
+        "noise": replace(
+            deviation, above=0.0, default=None, is_required=True, meaning="standard deviation of a sample",
+            example='noise = "300 Pa"',
+        ),
+        "offset": replace(deviation, meaning="standard deviation of the offset"),
+        "lag": Field(unit="s", choices=("free",), low=0.0, default=0.0, meaning="time constant of the sensor"),
+    }  # fmt: skip
     with ErrorCollector() as errors:
-        read = read_fields(errors, table, fields | {"lag": Field(unit="s", choices=("free",))}, "design.sensor", place)
-    if not read["noise"] > 0.0:
-        raise InputError("design.noise", f"{place}.noise", value=read["noise"])
-    for key in ("offset", "lag"):
-        if isinstance(read.get(key), float) and read[key] < 0.0:
-            raise InputError("design.negative", f"{place}.{key}", value=read[key])
-    lag = read.get("lag", 0.0)
-    return Sensor(address, unit, read["noise"], read.get("offset", 0.0), None if lag == "free" else lag)
+        read = read_fields(errors, table, fields, place, table="sensor")
+    return Sensor(address, unit, read["noise"], read["offset"], None if read["lag"] == "free" else read["lag"])
 
 
 def _candidates(
@@ -179,7 +183,7 @@ def _candidates(
         if isinstance(table, Mapping):
             named[name] = table
         else:
-            errors.add("entry.form", f"tests.{name}", value=table)
+            errors.add("fields.no_table", f"tests.{name}", value=table)
     varied: Mapping[str, Any] = data.get("vary", {})
     for address, values in varied.items():
         if not isinstance(values, list) or not values:
@@ -229,12 +233,12 @@ def _candidate(
 
 
 def _time(given: Mapping[str, Any], key: str, place: str, default: Any) -> float:
-    if given.get(key) is None and default is None:
-        raise InputError("design.no_duration", f"{place}.{key}")
-    value = quantity(given[key], "s", name=f"{place}.{key}").value if key in given else float(default)
-    if not value > 0.0:
-        raise InputError("design.no_time", f"{place}.{key}", value=value)
-    return value
+    field = Field(unit="s", above=0.0, meaning=key.replace("_", " "), example=f'{key} = "20 s"')
+    if key in given:
+        return float(field.read(given[key], f"{place}.{key}"))
+    if default is None:
+        raise missing_field(f"{place}.{key}", field)
+    return float(default)
 
 
 def _short(addresses: Sequence[str]) -> dict[str, str]:

@@ -16,7 +16,7 @@ from poppet.core.files import by_suffix, write_whole
 from poppet.core.toml import json_text, toml_text
 from poppet.identify.design.design_file import Candidate, DesignPlan, read_design_file
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.fit_file import recording_free
+from poppet.identify.fit.fit_plan import recording_parameters
 from poppet.identify.fit.statistics import verdict
 from poppet.identify.free_parameter import FreeParameter, by_name
 from poppet.identify.result import Verdict
@@ -230,14 +230,14 @@ def _information(candidate: Candidate, free: Sequence[FreeParameter], place: Flo
     values = by_name(free, place)
     if candidate.start:
         # An initial value that is free begins where the noise-free recording does.
-        lags = [f for f in recording_free([measurement], [candidate.circuit], ["fit"]) if f.role == "lag"]
+        lags = [f for f in recording_parameters([measurement], [candidate.circuit], ["fit"]) if f.role == "lag"]
         as_it_is = Experiment(instance, dataclasses.replace(measurement, start={}), (*free, *lags))
         shown = as_it_is.outputs({**values, **by_name(lags, [f.start for f in lags])})
         channels = zip(measurement.channels, shown, strict=True)
         measurement = dataclasses.replace(
             measurement, channels=tuple(dataclasses.replace(c, values=row) for c, row in channels)
         )
-    own = recording_free([measurement], [candidate.circuit], ["fit"])
+    own = recording_parameters([measurement], [candidate.circuit], ["fit"])
     experiment = Experiment(instance, measurement, (*free, *own))
     slopes = experiment.outputs_and_slopes({**by_name(own, [f.start for f in own]), **values})[1]
     whitened = np.vstack([slope / sensor.noise for slope, sensor in zip(slopes, candidate.sensors, strict=True)])

@@ -10,8 +10,8 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
-from poppet.identify.fit.fit_file import FitPlan
 from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.free_parameter import FreeParameter, begun_at
 from poppet.identify.result import Result

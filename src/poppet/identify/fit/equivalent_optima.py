@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.identify.fit.fit_file import FitPlan
 from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.optima import CONDUCTANCES, WALL
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.statistics import estimates, shown, verdict

@@ -78,7 +78,7 @@ class Experiment:
             if channel.address not in outputs:
                 place = f"recordings.{measurement.name}.{channel.address}"
                 raise InputError("fit.no_output", place, near=NameSuggestion(channel.address, outputs))
-        started = _started(measurement, instance)
+        started = _with_start(measurement, instance)
         driven = driving_signals(measurement, {})
         self.instance = started.with_signals({**instance.signals, **driven}) if driven else started
         rows = tuple(outputs.index(channel.address) for channel in measurement.channels)
@@ -342,23 +342,36 @@ def _with_dead_times(
     return told, instance.with_values(dict.fromkeys(moving, 0.0)) if moving else instance
 
 
-def _started(measurement: Measurement, instance: Instance) -> Instance:
-    """The model at the start values of a recording: given ones, or `first`, the first sample of their channel."""
-    place = f"recordings.{measurement.name}.start"
+def _with_start(measurement: Measurement, instance: Instance) -> Instance:
+    """Return a model with the start values of a recording."""
+    values = start_values(measurement, instance)
+    try:
+        return instance.with_values(values) if values else instance
+    except InputError as error:
+        raise relocated(error, f"recordings.{measurement.name}.start.{{}}".format) from None
+
+
+def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]:
+    """Return the start values of a recording by address: given values, or first values of channels.
+
+    A free start value begins at the first value of its channel. It is omitted if no channel measures it.
+
+    Raises
+    ------
+    InputError
+        If a start value is `first` and no channel measures it.
+    """
     values: dict[str, Any] = {}
-    for address, given in measurement.start.items():
-        if given not in ("first", "free"):
-            values[address] = given
+    for address, start in measurement.start.items():
+        if start not in ("first", "free"):
+            values[address] = start
             continue
         output, channel = starting_channel(address, instance, measurement)
         if channel is not None:
             values[address] = first_value(channel)
-        elif given == "first":
-            raise InputError("fit.first", f"{place}.{address}", channel=output)
-    try:
-        return instance.with_values(values) if values else instance
-    except InputError as error:
-        raise relocated(error, f"{place}.{{}}".format) from None
+        elif start == "first":
+            raise InputError("fit.first", f"recordings.{measurement.name}.start.{address}", channel=output)
+    return values
 
 
 def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:

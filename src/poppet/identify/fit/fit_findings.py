@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.identify.claims import upheld
 from poppet.identify.fit.experiment import Experiment, FittedChannel, channels_of
 from poppet.identify.fit.rounding import Staircase, staircase
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import ChannelFit, ErrorModel, Gauge, shown
 from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free_parameter import FreeParameter, begun_at, by_name
-from poppet.identify.result import Estimate
+from poppet.identify.result import Estimate, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import noise_of
 from poppet.timeseries.measurements.verdicts import is_evacuated
@@ -60,7 +59,7 @@ class CompletedFit:
 
 def findings(fit: CompletedFit) -> list[Note]:
     """All findings, the most important first."""
-    return [*upheld((note for collect in COLLECTORS for note in collect(fit)), fit.estimates)]
+    return [*replace_uncertain_findings((note for collect in COLLECTORS for note in collect(fit)), fit.estimates)]
 
 
 # The fit as a whole -----------------------------------------------------------------------------------------------

@@ -13,8 +13,9 @@ from poppet.core.errors import InputError
 from poppet.identify.fit.contour import conductance_and_wall, contoured
 from poppet.identify.fit.equivalent_optima import local_estimates, searched, tables, told, united
 from poppet.identify.fit.experiment import Experiment, channels_of
-from poppet.identify.fit.fit_file import FitPlan, read_fit_file
+from poppet.identify.fit.fit_file import read_fit_file
 from poppet.identify.fit.fit_findings import CompletedFit, findings, spread_of, trials, unexplained
+from poppet.identify.fit.fit_plan import FitPlan, check_effects
 from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
 from poppet.identify.fit.optima import optima
 from poppet.identify.fit.search import Optimum, kick_rounds
@@ -64,16 +65,16 @@ def identify_fit(
         Estimates with 95 % intervals and verdicts, residuals, findings.
     """
     first = plan if isinstance(plan, FitPlan) else read_fit_file(plan)
-    result = fit_plan(first, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
+    result = run_fit(first, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     if compare is None:
         return result
     second, name = (
         (compare, compare.title) if isinstance(compare, FitPlan) else (read_fit_file(compare), Path(compare).name)
     )
-    return compared(result, fit_plan(second, progress=progress), name)
+    return compared(result, run_fit(second, progress=progress), name)
 
 
-def fit_plan(
+def run_fit(
     plan: FitPlan,
     *,
     profile: Sequence[str] = (),
@@ -82,9 +83,10 @@ def fit_plan(
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
-    """Fit a plan that was read or made."""
+    """Return the result of a plan: optimum, intervals and findings."""
     if contour:
-        conductance_and_wall(plan.free)  # refused before the work of the fit
+        conductance_and_wall(plan.free)  # before the work of the fit
+    check_effects(plan)
     optimum = optima(plan.experiments, plan.free, plan.settings, progress=progress)
     result = describe(plan, optimum)
     stages = stages or (lambda what, done, total: None)

@@ -10,8 +10,8 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.identify.fit.experiment import channels_of
-from poppet.identify.fit.fit_file import FitPlan
 from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import STRONG
 from poppet.identify.fit.search import Objective, Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates

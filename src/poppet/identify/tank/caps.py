@@ -9,7 +9,7 @@ from dataclasses import replace
 from poppet.core.codes import Note
 from poppet.core.units import quantity
 from poppet.identify.fit.equivalent_optima import united
-from poppet.identify.fit.fit_file import FitPlan
+from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import CLEAR, STRONG
 from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
 from poppet.identify.result import DETERMINED, Estimate, Result

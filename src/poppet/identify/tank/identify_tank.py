@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from poppet.core.toml_file import TomlFile
-from poppet.identify.fit.identify_fit import Progress, fit_plan
+from poppet.identify.fit.identify_fit import Progress, run_fit
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.result import Result
 from poppet.identify.tank.caps import doubted
@@ -81,7 +81,7 @@ def identify_tank(
             test = test_of(file)
             runs = tank_runs(test)
             plan = tank_plan(test, runs)
-    result = fit_plan(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
+    result = run_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     result = doubted(test, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
         result = compared_laws(test, runs, plan, result)

@@ -8,8 +8,8 @@ from typing import Any
 
 from poppet.core.codes import Note
 from poppet.identify.fit.experiment import channels_of
-from poppet.identify.fit.fit_file import FitPlan
 from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import CLEAR
 from poppet.identify.fit.search import SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates

@@ -14,10 +14,9 @@ from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, relocated
-from poppet.core.tables import Field, read_fields
+from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
-from poppet.identify.fit.fit_file import ROLES, FitPlan, plan_of, recording_free
-from poppet.identify.fit.fit_findings import LARGEST_OFFSET, SURELY
+from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
 from poppet.identify.tank.test import DIRECTIONS, TankTest
@@ -44,9 +43,17 @@ OWN = {
 """What a recording may state for itself; all else in its table is read as in a fit file."""
 PRESSURE, TEMPERATURE, SUPPLY = "tank.pressure", "tank.temperature", "supply.pressure"
 ARRAYS = {PRESSURE: "Pa", TEMPERATURE: "K"}
-OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(is_table=True)}
-OF_ARRAY = {"values": Field(is_required=True), **dict.fromkeys(("noise", "offset"), Field())}
+OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(type="table")}
+OF_ARRAY = {
+    "values": Field(is_required=True, meaning="list of samples in SI units"),
+    **dict.fromkeys(("noise", "offset"), Field()),
+}
 OF_ARRAY["lag"] = Field(unit="s", choices=("free",))
+_PRESSURE = Field(meaning="pressure of the tank", example='"tank.pressure" = { column = "p", unit = "bar" }')
+_SUPPLY = Field(
+    meaning="pressure of the supply",
+    example='supply_pressure = "7 bar", or inputs = { "supply.pressure" = { column = "p_supply", unit = "bar g" } }',
+)
 
 COMMON_RATIO = 0.3
 """Where the search for b begins: the middle of what catalogues list."""
@@ -127,8 +134,8 @@ def tank_plan(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
     runs = [replace(run, measurement=_completed(test, run)) for run in runs]
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     settings = SearchSettings(test.loss, test.starts, test.seed)
-    instances, free = [circuit.instance for circuit in circuits], _free(test, runs, circuits)
-    return plan_of(instances, measurements, roles, free, settings=settings, title=test.title)
+    free = _free(test, runs, circuits)
+    return plan_fit(circuits, measurements, roles, free, settings=settings, title=test.title)
 
 
 def _ambient(test: TankTest) -> Ambient:
@@ -144,15 +151,15 @@ def _ambient(test: TankTest) -> Ambient:
 def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> TankRun:
     place = f"recordings.{name}"
     if not isinstance(given, Mapping):
-        raise InputError("tank.no_recording", place, value=given)
+        raise InputError("fields.no_table", place, value=given)
     rest = {key: value for key, value in given.items() if key not in OWN}
     with ErrorCollector() as errors:
-        own = read_fields(errors, {key: given[key] for key in OWN if key in given}, OWN, "tank", place)
+        own = read_fields(errors, {key: given[key] for key in OWN if key in given}, OWN, place)
         if PRESSURE not in rest:
-            errors.add("tank.missing.pressure", f"{place}.{PRESSURE}")
+            errors.extend([missing_field(f"{place}.{PRESSURE}", _PRESSURE)])
     if isinstance(rest.get("time"), str | int | Mapping | None):
         measurement = read_measurement(
-            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, beside=tuple(OWN)
+            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, other_fields=tuple(OWN)
         )
     else:
         measurement = _from_arrays(name, rest, ambient_pressure)
@@ -171,7 +178,7 @@ def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -
     channels: list[Channel] = []
     notes: list[Note] = []
     with ErrorCollector() as errors:
-        read_fields(errors, table, OF_ARRAYS, "tank.arrays", place)
+        read_fields(errors, table, OF_ARRAYS, place, table="recording of arrays")
         for address in ARRAYS:
             if address in table:
                 with errors.collecting():
@@ -188,7 +195,7 @@ def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel
     """A channel of arrays, and what was left out or merged in it."""
     with ErrorCollector() as errors:
         table = given if isinstance(given, Mapping) else {"values": given}
-        read = read_fields(errors, table, OF_ARRAY, "tank.array", place)
+        read = read_fields(errors, table, OF_ARRAY, place, table="channel")
     try:
         time, values = (np.asarray(each, dtype=np.float64) for each in (stamps, read["values"]))
     except (TypeError, ValueError, OverflowError):
@@ -225,7 +232,7 @@ def _check_course(run: TankRun, ambient_pressure: float) -> None:
         raise InputError("tank.contrary", place, begin=begin, end=end, direction=run.direction, other=other)
     if run.direction == "charge":
         if run.supply_pressure is None:
-            raise InputError("tank.missing.supply", run.place)
+            raise missing_field(f"{run.place}.supply_pressure", _SUPPLY)
         supply = _pressure(run.supply, ambient_pressure)
         if not is_free(run.supply_pressure) and end > ABOVE_SUPPLY * supply:
             raise InputError("tank.above_supply", place, end=end, supply=supply)
@@ -385,7 +392,7 @@ def _free(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) 
     if is_free(test.initial_temperature):
         found += _of_each("tank.initial_temperature", [test.initial_temperature] * len(runs), runs, circuits)
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
-    found += recording_free(measurements, circuits, roles)
+    found += recording_parameters(measurements, circuits, roles)
     for run in runs:
         name = run.measurement.name
         if test.valve_delay == "free":
@@ -399,10 +406,9 @@ def _offset(test: TankTest, run: TankRun) -> list[FreeParameter]:
     given, stated = test.pressure_offset, run.pressure.offset
     if given == 0.0 or (given is None and stated is None and run.closes >= run.measurement.duration):
         return []
-    name, span = run.measurement.name, float(np.ptp(run.pressure.values))
-    known = stated or (None if given == "free" else USUAL_ZERO * span)
-    most, prior = (LARGEST_OFFSET * span, None) if known is None else (SURELY * known, NormalPrior(0.0, known))
-    return [FreeParameter(f"{name}.{PRESSURE}.offset", PRESSURE, "Pa", 0.0, -most, most, "offset", name, prior)]
+    known = stated or (None if given == "free" else USUAL_ZERO * float(np.ptp(run.pressure.values)))
+    prior = None if known is None else NormalPrior(0.0, known)
+    return [offset_parameter(run.measurement.name, run.pressure, prior)]
 
 
 def _walls(given: Any, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[FreeParameter]:

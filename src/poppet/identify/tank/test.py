@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from poppet.core.errors import ErrorCollector, NameSuggestion
-from poppet.core.tables import Field, read_fields
+from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import quantity
 
@@ -18,6 +18,12 @@ COMPARED = (*THERMAL, "adiabatic")
 """Laws that may be compared; adiabatic is the energy balance without wall heat."""
 ROOM = 293.15
 """Temperature of a room of which nothing is said [K]."""
+_RECORDINGS = Field(
+    type="table",
+    is_required=True,
+    meaning="list of recordings",
+    example="[recordings.NAME] with file, time and tank.pressure",
+)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -149,19 +155,27 @@ class TankTest:
             for name, known in (("direction", DIRECTIONS), ("thermal", THERMAL)):
                 given = getattr(self, name)
                 if given not in known:
-                    errors.add("entry.choice", name, value=given, near=NameSuggestion(str(given), known))
+                    errors.add(
+                        "fields.not_an_option", name, value=given, meaning=name, near=NameSuggestion(str(given), known)
+                    )
             laws = tuple(self.compare) if isinstance(self.compare, list | tuple) else (self.compare,)
             object.__setattr__(self, "compare", laws)
             for name in laws:
                 if name not in COMPARED:
-                    errors.add("entry.choice", "compare", value=name, near=NameSuggestion(str(name), COMPARED))
+                    errors.add(
+                        "fields.not_an_option",
+                        "compare",
+                        value=name,
+                        meaning="thermal law",
+                        near=NameSuggestion(str(name), COMPARED),
+                    )
             if self.pressure_offset not in ("free", 0.0, None):
                 errors.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             for name in ("bore", "bore_uncertainty"):
                 with errors.collecting():
                     quantity(getattr(self, name) or 0.0, "m", name=name)
             if not isinstance(self.recordings, Mapping) or not self.recordings:
-                errors.add("tank.missing.recordings", "recordings")
+                errors.extend([missing_field("recordings", _RECORDINGS)])
             if self.part in ("tank", "supply", "leak") or not self.part.isidentifier():
                 errors.add("tank.part", "part", value=self.part)
 
@@ -216,8 +230,11 @@ def read_tank_file(path: str | Path) -> TankTest:
 def test_of(file: TomlFile) -> TankTest:
     """The test that a file describes."""
     known = {f.name: Field() for f in fields(TankTest) if f.name != "folder"}
-    known |= {"volume": Field(is_required=True), "recordings": Field(is_required=True, is_table=True)}
+    known |= {
+        "volume": Field(is_required=True, meaning="volume of the tank", example='volume = "16.2 l"'),
+        "recordings": _RECORDINGS,
+    }
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, known, "tank")
+        data = read_fields(errors, file.content, known, table="tank test file")
     title = str(data.get("title", Path(file.name).stem))
     return TankTest(**{**data, "title": title}, folder=file.folder)

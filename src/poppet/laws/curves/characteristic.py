@@ -1,4 +1,4 @@
-"""The flow characteristic of a variable passage: C(x), b(x), a domain, an edge policy and a closing law."""
+"""Flow characteristic of a variable passage: C(x), b(x), domain, edge policy and closing law."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ Edge = Literal["hold", "error"]
 EDGES: tuple[Edge, ...] = get_args(Edge)
 GIVEN = Source("given")
 OUTSIDE_TOLERANCE = 0.01
-"""Part of the domain's width by which a run may leave the domain before it is reported [1]."""
+"""Distance beyond the domain, relative to its width, from which a note is given [1]."""
 STOP_PLAY = 0.05
-"""The same where an end stop stands within the domain: what it gives way is its contact, no further opening [1].
+"""The same at a side with an end stop within the domain; the overtravel is the deflection of the stop [1].
 
-A twentieth of 1 mm takes 2.5 kN at the stops of the library, a hundred and more times what its springs exert."""
+A deflection of 0.05 mm takes 2.5 kN at the stops of the library, more than 100 times the force of the springs."""
 ANYWHERE = (-math.inf, math.inf)
-"""End stops of a stroke that has none [m]."""
+"""End stops of a stroke without end stops [m]."""
 
 _CURVES = {"sonic_conductance": ("C", "m^3/(s Pa)"), "critical_ratio": ("b", "")}
 
@@ -49,23 +49,22 @@ class Characteristic:
     critical_ratio : Curve
         b over the stroke [1].
     domain : tuple of float, shape (2,)
-        Strokes between which both are known [m].
+        Range of strokes in which both curves are known [m].
     edge : str
-        `hold` keeps the edge values outside the domain, `error` refuses floats and arrays outside it.
+        `hold` keeps the edge values outside the domain, `error` rejects floats and arrays outside it.
     closing : Number, optional
-        Width of the closing law: C falls to zero from this stroke to 0 and stays zero below [m].
+        Width of the closing law: C falls to zero from this stroke to stroke 0 and is zero below [m].
     monotone : bool
-        Replace C by its running maximum, so that opening further never lowers it.
+        If True, the running maximum of C replaces C, so a larger stroke never reduces it.
     name : str
         Name for messages, `varga2012`.
     source : Source, optional
-        Where the curves come from.
+        Source of the curves.
 
     Notes
     -----
-    Outside the domain nothing is known and nothing is extrapolated. On symbols both edge policies hold the
-    edge values; whoever runs the model compares the strokes reached with the domain and reports
-    `outside(...)`.
+    The values outside the domain are unknown and are not extrapolated. For symbols, both edge policies hold the edge
+    values. The code that runs the model compares the strokes with the domain and reports `outside(...)`.
 
     Examples
     --------
@@ -88,12 +87,12 @@ class Characteristic:
     source: Source = GIVEN
 
     def __post_init__(self) -> None:
-        # Only of curves that are well formed: evaluating others over the domain would fail.
+        # Only valid curves can be evaluated over the domain.
         collect([*self._form_problems()])
         collect([*self._value_problems()])
 
     def sonic_conductance_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
-        """Sonic conductance at a stroke.
+        """Return the sonic conductance at a stroke.
 
         Parameters
         ----------
@@ -112,15 +111,15 @@ class Characteristic:
         OutOfRangeError
             The stroke lies outside the domain and the edge policy is `error`.
         """
-        given = self._own if parameters is None else parameters
+        values = self._own if parameters is None else parameters
         x = self._operand(x, "sonic_conductance")
-        stroke = self._highest_up_to(self._held(x, given), given) if self.monotone else self._held(x, given)
-        value = self.sonic_conductance.evaluate(stroke, _under("sonic_conductance", given))
-        # With the stroke itself, not the held one: the domain may begin above the seat.
-        return value if self.closing is None else value * smoothstep(x, 0.0, given["closing"])
+        stroke = self._highest_up_to(self._held(x, values), values) if self.monotone else self._held(x, values)
+        value = self.sonic_conductance.evaluate(stroke, _under("sonic_conductance", values))
+        # The closing law uses the unlimited stroke, because the domain can begin above the seat.
+        return value if self.closing is None else value * smoothstep(x, 0.0, values["closing"])
 
     def critical_ratio_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
-        """Critical pressure ratio at a stroke.
+        """Return the critical back-pressure ratio at a stroke.
 
         Parameters
         ----------
@@ -139,29 +138,29 @@ class Characteristic:
         OutOfRangeError
             The stroke lies outside the domain and the edge policy is `error`.
         """
-        given = self._own if parameters is None else parameters
+        values = self._own if parameters is None else parameters
         x = self._operand(x, "critical_ratio")
-        return self.critical_ratio.evaluate(self._held(x, given), _under("critical_ratio", given))
+        return self.critical_ratio.evaluate(self._held(x, values), _under("critical_ratio", values))
 
     def numbers(self) -> dict[str, Number]:
-        """Every number that can be set, fitted or shown, `sonic_conductance.k1`, `critical_ratio.p1`, ..."""
-        named = _joined({name: self._curve(name).numbers() for name in _CURVES})
-        return named if self.closing is None else {**named, "closing": self.closing}
+        """Return all parameters by name: `sonic_conductance.k1`, `critical_ratio.p1` and so on."""
+        numbers = _joined({name: self._curve(name).numbers() for name in _CURVES})
+        return numbers if self.closing is None else {**numbers, "closing": self.closing}
 
     def parameters(self) -> dict[str, float]:
-        """What a compiled model takes as run-time values: the numbers in SI, and what is derived from them.
+        """Return the run-time values of a compiled model: parameters in SI and derived values.
 
-        The names do not depend on the values, so a changed number never changes the compiled model.
+        The names do not depend on the values, so a changed parameter does not change the compiled model.
         """
         return dict(self._own)
 
     def structure(self) -> Hashable:
-        """What of the characteristic is compiled in; those that agree in it may share one compiled model."""
+        """Return the compiled properties; equal structures can share a compiled model."""
         curves = self.sonic_conductance.structure(), self.critical_ratio.structure()
         return (*curves, self._bounded, self.monotone, self.closing is not None)
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
-        """The same characteristic with some numbers replaced.
+        """Return the characteristic with some parameters replaced.
 
         Parameters
         ----------
@@ -171,30 +170,30 @@ class Characteristic:
         Returns
         -------
         Characteristic
-            What is derived from the numbers follows them.
+            Characteristic with updated derived values.
         """
-        known = self.numbers()
-        unknown = [key for key in changes if key not in known]
+        numbers = self.numbers()
+        unknown = [key for key in changes if key not in numbers]
         collect(
-            [InputError("curves.no_number", key, name=self.name, near=NameSuggestion(key, known)) for key in unknown]
+            [InputError("curves.no_number", key, name=self.name, near=NameSuggestion(key, numbers)) for key in unknown]
         )
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
     def limits(self, stops: tuple[float, float] = ANYWHERE) -> tuple[float, float]:
-        """Strokes from which on a run has left the domain.
+        """Return the strokes beyond which a run has left the domain.
 
         Parameters
         ----------
         stops : tuple of float, shape (2,)
-            Strokes at which end stops are met [m].
+            Positions of the end stops [m].
 
         Returns
         -------
         tuple of float, shape (2,)
-            The domain, give or take 1 % of its width; 5 % on a side where a stop stands within the domain, for a
-            stop gives way by its contact [m]. Without a lower limit where `closing` is given and the domain begins
-            at 0: the conductance of a closed passage is known to be zero.
+            The domain, extended by 1 % of its width, or by 5 % at a side with an end stop within the domain, which
+            deflects [m]. There is no lower limit if `closing` is given and the domain begins at 0, because the
+            conductance of a closed flow path is zero.
         """
         low, high = self.domain
         slack = OUTSIDE_TOLERANCE * (high - low)
@@ -202,28 +201,28 @@ class Characteristic:
         return self._lowest - play[0] * (high - low), high + play[1] * (high - low)
 
     def outside(self, x_min: float, x_max: float, stops: tuple[float, float] = ANYWHERE) -> Note | None:
-        """The note for a report when the strokes of a run left the domain.
+        """Return the note for a run whose strokes left the domain.
 
         Parameters
         ----------
         x_min, x_max : float
-            Smallest and largest stroke reached [m].
+            Smallest and largest stroke of the run [m].
         stops : tuple of float, shape (2,)
-            Strokes at which end stops are met [m].
+            Positions of the end stops [m].
 
         Returns
         -------
         Note or None
-            None while the run stayed within `limits`; else with the strokes that were reached outside, and by how
-            much the farthest of them is beyond the domain.
+            None if the run stayed within `limits`; otherwise the strokes outside and their largest distance from the
+            domain.
         """
         low, high = self.limits(stops)
-        # How far beyond the domain each stroke outside is.
-        beyond = {x_min: self.domain[0] - x_min} if x_min < low else {}
-        beyond |= {x_max: x_max - self.domain[1]} if x_max > high else {}
-        if not beyond:
+        # Distance of each outside stroke from the domain.
+        distances = {x_min: self.domain[0] - x_min} if x_min < low else {}
+        distances |= {x_max: x_max - self.domain[1]} if x_max > high else {}
+        if not distances:
             return None
-        ran = {"strokes_mm": tuple(1e3 * x for x in beyond), "beyond_mm": 1e3 * max(beyond.values())}
+        ran = {"strokes_mm": tuple(1e3 * x for x in distances), "beyond_mm": 1e3 * max(distances.values())}
         return Note("curves.left_domain", **ran, domain=_span(*self.domain), known=self._known("sonic_conductance"))
 
     @cached_property
@@ -231,7 +230,7 @@ class Characteristic:
         own = _joined({name: self._curve(name).parameters() for name in _CURVES})
         if self._bounded:
             own |= {"domain_start": self.domain[0], "domain_end": self.domain[1]}
-            # Where C rises stands among the parameters: a fit moves its turning points without compiling anew.
+            # The rises of C are parameters, so a fit can move the turning points without a new compilation.
             own |= self._rises() if self.monotone else {}
         if self.closing is not None:
             own["closing"] = float(self.closing)
@@ -243,12 +242,15 @@ class Characteristic:
 
     @property
     def _lowest(self) -> float:
-        """First stroke [m] at which the values are known: any, where a closing law covers what lies below."""
+        """Return the lowest stroke with known values [m].
+
+        With a closing law, the values are known at all lower strokes.
+        """
         return -math.inf if self.closing is not None and self.domain[0] <= 0.0 else self.domain[0]
 
     @property
     def _rise_count(self) -> int:
-        # At most every other of the monotone pieces rises; fixed by the structure, so that numbers may change freely.
+        # At most every second monotone piece rises. The structure fixes the count, so parameters can change.
         return (self.sonic_conductance.pieces + 1) // 2
 
     def _curve(self, name: str) -> Curve:
@@ -259,18 +261,24 @@ class Characteristic:
         return clip(x, parameters["domain_start"], parameters["domain_end"]) if self._bounded else x
 
     def _rises(self) -> dict[str, float]:
-        """Where the running maximum of C rises: as many intervals as any values of the numbers can need."""
+        """Return the intervals in which the running maximum of C rises.
+
+        Their number is the maximum for any values of the parameters.
+        """
         low, high = self.domain
         rises = rising_intervals(self.sonic_conductance, low, high) or [(low, low)]
-        never = high + (high - low)  # no held stroke reaches it
+        never = high + (high - low)  # beyond every limited stroke
         rises += [(never, never)] * (self._rise_count - len(rises))
-        named: dict[str, float] = {}
+        values: dict[str, float] = {}
         for i, (start, end) in enumerate(rises):
-            named |= {f"rise{i}_start": start, f"rise{i}_end": end}
-        return named
+            values |= {f"rise{i}_start": start, f"rise{i}_end": end}
+        return values
 
     def _highest_up_to(self, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """The stroke up to `x` where C is largest: `x` on a rise, on a plateau the end of the last rise."""
+        """Return the stroke up to `x` with the largest C.
+
+        This is `x` on a rise, and the end of the last rise on a plateau.
+        """
         if not self._bounded:
             return x
         stroke = clip(x, parameters["rise0_start"], parameters["rise0_end"])
@@ -280,7 +288,7 @@ class Characteristic:
         return stroke
 
     def _operand(self, x: Any, curve: str) -> Any:
-        """`x` as something to calculate with; a number that is none, or not allowed here, is refused."""
+        """Return `x` as a value for calculation; reject invalid numbers."""
         if is_symbolic(x):
             return x
         values = np.atleast_1d(np.asarray(x, dtype=float))
@@ -327,13 +335,16 @@ class Characteristic:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 
     def _value_problems(self) -> Iterable[InputError]:
-        """C < 0 or b outside 0..1 anywhere in the domain; extremes lie at its ends or at a turning point."""
+        """Yield errors for C < 0 or b outside 0..1 in the domain.
+
+        Extreme values occur at the ends of the domain or at turning points.
+        """
         for name, (symbol, unit) in _CURVES.items():
             curve = self._curve(name)
             strokes = [*self.domain, *curve.turning_points(*self.domain)] if self._bounded else [0.0]
             values = {x: float(curve(x)) for x in strokes}
             lowest, highest = min(values, key=values.__getitem__), max(values, key=values.__getitem__)
-            # Summing a table's segments leaves rounding where a point is exactly zero.
+            # The sum of the segments of a table has rounding errors at points that are exactly zero.
             if values[lowest] < -1e-12 * abs(values[highest]):
                 worst, limits = lowest, "negative"
             elif name == "critical_ratio" and values[highest] >= 1.0:
@@ -348,13 +359,13 @@ def _joined(parts: Mapping[str, Mapping[str, T]]) -> dict[str, T]:
     return {f"{prefix}.{key}": value for prefix, part in parts.items() for key, value in part.items()}
 
 
-def _under(prefix: str, named: Mapping[str, Any]) -> dict[str, Any]:
+def _under(prefix: str, values: Mapping[str, Any]) -> dict[str, Any]:
     start = f"{prefix}."
-    return {key.removeprefix(start): value for key, value in named.items() if key.startswith(start)}
+    return {key.removeprefix(start): value for key, value in values.items() if key.startswith(start)}
 
 
 def _millimetres(x: float) -> str:
-    """Exact enough to show that 1.0001 mm lies outside 1.00 mm."""
+    """Format a stroke with enough digits to show that 1.0001 mm is outside 1.00 mm."""
     value = 1e3 * x
     if value == 0.0:
         return "0"

@@ -1,4 +1,4 @@
-"""What every scalar function of a stroke offers, and where its running maximum rises."""
+"""Interface of scalar functions of a stroke, with the rises of their running maximum."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from poppet.core.provenance import Number
 
 
 class Curve(ABC):
-    """A scalar function of a stroke."""
+    """Scalar function of a stroke."""
 
     known: ClassVar[str]
-    """How its range came about, as a report says it: `C(x)` "was fitted"."""
+    """Origin of the range in a report: `C(x)` "was fitted"."""
     extrapolates: ClassVar[bool] = False
-    """Whether the formula gives a (meaningless) value beyond the range, worth telling in an error."""
+    """True if the formula gives a meaningless value beyond the range, which an error can show."""
 
     @abstractmethod
     def numbers(self) -> dict[str, Number]:
-        """The numbers of the curve under the last part of their address, `k1`."""
+        """Return the parameters of the curve by the last part of their address, `k1`."""
 
     @abstractmethod
     def parameters(self) -> dict[str, float]:
-        """What `evaluate` reads: the numbers in SI, and what is derived from them."""
+        """Return the arguments of `evaluate`: parameters in SI and derived values."""
 
     @abstractmethod
     def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """Value at a stroke with the given parameters.
+        """Return the value at a stroke for given parameters.
 
         Parameters
         ----------
@@ -42,44 +42,44 @@ class Curve(ABC):
         Returns
         -------
         float, array or symbol
-            The curve's value, in its own unit.
+            Value in the unit of the curve.
         """
 
     @abstractmethod
     def turning_points(self, low: float, high: float) -> tuple[float, ...]:
-        """Strokes that split the curve into monotone pieces.
+        """Return the strokes that split the curve into monotone pieces.
 
         Parameters
         ----------
         low, high : float
-            Strokes at which the first piece starts and the last one ends [m].
+            Start of the first piece and end of the last piece [m].
 
         Returns
         -------
         tuple of float
-            In order, strictly between the two [m].
+            Strokes in ascending order, strictly between the two [m].
         """
 
     @property
     @abstractmethod
     def pieces(self) -> int:
-        """Upper bound of the number of monotone pieces; independent of the numbers' values."""
+        """Return an upper bound of the number of monotone pieces for any parameter values."""
 
     @property
     def support(self) -> tuple[float, float]:
-        """First and last stroke [m] about which the curve knows anything; a formula knows all."""
+        """Return the first and last stroke with known values [m]; for a formula, all strokes."""
         return (-math.inf, math.inf)
 
     @abstractmethod
     def structure(self) -> Hashable:
-        """What of the curve is compiled in: curves that agree in it differ only in run-time parameters."""
+        """Return the compiled properties; equal structures differ only in run-time parameters."""
 
     @abstractmethod
     def _with_values(self, values: Sequence[Number]) -> Self:
-        """The same curve with other numbers, in the order of `numbers()`."""
+        """Return the curve with other parameters, in the order of `numbers()`."""
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
-        """The same curve with some numbers replaced.
+        """Return the curve with some parameters replaced.
 
         Parameters
         ----------
@@ -89,7 +89,7 @@ class Curve(ABC):
         Returns
         -------
         Curve
-            A new curve of the same kind.
+            New curve of the same kind.
         """
         numbers = self.numbers()
         unknown = [name for name in changes if name not in numbers]
@@ -97,19 +97,19 @@ class Curve(ABC):
         return self._with_values(list({**numbers, **changes}.values()))
 
     def __call__(self, x: Any) -> Any:
-        """Value at stroke `x` [m] with the curve's own numbers."""
+        """Return the value at stroke `x` [m]."""
         return self.evaluate(x, self.parameters())
 
 
 def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float, float]]:
-    """Intervals over which the running maximum of a curve rises; between them it stays.
+    """Return the intervals in which the running maximum of a curve rises.
 
     Parameters
     ----------
     curve : Curve
-        Any curve with turning points.
+        Curve with turning points.
     low, high : float
-        Strokes at which the running maximum starts and ends [m].
+        Range of strokes of the running maximum [m].
 
     Returns
     -------
@@ -125,14 +125,14 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     >>> [(round(start, 3), round(end, 3)) for start, end in rises]
     [(0.0, 1.0), (2.68, 3.0)]
     """
-    # Between two turning points the curve is monotone: a piece whose end is no higher than the level has no rise.
+    # The curve is monotone between turning points. A piece that ends below the level has no rise.
     level = float(curve(low))
     rises: list[tuple[float, float]] = []
     for left, right in pairwise([low, *curve.turning_points(low, high), high]):
         if float(curve(right)) <= level:
             continue
         start = left if float(curve(left)) >= level else _crossing(curve, level, left, right)
-        # A turning point within a rise (a knot of a rising table) does not cut it in two.
+        # A turning point within a rise (a knot of a rising table) does not divide the rise.
         if rises and rises[-1][1] == start:
             start = rises.pop()[0]
         rises.append((start, right))
@@ -141,7 +141,7 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
 
 
 def _crossing(curve: Curve, level: float, left: float, right: float) -> float:
-    """Where a rising piece reaches `level`, to the last bit."""
+    """Return the stroke at which a rising piece reaches `level`, to the last bit."""
     while True:
         middle = 0.5 * (left + right)
         if not left < middle < right:

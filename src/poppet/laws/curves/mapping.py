@@ -1,4 +1,4 @@
-"""A characteristic out of a table of a circuit file."""
+"""Reader of characteristics in tables of a circuit file."""
 
 from __future__ import annotations
 
@@ -40,12 +40,12 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     Returns
     -------
     Characteristic
-        Every number carries the table's source, `given` when it names none.
+        Characteristic whose parameters have the source of the table, or `given` if the table has none.
 
     Raises
     ------
     InputError
-        All mistakes of the table at once.
+        If the table is invalid; all errors are reported together.
 
     Examples
     --------
@@ -67,7 +67,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
         code = "curves.kind" if "kind" in table else "curves.no_kind"
         raise InputError(code, name, value=kind, near=NameSuggestion(str(kind), _FIELDS))
     reader = _Reader(table, name, str(kind))
-    # From here on every mistake is kept, so that one reading of the file tells all of them.
+    # From here on, errors are collected, so one pass over the file reports all of them.
     reader.refuse_unknown()
     fields = reader.common()
     curves: dict[str, Any] = {field: reader.curve(field) for field in _UNITS}
@@ -80,7 +80,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
 
 
 class _Reader:
-    """Reads the fields of one table and keeps what is wrong with them."""
+    """Reader of the fields of one table, with a list of their errors."""
 
     def __init__(self, table: Mapping[str, Any], name: str, kind: str) -> None:
         self.table, self.name, self.kind = table, name, kind
@@ -88,26 +88,26 @@ class _Reader:
         self.source = self._source()
 
     def complain(self, code: str, field: str, **facts: Any) -> None:
-        """The mistakes of a file name the field, and their address the characteristic as well."""
+        """Add an error with the address of the field."""
         self.errors.add(code, f"{self.name}.{field}", field=field, **facts)
 
     def refuse_unknown(self) -> None:
-        known = _FIELDS[self.kind]
+        valid = _FIELDS[self.kind]
         for field in self.table:
-            if field not in known:
-                self.complain("curves.unknown_field", field, kind=self.kind, near=NameSuggestion(field, known))
+            if field not in valid:
+                self.complain("curves.unknown_field", field, kind=self.kind, near=NameSuggestion(field, valid))
 
-    def number(self, given: Any, unit: str, field: str) -> Number | None:
+    def number(self, raw: Any, unit: str, field: str) -> Number | None:
         with self.errors.collecting():
-            read = quantity(given, unit, name=f"{self.name}.{field}")
-            return Number(read.value, unit, self.source, text=str(given))
+            read = quantity(raw, unit, name=f"{self.name}.{field}")
+            return Number(read.value, unit, self.source, text=str(raw))
         return None
 
     def numbers(self, field: str, unit: str) -> tuple[Number, ...] | None:
-        """The entries of a list, or None when some cannot be read."""
+        """Return the entries of a list, None if an entry is invalid."""
         read = [self.number(entry, unit, f"{field}[{i}]") for i, entry in enumerate(self.table[field])]
-        found = tuple(number for number in read if number is not None)
-        return found if len(found) == len(read) else None
+        numbers = tuple(number for number in read if number is not None)
+        return numbers if len(numbers) == len(read) else None
 
     def curve(self, field: str) -> Curve | None:
         if field not in self.table:
@@ -118,9 +118,9 @@ class _Reader:
         return None
 
     def _curve(self, field: str) -> Curve | None:
-        given, unit = self.table[field], _UNITS[field]
-        if self.kind == "constant" or not _is_list(given):
-            number = self.number(given, unit, field)
+        raw, unit = self.table[field], _UNITS[field]
+        if self.kind == "constant" or not _is_list(raw):
+            number = self.number(raw, unit, field)
             return None if number is None else ConstantCurve(number)
         numbers = self.numbers(field, unit)
         if numbers is None:
@@ -131,7 +131,7 @@ class _Reader:
         return None if self._strokes is None else TableCurve(self._strokes, numbers)
 
     def domain(self) -> tuple[float, float]:
-        """The domain as it is given; a table's is that of its strokes."""
+        """Return the stated domain; for a table, the range of its strokes."""
         unbounded = (-math.inf, math.inf)
         if self.kind == "table":
             return (self._strokes[0], self._strokes[-1]) if self._strokes else unbounded
@@ -147,7 +147,7 @@ class _Reader:
         return unbounded if numbers is None else (float(numbers[0]), float(numbers[1]))
 
     def common(self) -> dict[str, Any]:
-        """The fields every kind may have, under the names of `Characteristic`."""
+        """Return the fields of all kinds by their names in `Characteristic`."""
         closing = self.number(self.table["closing"], "m", "closing") if "closing" in self.table else None
         monotone = self.table.get("monotone", False)
         if not isinstance(monotone, bool):
@@ -170,7 +170,7 @@ class _Reader:
             return Source("given")
         return Source(kind, locator, note)
 
-    # Both curves share the argument's unit and the strokes: read once, what is wrong with them is reported once.
+    # Both curves share the unit of the argument and the strokes, whose errors are reported once.
 
     @cached_property
     def _argument_scale(self) -> float | None:
@@ -186,7 +186,7 @@ class _Reader:
 
     @cached_property
     def _strokes(self) -> tuple[float, ...] | None:
-        """The knots of a table, or None when they cannot be read."""
+        """Return the strokes of a table, None if they are invalid."""
         if not _is_list(self.table.get("stroke")):
             code = "curves.not_strokes" if "stroke" in self.table else "curves.missing_strokes"
             self.errors.add(code, f"{self.name}.stroke", value=self.table.get("stroke"))
@@ -195,5 +195,5 @@ class _Reader:
         return None if numbers is None else tuple(float(number) for number in numbers)
 
 
-def _is_list(given: Any) -> bool:
-    return isinstance(given, Sequence) and not isinstance(given, str)
+def _is_list(value: Any) -> bool:
+    return isinstance(value, Sequence) and not isinstance(value, str)

@@ -181,9 +181,9 @@ class TableCurve(Curve):
             errors.add("curves.too_few_points", "stroke", count=len(self.strokes))
         if len(self.values) != len(self.strokes):
             errors.add("curves.unequal_lengths", values=len(self.values), strokes=len(self.strokes))
-        for place, (left, right) in enumerate(pairwise(self.strokes), start=2):
+        for index, (left, right) in enumerate(pairwise(self.strokes), start=2):
             if not left < right < math.inf:
-                errors.add("curves.not_rising", place=place, right_mm=right * 1e3, left_mm=left * 1e3)
+                errors.add("curves.not_rising", place=index, right_mm=right * 1e3, left_mm=left * 1e3)
         collect(errors.collected)
 
     def numbers(self) -> dict[str, Number]:
@@ -202,11 +202,11 @@ class TableCurve(Curve):
         return value
 
     def _rise(self, i: int, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """What segment `i` adds to the value: nothing left of it, all of its chord right of it."""
+        """Return the contribution of segment `i`: 0 to the left of it, its chord to the right of it."""
         left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
         width = right - left
-        # On a knot the two neighbours must pass the derivative on once between them. CasADi halves it on ties
-        # (older versions give it to the first argument): this order of arguments is right either way.
+        # At a knot, the derivatives of both neighbours must add up to one derivative. CasADi halves it at ties
+        # (old versions assign it to the first argument). This order of arguments is correct in both cases.
         t = maximum(0.0, minimum((x - left) / width, 1.0))
         chord = parameters[f"y{i + 1}"] - parameters[f"y{i}"]
         start, end = width * parameters[f"d{i}"], width * parameters[f"d{i + 1}"]

@@ -1,4 +1,6 @@
-"""Passages one after the other, side by side, and tubes: C and b of the whole.
+"""Combinations of flow paths in series and in parallel, and tubes: total C and b.
+
+All formulas are those of the 1989 edition: subsonic index 0.5 and no cracking pressure.
 
 All forms are those of the 1989 edition: subsonic index 0.5 and no cracking pressure.
 """
@@ -20,7 +22,7 @@ _DIAMETER = Domain("iso6358.bore", "m", open_low=True)
 def series(
     sonic_conductance_1: float, critical_ratio_1: float, sonic_conductance_2: float, critical_ratio_2: float
 ) -> tuple[float, float]:
-    r"""Two passages one after the other, 1 upstream of 2.
+    r"""Return C and b of two flow paths in series, 1 upstream of 2.
 
     .. math::
 
@@ -39,16 +41,16 @@ def series(
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of both together.
+        C [m^3/(s Pa)] and b of the pair.
 
     Notes
     -----
-    m = 0.5, no cracking pressure, no heat exchange between the two (the stagnation temperature is the same)
-    and no recovery or mutual disturbance of the flows. C is exact: it is the choked flow of the pair. b makes
-    small pressure drops exact; between the two ends the ellipse differs from the pair by 1.1 % of the choked
-    flow for the example and by up to 1.4 % for b up to 0.6 (tests/unit). The form printed in the standard,
-    with a = C1/(b1 C2), is the same one; written with k it holds for b1 = 0 as well. The order matters; the
-    shortcut 1/C^2 = sum of 1/C_i^2 is 1 to 11 % low.
+    Assumptions: m = 0.5, no cracking pressure, no heat exchange between the two (equal stagnation temperature), no
+    pressure recovery and no mutual disturbance of the flows. C is exact: it is the choked flow of the pair. b is exact
+    for small pressure drops. Between these limits, the ellipse differs from the pair by 1.1 % of the choked flow for
+    the example, and by up to 1.4 % for b up to 0.6 (tests/unit). The formula of the standard with a = C1/(b1 C2) is
+    equivalent; the form with k is also valid for b1 = 0. The order matters. The approximation
+    1/C^2 = sum of 1/C_i^2 is 1 to 11 % too low.
 
     References
     ----------
@@ -63,35 +65,35 @@ def series(
     _check_passages([(sonic_conductance_1, critical_ratio_1), (sonic_conductance_2, critical_ratio_2)])
     k, b1 = sonic_conductance_1 / sonic_conductance_2, critical_ratio_1
     conductance = sonic_conductance_1
-    # Up to there the upstream passage alone chokes the pair: the other takes what it delivers.
+    # Below this limit, the upstream flow path alone chokes, and the other one accepts its flow.
     if k > b1:
         root = math.sqrt(k * k + 1.0 - 2.0 * b1)
         conductance *= (b1 * k + (1.0 - b1) * root) / (k * k + (1.0 - b1) ** 2)
-    # At small drops q^2 is about 2 C^2 p dp/(1 - b), so that the drops, (1 - b)/C^2 for one flow, add up.
+    # For small drops, q^2 is about 2 C^2 p dp/(1 - b), so the drops, (1 - b)/C^2 for one flow, are additive.
     first = (1.0 - b1) * (conductance / sonic_conductance_1) ** 2
     second = (1.0 - critical_ratio_2) * (conductance / sonic_conductance_2) ** 2
     return conductance, 1.0 - first - second
 
 
 def series_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    r"""Any number of passages one after the other, combined pairwise from upstream to downstream.
+    r"""Return C and b of any number of flow paths in series, combined from upstream to downstream.
 
     .. math:: ((1, 2), 3), \dots
 
     Parameters
     ----------
     passages : iterable of (float, float)
-        C [m^3/(s Pa)] and b of each, the upstream one first.
+        C [m^3/(s Pa)] and b of each flow path, upstream first.
 
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of all together.
+        C [m^3/(s Pa)] and b of the combination.
 
     Notes
     -----
-    As for `series`; from the third passage on C is an approximation too, because the first pair's ellipse is
-    one.
+    The assumptions of `series` apply. With three or more flow paths, C is also an approximation, because the ellipse
+    of the first pair is one.
 
     Examples
     --------
@@ -99,13 +101,13 @@ def series_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
     >>> round(C * 1e8, 4), round(b, 3)
     (1.6191, 0.247)
     """
-    return reduce(lambda whole, following: series(*whole, *following), _check_passages(passages))
+    return reduce(lambda combined, following: series(*combined, *following), _check_passages(passages))
 
 
 def parallel(
     sonic_conductance_1: float, critical_ratio_1: float, sonic_conductance_2: float, critical_ratio_2: float
 ) -> tuple[float, float]:
-    r"""Two passages side by side.
+    r"""Return C and b of two flow paths in parallel.
 
     .. math::
 
@@ -122,12 +124,12 @@ def parallel(
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of both together.
+        C [m^3/(s Pa)] and b of the pair.
 
     Notes
     -----
-    m = 0.5, no cracking pressure. Exact when all are choked, exact for small pressure drops, an ellipse
-    between.
+    Assumptions: m = 0.5 and no cracking pressure. The result is exact if all flow paths are choked and for small
+    pressure drops, and an ellipse between these limits.
 
     References
     ----------
@@ -143,19 +145,23 @@ def parallel(
 
 
 def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
-    r"""Any number of passages side by side, under the conditions of `parallel`.
+    r"""Return C and b of any number of flow paths in parallel.
 
     .. math:: C = \sum C_i, \qquad b = 1 - \left(\frac{C}{\sum C_i/\sqrt{1 - b_i}}\right)^2
 
     Parameters
     ----------
     passages : iterable of (float, float)
-        C [m^3/(s Pa)] and b of each.
+        C [m^3/(s Pa)] and b of each flow path.
 
     Returns
     -------
     sonic_conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of all together.
+        C [m^3/(s Pa)] and b of the combination.
+
+    Notes
+    -----
+    The assumptions of `parallel` apply.
 
     Examples
     --------
@@ -164,14 +170,14 @@ def parallel_of(passages: Iterable[tuple[float, float]]) -> tuple[float, float]:
     (4.0, 0.3)
     """
     pairs = _check_passages(passages)
-    # Choked flows add up as C, those at small drops as C/sqrt(1 - b): two sums, and from them C and b.
+    # Choked flows are additive in C, flows at small drops in C/sqrt(1 - b); both sums give C and b.
     total = sum(conductance for conductance, _ in pairs)
     weighted = sum(conductance / math.sqrt(1.0 - ratio) for conductance, ratio in pairs)
     return total, 1.0 - (total / weighted) ** 2
 
 
 def tube(length: float, diameter: float) -> tuple[float, float]:
-    r"""C and b of a straight smooth tube.
+    r"""Return C and b of a straight smooth tube.
 
     .. math:: C = \frac{0.029\,d^2}{\sqrt{L/d^{1.25} + 510}}, \qquad b = 474\,\frac{C}{d^2}
 
@@ -187,10 +193,10 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
 
     Notes
     -----
-    An empirical fit in SI units for turbulent flow of air through smooth plastic tube, m = 0.5; the term 510 stands
-    for its inlet and outlet. The range it was fitted on is not stated with it, so take it as an estimate.
-    Bends and fittings are not contained: put them in series. It is a stationary law: the volume of the tube
-    needs a chamber, a long line a delay.
+    Empirical fit in SI units for turbulent flow of air through smooth plastic tube, m = 0.5. The term 510 represents
+    inlet and outlet. The source does not state the range of the fit, so the result is an estimate. Bends and fittings
+    are not included; add them in series. The law is stationary: represent the volume of the tube by a chamber and a
+    long line by a delay.
 
     References
     ----------
@@ -209,7 +215,7 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
 
 
 def divided(conductance: float, critical_ratio: float, weights: Sequence[float]) -> list[tuple[float, float]]:
-    r"""A long passage as a row of shorter ones with gas between them: C and b of each.
+    r"""Divide a long flow path into shorter ones in series; return C and b of each.
 
     .. math:: \frac{1 - b_i}{C_i^2} = \frac{w_i}{\sum w} \, \frac{1 - b}{C^2}, \qquad
               C_i = \min(k, k_\mathrm{end}) \, C
@@ -217,22 +223,23 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     Parameters
     ----------
     conductance, critical_ratio : float
-        C [m^3/(s Pa)] and b of the whole.
+        C [m^3/(s Pa)] and b of the complete flow path.
     weights : sequence of float, shape (n,)
-        Share of each piece in the loss, by length for a tube.
+        Weight of each piece in the pressure loss, for a tube its length.
 
     Returns
     -------
     list of (float, float)
-        C [m^3/(s Pa)] and b of each piece, the upstream one first.
+        C [m^3/(s Pa)] and b of each piece, upstream first.
 
     Notes
     -----
-    n passages with C of the whole times the root of n are not the whole: they would pass up to :math:`1/\sqrt{1 - b}`
-    times its choked flow. Here the drops of small flows add up to that of the whole, and C of the two outer pieces are
-    such that the row chokes at its flow, both ways; the inner ones have the smaller of both, or b = 0. All C are then
-    lowered by half of what the row exceeds the whole in between. The flow of the row, with no heat exchange, is within
-    1.5 % of that of the whole for all pressure ratios, b up to 0.61 and up to 200 pieces (tests/unit).
+    n flow paths with the total C times the root of n would pass up to :math:`1/\sqrt{1 - b}` times the choked flow.
+    In this division, the pressure drops at small flow add up to the total drop. C of the two outer pieces is such that
+    the pieces choke at the total choked flow in both directions; the inner pieces have the smaller of both values, or
+    b = 0. All C are then reduced by half of the excess flow at intermediate pressure ratios. Without heat exchange,
+    the flow of the pieces differs from the total flow by less than 1.5 % for all pressure ratios, b up to 0.61 and up
+    to 200 pieces (tests/unit).
 
     Examples
     --------
@@ -242,33 +249,39 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     _check_passages([(conductance, critical_ratio)])
     if len(weights) < 2:
         return [(conductance, critical_ratio)] * len(weights)
-    # For C = 1 and pressures over that upstream.
+    # For C = 1 and pressures relative to the upstream pressure.
     drops = [(1.0 - critical_ratio) * weight / sum(weights) for weight in weights]
     ends = [2.0, 2.0]
-    for _ in range(3):  # the upstream piece hardly matters for choking: the two settle quickly
+    for _ in range(3):  # the iteration converges quickly, because the upstream piece has little effect on choking
         ends[1] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, ends[0], k)))
         ends[0] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, k, ends[1])[::-1]))
     pieces = _pieces(drops, *ends)
-    middle = critical_ratio + 0.27 * (1.0 - critical_ratio)  # where the row exceeds the ellipse most
+    middle = critical_ratio + 0.27 * (1.0 - critical_ratio)  # pressure ratio of the largest excess flow
     row = _bisected(0.5, 1.5, lambda q: middle - (_outlet_pressure(pieces, q) or 0.0))
     factor = conductance / (1.0 + 0.5 * (row / math.sqrt(1.0 - 0.27**2) - 1.0))
     return [(factor * size, ratio) for size, ratio in pieces]
 
 
 def _pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
-    """C and b of pieces with given drops of small flows, of which the outer ones have given C where b allows it."""
+    """Return C and b of pieces for given pressure drops at small flow.
+
+    The outer pieces have the given C as far as b allows it.
+    """
     sizes = [first, *[min(first, last)] * (len(drops) - 2), last]
     return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
 
 
 def _excess(pieces: Sequence[tuple[float, float]]) -> float:
-    """What the last piece could pass more than the flow 1; below zero where less, or where another one chokes."""
+    """Return the flow capacity of the last piece above the flow 1.
+
+    The result is negative if the capacity is smaller, and -1 if another piece is choked.
+    """
     pressure = _outlet_pressure(pieces[:-1], 1.0)
     return -1.0 if pressure is None else pieces[-1][0] * pressure - 1.0
 
 
 def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:
-    """Pressure behind pieces with an upstream pressure of 1, or None where one of them is choked."""
+    """Return the outlet pressure for an upstream pressure of 1, None if a piece is choked."""
     pressure = 1.0
     for size, ratio in pieces:
         share = flow / (size * pressure)
@@ -279,7 +292,7 @@ def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> floa
 
 
 def _bisected(low: float, high: float, rising: Callable[[float], float]) -> float:
-    """Root of a rising function."""
+    """Return the root of a rising function by bisection."""
     for _ in range(40):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if rising(middle) < 0.0 else (low, middle)
@@ -287,14 +300,14 @@ def _bisected(low: float, high: float, rising: Callable[[float], float]) -> floa
 
 
 def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-    """The passages as a list, all mistakes reported at once with the passage's place."""
+    """Return the flow paths as a list; report all errors with the index of the flow path."""
     pairs = list(passages)
     if not pairs:
         raise InputError("iso6358.no_passages", "passages")
     values: dict[str, float] = {}
     domains: dict[str, Domain] = {}
-    for place, (conductance, ratio) in enumerate(pairs, start=1):
-        values |= {f"sonic_conductance_{place}": conductance, f"critical_ratio_{place}": ratio}
-        domains |= {f"sonic_conductance_{place}": _OPEN, f"critical_ratio_{place}": DOMAINS["critical_ratio"]}
+    for index, (conductance, ratio) in enumerate(pairs, start=1):
+        values |= {f"sonic_conductance_{index}": conductance, f"critical_ratio_{index}": ratio}
+        domains |= {f"sonic_conductance_{index}": _OPEN, f"critical_ratio_{index}": DOMAINS["critical_ratio"]}
     check(values, domains)
     return pairs

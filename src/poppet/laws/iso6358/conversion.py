@@ -163,7 +163,7 @@ def effective_area_from_conductance(
 
 
 def factors_from_air(isentropic_exponent: float, gas_constant: float) -> tuple[float, float]:
-    r"""What C and b measured with air become with another gas.
+    r"""Return factors that convert C and b from air to another gas.
 
     .. math::
 
@@ -220,7 +220,7 @@ def conductance_from_flow_coefficient_cv(
         b; 0.3 is assumed when not given, and the result says so.
     definition : str, optional
         "pneumatic": Cv of a pneumatic catalogue, Q = 114.5 Cv sqrt(dp p2/T1) in dm3/s ANR, bar, K.
-        "small_dp": Cv of a liquid test; the gas follows the same law while its density hardly changes.
+        "small_dp": Cv of a liquid test; the law is valid for a gas if its density is nearly constant.
 
     Returns
     -------
@@ -269,7 +269,7 @@ def conductance_from_flow_coefficient_kv(
     >>> round(conductance_from_flow_coefficient_kv(0.865, critical_ratio=0.2).sonic_conductance * 1e8, 2)
     4.23
     """
-    # Checked under its own name, so that a mistake is told of what was given and not of Cv.
+    # Checked by its own name, so an error refers to the argument and not to Cv.
     check({"flow_coefficient_kv": flow_coefficient_kv, "critical_ratio": critical_ratio}, _DOMAINS)
     return _from_cv(flow_coefficient_kv / KV_PER_CV, critical_ratio, definition, "Kv")
 
@@ -471,16 +471,16 @@ _DEFINITIONS: dict[str, str] = {
 
 
 def _given_or_assumed(critical_ratio: float | None) -> tuple[float, str]:
-    """The critical ratio and what the note has to say about it."""
+    """Return the critical ratio and the text on its origin for the note."""
     if critical_ratio is not None:
         return critical_ratio, ""
     return ASSUMED_CRITICAL_RATIO, f"; b = {ASSUMED_CRITICAL_RATIO} is assumed: one number cannot give C and b"
 
 
-def _from_cv(cv: float, critical_ratio: float | None, definition: Definition, given: str) -> Conductance:
+def _from_cv(cv: float, critical_ratio: float | None, definition: Definition, coefficient: str) -> Conductance:
     ratio, note = _given_or_assumed(critical_ratio)
     conductance = cv * _conductance_per_cv(ratio, definition)
-    return Conductance(conductance, ratio, f"{_DEFINITIONS[definition]} of {given}{note}", critical_ratio is None)
+    return Conductance(conductance, ratio, f"{_DEFINITIONS[definition]} of {coefficient}{note}", critical_ratio is None)
 
 
 def _conductance_per_area(isentropic_exponent: float, gas_constant: float) -> float:
@@ -488,7 +488,10 @@ def _conductance_per_area(isentropic_exponent: float, gas_constant: float) -> fl
 
 
 def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
-    """From the small-drop limit of the ellipse, q = C rho0 sqrt(T0/T1) sqrt(2 dp p/(1 - b)) [m^3/(s Pa)]."""
+    """Return C per Cv for small pressure drops [m^3/(s Pa)].
+
+    The small-drop limit of the ellipse is q = C rho0 sqrt(T0/T1) sqrt(2 dp p/(1 - b)).
+    """
     root = math.sqrt((1.0 - critical_ratio) / (2.0 * ANR.temperature))
     if definition == "pneumatic":
         return _PNEUMATIC_CV * root

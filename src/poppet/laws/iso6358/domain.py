@@ -1,4 +1,7 @@
-"""Where the numbers of a flow law may lie, and what is said when one does not.
+"""Valid ranges of the arguments of a flow law.
+
+Symbols are not checked, because their values are unknown while a model is traced. The check costs one comparison for a
+float and two reductions for an array.
 
 Symbols are never checked: their values are unknown when a model is traced. Floats cost a comparison, arrays
 two reductions.
@@ -17,7 +20,9 @@ from poppet.core.symbolic import is_symbolic
 
 @dataclass(frozen=True)
 class Domain:
-    """The interval in which one argument may lie, ends included unless `open_low` or `open_high`.
+    """Valid interval of an argument; ends are included unless `open_low` or `open_high`.
+
+    `code` is the code of the error for a value outside the interval.
 
     `code` names the mistake of a value outside: what is wrong with it and what to do.
     """
@@ -30,10 +35,10 @@ class Domain:
     open_high: bool = True
 
     def holds(self, value: Any) -> Any:
-        """True inside; not-a-number is outside."""
-        above = value > self.low if self.open_low else value >= self.low
-        below = value < self.high if self.open_high else value <= self.high
-        return above & below
+        """Return True for values inside the interval; NaN is outside."""
+        is_above = value > self.low if self.open_low else value >= self.low
+        is_below = value < self.high if self.open_high else value <= self.high
+        return is_above & is_below
 
 
 _PRESSURE = Domain("iso6358.pressure", "Pa")
@@ -48,7 +53,7 @@ DOMAINS: dict[str, Domain] = {
     "reference_density": Domain("iso6358.reference_density", "kg/m^3", open_low=True),
     "sonic_conductance": Domain("iso6358.sonic_conductance", "m^3/(s Pa)"),
     "critical_ratio": Domain("iso6358.critical_ratio", "", high=1.0),
-    # Above 3 the regularised law would no longer be monotone.
+    # Above 3, the regularised law is not monotone.
     "subsonic_index": Domain("iso6358.subsonic_index", "", high=3.0, open_low=True, open_high=False),
     "cracking_pressure": Domain("iso6358.cracking_pressure", "Pa"),
     "laminar_ratio": Domain("iso6358.laminar_ratio", "", high=1.0, open_low=True),
@@ -56,36 +61,36 @@ DOMAINS: dict[str, Domain] = {
 
 
 def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
-    """The mistake in `value`, or None; for an array the first element outside is named."""
-    if type(value) is float:  # by far the most frequent: no further questions
+    """Return the error of an invalid value, for an array that of its first invalid element."""
+    if type(value) is float:  # fast path for the most frequent type
         return None if domain.holds(value) else _outside(name, value, domain)
     if value is None or is_symbolic(value):
         return None
     values = np.asarray(value, dtype=float)
-    # One element that is not a number makes both extremes so: two reductions find it as well.
+    # One NaN makes both extremes NaN, so two reductions are sufficient.
     if values.size == 0 or (domain.holds(values.min()) and domain.holds(values.max())):
         return None
-    where = np.unravel_index(int(np.argmin(domain.holds(values))), values.shape)
-    return _outside(f"{name}{_index(where)}", float(values[where]), domain)
+    index = np.unravel_index(int(np.argmin(domain.holds(values))), values.shape)
+    return _outside(f"{name}{_index(index)}", float(values[index]), domain)
 
 
 def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
-    """Raise `OutOfRangeError` for every value outside the domain of its name, all at once."""
-    found = (problem(name, value, domains[name]) for name, value in values.items())
-    collect([each for each in found if each is not None])
+    """Raise `OutOfRangeError` for all values outside the domains of their names."""
+    errors = (problem(name, value, domains[name]) for name, value in values.items())
+    collect([error for error in errors if error is not None])
 
 
-def refuse_where(bad: Any, name: str, value: Any, unit: str, code: str) -> None:
-    """Raise `OutOfRangeError` for the first element at which `bad` is true."""
-    flags, values = np.broadcast_arrays(np.asarray(bad), np.asarray(value, dtype=float))
+def refuse_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:
+    """Raise `OutOfRangeError` for the first element at which `is_invalid` is true."""
+    flags, values = np.broadcast_arrays(np.asarray(is_invalid), np.asarray(value, dtype=float))
     if not flags.any():
         return
-    where = np.unravel_index(int(np.argmax(flags)), flags.shape)
-    raise OutOfRangeError(code, f"{name}{_index(where)}", value=float(values[where]), unit=unit)
+    index = np.unravel_index(int(np.argmax(flags)), flags.shape)
+    raise OutOfRangeError(code, f"{name}{_index(index)}", value=float(values[index]), unit=unit)
 
 
-def _index(where: tuple[Any, ...]) -> str:
-    return f"[{', '.join(str(i) for i in where)}]" if where else ""
+def _index(index: tuple[Any, ...]) -> str:
+    return f"[{', '.join(str(i) for i in index)}]" if index else ""
 
 
 def _outside(name: str, value: float, domain: Domain) -> OutOfRangeError:

@@ -1,4 +1,7 @@
-"""The flow law solved for one of its pressures, and what a measured point says about a passage.
+"""Flow law solved for one of its pressures, and flow parameters from a measured point.
+
+The functions accept floats and arrays. They use closed forms where these exist. The regularised zone, subsonic indices
+other than 0.5 and cracking pressures need bisection, because the law is monotone in each pressure.
 
 Floats and arrays only. Closed forms where they exist; the regularised zone, exponents other than 0.5 and
 cracking pressures are solved by bisection, because the law is monotone in each pressure.
@@ -17,7 +20,7 @@ from poppet.laws.iso6358.law import LAMINAR_RATIO, REFERENCE_DENSITY, REFERENCE_
 from poppet.laws.iso6358.law import mass_flow_rate as flow_law
 from poppet.laws.iso6358.regularisation import closing, edge_of_zone, ellipse, mass_flow_and_temperature, through_zero
 
-_ROUNDING = 1e-9  # how far below zero the b of an exact point with b = 0 may come out
+_ROUNDING = 1e-9  # rounding error of b for an exact point with b = 0
 _FRACTION = Domain("iso6358.subsonic_point", "", high=1.0, open_low=True)
 _DOMAINS = DOMAINS | {
     "mass_flow_rate": Domain("iso6358.flow_backwards", "kg/s"),
@@ -39,7 +42,7 @@ def downstream_pressure(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Pressure behind a passage that carries a given flow.
+    r"""Return the downstream pressure of a flow path with a given flow.
 
     .. math::
 
@@ -49,7 +52,7 @@ def downstream_pressure(
     Parameters
     ----------
     mass_flow_rate : float or array
-        From the upstream side 1 to the downstream side 2, not below zero [kg/s].
+        Mass flow rate from side 1 to side 2, not negative [kg/s].
     pressure_1, temperature_1 : float or array
         Absolute pressure [Pa] and stagnation temperature [K] upstream.
     sonic_conductance, critical_ratio : float or array
@@ -75,7 +78,7 @@ def downstream_pressure(
 
     Notes
     -----
-    Close to choking the flow hardly depends on p2: a relative error e of the flow becomes one of about sqrt(2
+    Close to choking, the flow is insensitive to p2: a relative error e of the flow becomes one of about sqrt(2
     e) in p2/p1.
 
     Examples
@@ -83,7 +86,7 @@ def downstream_pressure(
     >>> round(downstream_pressure(8.29327e-3, 5e5, 293.15, sonic_conductance=2e-8, critical_ratio=0.3))
     400000
     """
-    given = {
+    arguments = {
         "mass_flow_rate": mass_flow_rate,
         "pressure_1": pressure_1,
         "temperature_1": temperature_1,
@@ -95,7 +98,7 @@ def downstream_pressure(
         "reference_density": reference_density,
         "reference_temperature": reference_temperature,
     }
-    number = _checked_arrays(given)
+    number = _checked_arrays(arguments)
     choked = _choked_flow_per_pressure(number) * number["pressure_1"]
     refuse_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", "iso6358.no_upstream")
     ratio = number["mass_flow_rate"] / choked
@@ -159,7 +162,7 @@ def upstream_pressure(
     >>> round(upstream_pressure(8.29327e-3, 4e5, 293.15, sonic_conductance=2e-8, critical_ratio=0.3))
     500000
     """
-    given = {
+    arguments = {
         "mass_flow_rate": mass_flow_rate,
         "pressure_2": pressure_2,
         "temperature_1": temperature_1,
@@ -171,7 +174,7 @@ def upstream_pressure(
         "reference_density": reference_density,
         "reference_temperature": reference_temperature,
     }
-    number = _checked_arrays(given)
+    number = _checked_arrays(arguments)
     choking = number["mass_flow_rate"] / _choked_flow_per_pressure(number)
     if np.any(number["subsonic_index"] != 0.5) or np.any(number["cracking_pressure"] != 0.0):
         return plain(_upstream_by_bisection(choking, number, one_way))
@@ -297,7 +300,7 @@ def effective_conductance(
     >>> round(effective_conductance(8.29327e-3, 5e5, 293.15), 12)
     1.3997e-08
     """
-    given = {
+    arguments = {
         "mass_flow_rate": mass_flow_rate,
         "pressure_1": pressure_1,
         "temperature_1": temperature_1,
@@ -305,7 +308,7 @@ def effective_conductance(
         "reference_temperature": reference_temperature,
     }
     upstream = {"pressure_1": Domain("iso6358.upstream", "Pa", open_low=True)}
-    number = _checked_arrays(given, _DOMAINS | upstream)
+    number = _checked_arrays(arguments, _DOMAINS | upstream)
     root = np.sqrt(number["reference_temperature"] / number["temperature_1"])
     return plain(number["mass_flow_rate"] / (number["reference_density"] * number["pressure_1"] * root))
 
@@ -347,8 +350,8 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     >>> round(critical_ratio_from_point(0.8, 0.699854), 4)
     0.3
     """
-    given = {"pressure_ratio": pressure_ratio, "flow_ratio": flow_ratio, "subsonic_index": subsonic_index}
-    number = _checked_arrays(given, DOMAINS | {"pressure_ratio": _FRACTION, "flow_ratio": _FRACTION})
+    arguments = {"pressure_ratio": pressure_ratio, "flow_ratio": flow_ratio, "subsonic_index": subsonic_index}
+    number = _checked_arrays(arguments, DOMAINS | {"pressure_ratio": _FRACTION, "flow_ratio": _FRACTION})
     squared = number["flow_ratio"] ** (1.0 / number["subsonic_index"])
     # 1 - s = squared/(1 + s) keeps its digits for small flows, where s is nearly 1
     ratio = 1.0 - (1.0 - number["pressure_ratio"]) * (1.0 + np.sqrt(1.0 - squared)) / squared
@@ -356,10 +359,10 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     return plain(np.maximum(ratio, 0.0))
 
 
-def _checked_arrays(given: dict[str, Any], domains: dict[str, Domain] = _DOMAINS) -> dict[str, Any]:
+def _checked_arrays(arguments: dict[str, Any], domains: dict[str, Domain] = _DOMAINS) -> dict[str, Any]:
     """All numbers checked and as float arrays, zero-dimensional for floats."""
-    check(given, domains)
-    return {name: np.asarray(value, dtype=float) for name, value in given.items()}
+    check(arguments, domains)
+    return {name: np.asarray(value, dtype=float) for name, value in arguments.items()}
 
 
 def _choked_flow_per_pressure(number: dict[str, Any]) -> Any:
@@ -407,7 +410,7 @@ def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) 
         return mass_flow_and_temperature(pressure_1, number["pressure_2"], 1.0, None, one_way=one_way, **shape)[0]
 
     low = number["pressure_2"] + number["cracking_pressure"] + np.zeros_like(choking)
-    # At least the choking pressure; where the flow is subsonic it takes more, how much is found by doubling.
+    # The choking pressure is a lower bound; doubling finds an upper bound for subsonic flow.
     high = np.maximum(low, choking)
     while np.any(driven(high) < choking):
         high = np.where(driven(high) < choking, 2.0 * high, high)
@@ -415,10 +418,10 @@ def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) 
 
 
 def _rising_root(function: Callable[[Any], Any], target: Any, low: Any, high: Any) -> Any:
-    """Where a rising function meets `target`: halved until a double holds no more digits."""
-    # Not Newton: where a passage closes the law has no slope.
+    """Return the argument at which a rising function reaches `target`, by bisection."""
+    # Not Newton's method: the slope of the law is zero where a flow path closes.
     for _ in range(60):
         middle = 0.5 * (low + high)
-        below = function(middle) < target
-        low, high = np.where(below, middle, low), np.where(below, high, middle)
+        is_below = function(middle) < target
+        low, high = np.where(is_below, middle, low), np.where(is_below, high, middle)
     return 0.5 * (low + high)

@@ -308,7 +308,7 @@ def flow_regime(
     laminar_ratio: Any = LAMINAR_RATIO,
     one_way: bool = False,
 ) -> Any:
-    r"""Which branch of the flow law holds, as a code of `REGIMES`.
+    r"""Return the branch of the flow law as a code of `REGIMES`.
 
     .. math::
 
@@ -346,12 +346,12 @@ def flow_regime(
     >>> flow_regime(1e5, [0.0, 0.9e5, 1e5, 1.1e5], critical_ratio=0.3).tolist()
     [3, 2, 0, -2]
     """
-    given = {
+    arguments = {
         "pressure_1": pressure_1,
         "pressure_2": pressure_2,
         "critical_ratio": critical_ratio,
         "cracking_pressure": cracking_pressure,
         "laminar_ratio": laminar_ratio,
     }
-    (code,) = evaluate(lambda **number: regime_code(one_way=one_way, **number), given)
+    (code,) = evaluate(lambda **number: regime_code(one_way=one_way, **number), arguments)
     return code.astype(int) if isinstance(code, np.ndarray) else code

@@ -12,24 +12,24 @@ from typing import Any
 from poppet.core.symbolic import clip, is_array, is_symbolic, maximum, minimum, sqrt, where
 
 _VACUUM = 1e-30
-"""Stands in for the upstream pressure when both sides are evacuated, so that 0/0 does not occur [Pa]."""
+"""Upstream pressure if both sides are evacuated, to avoid 0/0 [Pa]."""
 
 TURN = 1e-3
-"""Share of the zone's width over which the carried temperature turns with the flow.
+"""Fraction of the width of the zone in which the temperature of the flow changes at flow reversal.
 
-Slow flow lives in the zone for long (tails of filling, leaks, tanks that cool), so a temperature rounded over all of
-it is wrong for long: 1.4 K in a 2 l tank after 10 s. With no rounding at all some stiff networks chatter at zero flow.
+Slow flows stay in the zone for long (end of filling, leaks, cooling tanks). Smoothing over the complete zone gave an
+error of 1.4 K in a 2 l tank after 10 s. Without smoothing, some stiff networks chatter at zero flow.
 """
 
 
 def upstream_pressure_and_drop(pressure_1: Any, pressure_2: Any) -> tuple[Any, Any]:
-    """Upstream pressure [Pa] and the signed drop over it, -1 ... 1; 0 where both sides are evacuated."""
+    """Return the upstream pressure [Pa] and the signed relative drop, -1 ... 1, 0 in a vacuum."""
     upstream = maximum(maximum(pressure_1, pressure_2), _VACUUM)
     return upstream, (pressure_1 - pressure_2) / upstream
 
 
 def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width: Any) -> tuple[Any, Any, Any]:
-    """Span of the subsonic branch, position of the zone's edge on it, and the law's logarithmic slope there.
+    """Return span of the subsonic branch, edge of the zone, and logarithmic slope at this edge.
 
     With b inside the zone the span is the zone itself: edge 1, slope 0, so that the choked flow closes
     directly.
@@ -56,7 +56,10 @@ def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width:
 
 
 def ellipse(position: Any, subsonic_index: Any) -> Any:
-    """`(1 - u^2)^m` from `1 - u`; for a symbol the power stays, so that a printer may lower 0.5 to a root."""
+    """Return `(1 - u^2)^m` from `1 - u`.
+
+    A symbol keeps the power, which a printer can replace by a root for m = 0.5.
+    """
     base = position * (2.0 - position)
     if not is_symbolic(base, subsonic_index) and not is_array(subsonic_index) and subsonic_index == 0.5:
         return sqrt(base)
@@ -64,12 +67,12 @@ def ellipse(position: Any, subsonic_index: Any) -> Any:
 
 
 def through_zero(z: Any, slope: Any) -> Any:
-    """Odd cubic with value 1 and slope `slope` at z = 1."""
+    """Return an odd cubic with value 1 and slope `slope` at z = 1."""
     return z * (1.0 + (1.0 - z * z) * (0.5 - 0.5 * slope))
 
 
 def closing(z: Any, slope: Any) -> Any:
-    """Cubic with zero value and slope at z = 0, value 1 and slope `slope` at z = 1."""
+    """Return a cubic with zero value and slope at z = 0, value 1 and slope `slope` at z = 1."""
     return z * z * (1.0 + (1.0 - z) * (2.0 - slope))
 
 
@@ -83,14 +86,17 @@ def flow_ratio(
     cracking_pressure: Any,
     one_way: bool,
 ) -> Any:
-    """Signed flow over the choked flow, -1 ... 1; `z` is `drop` in widths of the zone, held in -1 ... 1."""
+    """Return the signed flow relative to the choked flow, -1 ... 1.
+
+    `z` is `drop` relative to the width of the zone, limited to -1 ... 1.
+    """
     never_cracks = isinstance(cracking_pressure, float) and cracking_pressure == 0.0
     cracking = 0.0 if never_cracks else cracking_pressure / upstream
     span, edge, slope = edge_of_zone(critical_ratio, subsonic_index, cracking, width)
     excess = drop if one_way else abs(drop)
     if not never_cracks:
         excess = excess - cracking
-    # Held at the zone's edge from below: for a symbol both branches are evaluated, and at zero the root has no slope.
+    # Limited to the edge of the zone: symbols evaluate both branches, and the root has no slope at zero.
     subsonic = ellipse(clip(excess / span, edge, 1.0), subsonic_index)
     if never_cracks and not one_way:
         return subsonic * through_zero(z, slope)
@@ -99,7 +105,7 @@ def flow_ratio(
         return subsonic * shut
     both_ways = where(drop < 0.0, -shut, shut)
     if not isinstance(cracking_pressure, float):
-        # a symbol or an array may turn out to be zero, and then the flow passes through zero
+        # A symbol or an array can be zero; the flow then passes through zero.
         both_ways = where(cracking_pressure > 0.0, both_ways, through_zero(z, slope))
     return subsonic * both_ways
 
@@ -119,7 +125,7 @@ def mass_flow_and_temperature(
     reference_temperature: Any,
     one_way: bool,
 ) -> tuple[Any, ...]:
-    """Mass flow rate and upstream temperature: the one place where the law stands."""
+    """Return mass flow rate and upstream temperature by the flow law."""
     width = 1.0 - laminar_ratio
     upstream, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
     z = clip(drop / width, -1.0, 1.0)
@@ -132,22 +138,22 @@ def mass_flow_and_temperature(
 
 
 def carried_temperature(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
-    """The upstream side's temperature, rounded where the flow turns."""
+    """Return the temperature of the upstream side, smoothed at flow reversal."""
     turning = minimum(abs(z) * (1.0 / TURN), 1.0)
     upstream = where(z < 0.0, temperature_2, temperature_1)
     total, gap = temperature_1 + temperature_2, temperature_1 - temperature_2
-    # Gas between equal pressures may carry one temperature only if it shall destroy entropy neither way: with
-    # q cp T from 1 to 2 entropy grows by q cp [ln(T2/T1) + T (1/T2 - 1/T1)], which is zero at ln(T1/T2)/(1/T2 - 1/T1).
-    # Here the first two terms of its series in gap/total; a logarithm would cost a third of a whole simulation.
+    # At equal pressures, only one temperature T avoids a loss of entropy in both directions. A flow q from 1 to 2
+    # increases the entropy by q cp [ln(T2/T1) + T (1/T2 - 1/T1)], which is zero at T = ln(T1/T2)/(1/T2 - 1/T1).
+    # These are the first two terms of its series in gap/total; a logarithm would cost a third of the simulation.
     still = 0.5 * total - gap * gap / (3.0 * total)
-    # A kink at z = 0 does no harm: flow times temperature is C1 there if only the temperature is continuous.
+    # The kink at z = 0 is harmless: flow times temperature is C1 if the temperature is continuous.
     return still + turning * (2.0 - turning) * (upstream - still)
 
 
 def upstream_temperature_between(
     pressure_1: Any, pressure_2: Any, temperature_1: Any, temperature_2: Any, laminar_ratio: Any
 ) -> tuple[Any, ...]:
-    """The carried temperature when no flow is asked for."""
+    """Return the temperature of the flow without computing the flow."""
     _, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
     return (carried_temperature(clip(drop / (1.0 - laminar_ratio), -1.0, 1.0), temperature_1, temperature_2),)
 
@@ -160,12 +166,15 @@ def regime_code(
     laminar_ratio: Any,
     one_way: bool,
 ) -> tuple[Any, ...]:
-    """Code of the flow regime; products instead of ratios, so that a vacuum needs no special case."""
+    """Return the code of the flow regime.
+
+    The conditions use products in place of ratios, so a vacuum is no special case.
+    """
     upstream = pressure_1 if one_way else maximum(pressure_1, pressure_2)
     downstream = pressure_2 if one_way else minimum(pressure_1, pressure_2)
     edge = laminar_ratio * upstream - cracking_pressure
     beyond_edge = downstream <= edge
     choked = downstream <= minimum(critical_ratio * upstream, edge)
-    # Strictly below: at equal pressures the passage is closed, whatever the zone says.
+    # Strict inequality: the flow path is closed at equal pressures.
     code = where(downstream < upstream - cracking_pressure, 1 + beyond_edge + choked, 0)
     return (code if one_way else where(pressure_1 < pressure_2, -code, code),)

@@ -39,7 +39,7 @@ def sliding_level(velocity: Any, coulomb_force: Any, static_force: Any, stribeck
 
 
 def bristle_rate(deflection: Any, velocity: Any, level: Any, stiffness: Any) -> Any:
-    r"""How fast the bristles of the LuGre model bend.
+    r"""Return the rate of the bristle deflection of the LuGre model.
 
     .. math:: \dot z = v - \frac{\sigma_0 |v|}{g(v)}\, z
 

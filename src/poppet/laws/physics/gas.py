@@ -1,10 +1,10 @@
-"""The ideal gas with constant heat capacities."""
+"""Ideal gas with constant heat capacities."""
 
 from __future__ import annotations
 
 from typing import Any
 
-# Air, for every law, part and set of the house; no other module writes these numbers.
+# Values of air for all laws, parts and library sets.
 AIR_GAS_CONSTANT = 287.05
 """Specific gas constant of dry air, ISO 2533:1975, rounded from 287.05287 [J/(kg K)]."""
 AIR_ISENTROPIC_EXPONENT = 1.4
@@ -12,7 +12,7 @@ AIR_ISENTROPIC_EXPONENT = 1.4
 
 
 def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
-    r"""Mass of gas in a volume.
+    r"""Return the mass of gas in a volume.
 
     .. math:: m = \frac{p V}{R T}
 
@@ -21,7 +21,7 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
     pressure, volume, temperature : float, array or symbol
         Absolute pressure p [Pa], volume V [m^3], temperature T [K].
     gas_constant : float, array or symbol
-        Specific gas constant R, air when not given [J/(kg K)].
+        Specific gas constant R, by default that of air [J/(kg K)].
 
     Returns
     -------

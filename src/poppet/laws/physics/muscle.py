@@ -108,7 +108,7 @@ class ForceLaw(ABC):
 
 @dataclass(frozen=True)
 class ChouHannaford(ForceLaw):
-    r"""Braid of threads that do not stretch, around a hose without stiffness.
+    r"""Braid of inextensible threads around a hose without stiffness.
 
     .. math:: F = p\,\frac{3 L^2 - b^2}{4 \pi n^2} = -p \frac{dV}{dL}, \qquad V = L\,\frac{b^2 - L^2}{4 \pi n^2}
 
@@ -309,7 +309,7 @@ class ForceTable(ForceLaw):
 
 
 def taut(force: Any, width: Any) -> Any:
-    r"""What is left of a force that can only pull.
+    r"""Return the pulling part of a force, with a smooth transition to zero.
 
     .. math:: F_+ = \frac{(F + w)^2}{4 w} \quad\text{between}\; -w \;\text{and}\; w
 
@@ -335,7 +335,7 @@ def taut(force: Any, width: Any) -> Any:
 
 
 def slip_rate(deflection: Any, velocity: Any, reach: Any) -> Any:
-    r"""How fast one elastic element of a Maxwell slip model bends, relative to what it reaches.
+    r"""Return the rate of the relative deflection of one elastic element in a Maxwell slip model.
 
     .. math:: \dot\zeta = \frac{v}{\delta} \left(1 - \zeta^{16}\right) \;\text{while bending further},\qquad
               \dot\zeta = \frac{v}{\delta} \;\text{on the way back}

@@ -1,4 +1,4 @@
-"""Friction of gas in a straight round tube: laminar, turbulent, and between."""
+"""Friction of gas in a straight round tube: laminar, turbulent and transitional."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ AIR_VISCOSITY_ANR = 1.82e-5
 
 
 def laminar_resistance(length: Any, bore: Any, density: Any, viscosity: Any) -> Any:
-    r"""Pressure drop over mass flow rate of laminar flow, after Hagen and Poiseuille.
+    r"""Return pressure drop per mass flow rate of laminar flow (Hagen and Poiseuille).
 
     .. math:: \frac{\Delta p}{q} = \frac{128\, \mu L}{\pi \varrho d^4}
 
@@ -47,7 +47,7 @@ def laminar_resistance(length: Any, bore: Any, density: Any, viscosity: Any) -> 
 
 
 def turbulent_factor(reynolds: Any, relative_roughness: Any) -> Any:
-    r"""Darcy's friction factor of developed turbulent flow.
+    r"""Return the Darcy friction factor of developed turbulent flow.
 
     .. math:: \frac{1}{\sqrt f} = -2 \lg\left(\frac{\varepsilon/d}{3.7} + \frac{2.51}{\mathrm{Re} \sqrt{f_H}}\right),
               \qquad \frac{1}{\sqrt{f_H}} = -1.8 \lg\left(\left(\frac{\varepsilon/d}{3.7}\right)^{1.11} +
@@ -85,7 +85,7 @@ def turbulent_factor(reynolds: Any, relative_roughness: Any) -> Any:
 
 
 def reynolds_number(mass_flow_rate: Any, bore: Any, viscosity: Any) -> Any:
-    r"""Reynolds number of the flow in a round tube.
+    r"""Return the Reynolds number of the flow in a round tube.
 
     .. math:: \mathrm{Re} = \frac{4 |q|}{\pi d \mu}
 
@@ -112,7 +112,7 @@ def reynolds_number(mass_flow_rate: Any, bore: Any, viscosity: Any) -> Any:
 
 
 def between_laminar_and_turbulent(reynolds: Any, laminar: Any, turbulent: Any) -> Any:
-    """A drop that is the laminar one up to Re = 2000, the turbulent one from 4000 on, and C1.
+    """Return a C1 blend: laminar up to Re = 2000, turbulent from Re = 4000.
 
     Parameters
     ----------
@@ -135,7 +135,7 @@ def between_laminar_and_turbulent(reynolds: Any, laminar: Any, turbulent: Any) -
 
 
 def darcy_coefficient(mass_flow_rate: Any, length: Any, bore: Any, density: Any, viscosity: Any, roughness: Any) -> Any:
-    r"""Turbulent pressure drop over the square of the mass flow rate, after Darcy and Weisbach.
+    r"""Return turbulent pressure drop per squared mass flow rate (Darcy and Weisbach).
 
     .. math:: \frac{\Delta p}{q^2} = f \frac{L}{d} \frac{1}{2 \varrho A^2}
 

@@ -1,4 +1,7 @@
-"""How fast open valves fill and vent a chamber, and which opening gives a wanted rate: the pressure law inverted.
+"""Pressure rates of a chamber with open valves, and the inverse: openings for a requested rate.
+
+The laws accept floats and symbols. The flow of ISO 6358 is proportional to the conductance. The inverse for the
+opening is therefore a quotient in every regime: choked, subsonic, and the regularised zone near equal pressures.
 
 The laws are written once, for floats and symbols. The flow of ISO 6358 is proportional to the conductance, so its
 inverse in the opening is a quotient in every regime: choked, subsonic, and the regularised zone near equal pressures.
@@ -12,24 +15,24 @@ from poppet.core.symbolic import clip, maximum, minimum, where
 from poppet.laws import iso6358
 
 _NO_RATE = 1e-9
-"""A chamber that changes no faster with an open valve cannot be moved by it [Pa/s]."""
+"""Pressure rate below which an open valve has no effect on a chamber [Pa/s]."""
 
 
 def pressure_rate(mass_flow_rate: Any, temperature: Any, *, volume: Any, exponent: Any, gas_constant: Any) -> Any:
-    r"""Rate of the pressure of a chamber that a flow enters or leaves.
+    r"""Return the pressure rate of a chamber with a flow in or out.
 
     .. math:: \dot p = \frac{n R T}{V} q
 
     Parameters
     ----------
     mass_flow_rate : float or symbol
-        Into the chamber [kg/s].
+        Flow into the chamber [kg/s].
     temperature : float or symbol
-        Of what flows, upstream [K].
+        Upstream temperature of the flow [K].
     volume : float or symbol
-        Of the chamber [m^3].
+        Volume of the chamber [m^3].
     exponent : float or symbol
-        Exponent n: the isentropic one for an adiabatic chamber, 1 for an isothermal one.
+        Exponent n: the isentropic exponent for an adiabatic chamber, 1 for an isothermal chamber.
     gas_constant : float or symbol
         Specific gas constant [J/(kg K)].
 
@@ -40,8 +43,8 @@ def pressure_rate(mass_flow_rate: Any, temperature: Any, *, volume: Any, exponen
 
     Notes
     -----
-    Exact for an adiabatic chamber (n = kappa) and for an isothermal one whose gas is as warm as what flows in (n = 1).
-    Heat from the wall is not in it.
+    The law is exact for an adiabatic chamber (n = kappa), and for an isothermal chamber (n = 1) with the temperature of
+    the inflow. Heat flow from the wall is not included.
 
     Examples
     --------
@@ -66,7 +69,7 @@ def open_rates(
     subsonic_index: Any = 0.5,
     laminar_ratio: Any = iso6358.LAMINAR_RATIO,
 ) -> tuple[Any, Any]:
-    r"""How fast the pressure rises with the filling valve open, and falls with the venting valve open.
+    r"""Return the pressure rates with the filling valve open and with the venting valve open.
 
     .. math:: r_f = \frac{n R T_s}{V} q(p_s, p), \qquad r_v = \frac{n R T}{V} q(p, p_e)
 
@@ -75,22 +78,22 @@ def open_rates(
     pressure, supply_pressure, exhaust_pressure : float or symbol
         Absolute pressures of chamber, supply and exhaust [Pa].
     gas_temperature, supply_temperature : float or symbol
-        Of the gas in the chamber and in the supply [K].
+        Temperatures of the gas in the chamber and in the supply [K].
     fill, vent : tuple of float or symbol
         Sonic conductance [m^3/(s Pa)] and critical ratio of each open valve.
     volume : float or symbol
-        Of the chamber [m^3].
+        Volume of the chamber [m^3].
     exponent : float or symbol
-        Exponent n, as in `pressure_rate`.
+        Exponent n of `pressure_rate`.
     gas_constant : float or symbol
         Specific gas constant [J/(kg K)].
     subsonic_index, laminar_ratio : float or symbol, optional
-        Of both valves.
+        Subsonic index and laminar ratio of both valves.
 
     Returns
     -------
     fill_rate, vent_rate : float or symbol
-        Neither below zero: a supply below the chamber's pressure fills nothing [Pa/s].
+        Rates, not negative: a supply below the chamber pressure gives 0 [Pa/s].
 
     References
     ----------
@@ -108,7 +111,7 @@ def open_rates(
 
     def rate(ends: tuple[Any, Any], temperature: Any, size: tuple[Any, Any]) -> Any:
         flow = iso6358.mass_flow_rate(*ends, temperature, sonic_conductance=size[0], critical_ratio=size[1], **shape)
-        # The flow law runs both ways; what an open valve does against its purpose is no rate to reckon with.
+        # The flow law has both directions; a flow against the purpose of the valve gives a rate of 0.
         return maximum(pressure_rate(flow, temperature, **vessel), 0.0)
 
     return rate((supply_pressure, pressure), supply_temperature, fill), rate(
@@ -119,23 +122,23 @@ def open_rates(
 def openings_for_rate(
     rate: Any, fill_rate: Any, vent_rate: Any, *, fill_limit: Any = 1.0, vent_limit: Any = 1.0
 ) -> tuple[Any, Any]:
-    r"""Openings of the filling and the venting valve that give a wanted rate of the pressure.
+    r"""Return the openings of filling and venting valve for a requested pressure rate.
 
     .. math:: a_f = \operatorname{clip}(r/r_f, 0, a_{f,max}), \qquad a_v = \operatorname{clip}(-r/r_v, 0, a_{v,max})
 
     Parameters
     ----------
     rate : float or symbol
-        Wanted [Pa/s].
+        Requested rate [Pa/s].
     fill_rate, vent_rate : float or symbol
-        With each valve open, from `open_rates` [Pa/s].
+        Rates with each valve open, from `open_rates` [Pa/s].
     fill_limit, vent_limit : float or symbol, optional
-        Greatest openings, 0..1.
+        Maximum openings, 0..1.
 
     Returns
     -------
     fill, vent : float or symbol
-        One of them is zero. A valve that cannot move the pressure stays closed.
+        Openings, one of which is zero. A valve without effect on the pressure stays closed.
 
     Examples
     --------
@@ -143,9 +146,9 @@ def openings_for_rate(
     ((0.25, 0.0), (0.0, 0.5), (1.0, 0.0))
     """
 
-    def opening(wanted: Any, possible: Any, limit: Any) -> Any:
-        # The quotient is formed even where it is not taken: a symbol evaluates both sides of a choice.
-        share = clip(wanted / maximum(possible, _NO_RATE), 0.0, 1.0)
+    def opening(requested: Any, possible: Any, limit: Any) -> Any:
+        # Symbols evaluate both branches of a choice, so the quotient must always be finite.
+        share = clip(requested / maximum(possible, _NO_RATE), 0.0, 1.0)
         return where(possible > _NO_RATE, minimum(share, limit), 0.0)
 
     return opening(rate, fill_rate, fill_limit), opening(-rate, vent_rate, vent_limit)

@@ -1,4 +1,4 @@
-"""How far a real gas is from the ideal one with constant heat capacities: density, and choked flow through a nozzle."""
+"""Deviation of a real gas from an ideal gas with constant heat capacities: density and choked flow."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from poppet.laws.iso6358.nozzle import nozzle_choked_flux
 
 _Terms = tuple[tuple[float, float], ...]
 _Virial = tuple[tuple[float, float, float], ...]
-# Exponent k and coefficient a of a sum of a (T/Tc)^-k: of a simple fluid, and the share of the acentric factor.
+# Exponents k and coefficients a of sums of a (T/Tc)^-k: simple fluid, and contribution of the acentric factor.
 _B: tuple[_Terms, _Terms] = (
     ((0.0, 0.1445), (1.0, -0.330), (2.0, -0.1385), (3.0, -0.0121), (8.0, -0.000607)),
     ((0.0, 0.0637), (2.0, 0.331), (3.0, -0.423), (8.0, -0.008)),
@@ -19,13 +19,13 @@ _C: tuple[_Terms, _Terms] = (
     ((0.0, 0.01407), (2.8, 0.02432), (10.5, -0.00313)),
     ((0.0, -0.02676), (2.8, 0.0177), (3.0, 0.04), (6.0, -0.003), (10.5, -0.00228)),
 )
-_STEP = 0.055  # of the logarithm of the density on the way to the throat; shorter ones change the flow by 2e-4 at most
-_CLEARLY_IDEAL = 0.005  # by the state before the nozzle alone; the flow itself then errs by less than 0.01
+_STEP = 0.055  # step of ln(density) up to the throat; smaller steps change the flow by at most 2e-4
+_CLEARLY_IDEAL = 0.005  # limit of the upstream deviation; the error of the flow is then below 0.01
 
 
 @dataclass(frozen=True)
 class RealGas:
-    """What the correlations need to know of a gas.
+    """Data of a gas for the correlations.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class RealGas:
 
 @dataclass(frozen=True)
 class Deviation:
-    """How far the ideal gas is off in one state.
+    """Deviation of the ideal gas from the real gas in one state.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ class Deviation:
 
 @lru_cache(maxsize=256)
 def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_exponent: float) -> Deviation | None:
-    r"""How far the ideal gas is off in one state, by a virial equation.
+    r"""Return the deviation of the ideal gas in one state, by a virial equation.
 
     .. math::
 
@@ -152,7 +152,10 @@ def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial)
 
 
 def _virial(temperature: float, gas: RealGas) -> _Virial:
-    """Of B and of C the value, T times the first and T^2 times the second derivative, in powers of R Tc/pc."""
+    """Return B and C, each with T times its first and T^2 times its second derivative.
+
+    The unit is the power of R Tc/pc.
+    """
     reduced = temperature / gas.critical_temperature
 
     def coefficient(simple: _Terms, acentric: _Terms) -> tuple[float, float, float]:
@@ -164,19 +167,22 @@ def _virial(temperature: float, gas: RealGas) -> _Virial:
 
 
 def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) -> tuple[float, float, float, float]:
-    """Z, (dp/drho)/(R T), (dp/dT)/(rho R), c_v/R."""
+    """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R."""
     (b, b1, b2), (c, c1, c2) = virial
     z = 1.0 + b * density + c * density**2
     slope = 1.0 + 2.0 * b * density + 3.0 * c * density**2
     thermal = 1.0 + (b + b1) * density + (c + c1) * density**2
-    # The polynomials hold from 200 K on; below, a heat capacity hardly changes.
-    held = min(max(temperature, 200.0), 1000.0)
-    heat = sum(a * held**i for i, a in enumerate(gas.heat_capacity)) - 1.0
+    # The polynomials are valid above 200 K; below, the heat capacity is nearly constant.
+    limited = min(max(temperature, 200.0), 1000.0)
+    heat = sum(a * limited**i for i, a in enumerate(gas.heat_capacity)) - 1.0
     return z, slope, thermal, heat - (2.0 * b1 + b2) * density - (2.0 * c1 + c2) * density**2 / 2.0
 
 
 def _choked(density: float, temperature: float, gas: RealGas) -> float:
-    """Largest density times velocity over sqrt(R) on the isentrope, in steps of ln(density) by the midpoint rule."""
+    """Return the largest density times velocity over sqrt(R) on the isentrope.
+
+    The integration uses steps of ln(density) and the midpoint rule.
+    """
 
     def rates(logarithm: float, temperature: float) -> tuple[float, float]:
         _, slope, thermal, heat = _state(math.exp(logarithm), temperature, gas, _virial(temperature, gas))
@@ -189,6 +195,6 @@ def _choked(density: float, temperature: float, gas: RealGas) -> float:
         cooling, gain = rates(logarithm - _STEP / 2.0, temperature - cooling * _STEP / 2.0)
         temperature, square, logarithm = temperature - cooling * _STEP, square + gain * _STEP, logarithm - _STEP
         fluxes.append(math.exp(logarithm) * math.sqrt(square))
-    before, largest, after = fluxes[-3:]
-    # The top of the parabola through the last three.
-    return largest + (before - after) ** 2 / (8.0 * (2.0 * largest - before - after))
+    previous, largest, next_flux = fluxes[-3:]
+    # Maximum of the parabola through the last three values.
+    return largest + (previous - next_flux) ** 2 / (8.0 * (2.0 * largest - previous - next_flux))

@@ -352,5 +352,5 @@ def isentrope_choked_charging_time(
 
 
 def _subsonic_angle(ratio: Any, critical_ratio: Any) -> Any:
-    """Where on the quarter ellipse a pressure ratio lies; zero while choked [rad]."""
+    """Return the angle of a pressure ratio on the quarter ellipse, zero if choked [rad]."""
     return np.arcsin(np.clip((ratio - critical_ratio) / (1.0 - critical_ratio), 0.0, 1.0))

@@ -1,1 +1,1 @@
-"""Pages on the test bench."""
+"""Reports of valve benches and of dynamic limits."""

@@ -1,4 +1,4 @@
-"""Figures of a bench: characteristic, stairs, flow, supply, steps, Bode; beside those of another valve."""
+"""Figures of a bench: characteristic, resolution, flow, supply, steps and Bode plot, with a reference valve."""
 
 from __future__ import annotations
 
@@ -25,18 +25,18 @@ _HIGH = 2.9
 _HALF = (_WIDTH - _LEFT - _RIGHT - _GAP) / 2.0
 _UP, _DOWN = PALETTE[0], PALETTE[1]
 _OTHER: dict[str, Any] = {"linestyle": (0, (4, 2)), "linewidth": 1.0, "alpha": 0.75}
-_MOST_CASES = 6
-Ways = list[tuple[Curve, Any, Any]]
-"""Curves with what is drawn of them."""
+_MAX_CASES = 6
+CurveValues = list[tuple[Curve, Any, Any]]
+"""Curves with abscissas and ordinates in the units of the figure."""
 
 
 def curves_of(result: BenchResult | None, test: str) -> list[Curve]:
-    """The curves of a test; none without a result."""
+    """Return the curves of a test; without a result there are none."""
     return list(result.curves.get(test, ())) if result is not None else []
 
 
 def _pair() -> tuple[Figure, tuple[Any, Any]]:
-    """A figure with two axes side by side."""
+    """Return a figure with two axes in a row."""
     figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT)
     left, right = (axes_in(figure, edge, _TOP, _HALF, _HIGH) for edge in (_LEFT, _LEFT + _HALF + _GAP))
     return figure, (left, right)
@@ -57,11 +57,11 @@ def _key(axes: Any, columns: int = 4) -> None:
 
 
 def _cases(curves: Iterable[Curve]) -> list[str]:
-    return list(dict.fromkeys(curve.case for curve in curves))[:_MOST_CASES]
+    return list(dict.fromkeys(curve.case for curve in curves))[:_MAX_CASES]
 
 
-def characteristic_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """The characteristic, and its distance from the nominal line, magnified."""
+def characteristic_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
+    """Draw the characteristic and its distance from the nominal line."""
     figure, (left, right) = _pair()
     colours = {"up": _UP, "down": _DOWN}
     left.plot([0, 100], [0, 100], color=GREY, linewidth=0.8, label="nominal")
@@ -75,13 +75,15 @@ def characteristic_figure(result: BenchResult, other: BenchResult | None = None)
             continue
         left.plot(curve.x, curve.y, color=colour, label=curve.name)
         right.plot(curve.x, curve.y - curve.x, color=colour, label=curve.name)
-    for curve in curves_of(other, "characteristic"):
+    for curve in curves_of(reference, "characteristic"):
         if curve.case != "cycles":
-            right.plot(curve.x, curve.y - curve.x, color=colours[curve.name], label=f"{curve.name}, other", **_OTHER)
-    found = result.conditions.get("characteristic", {})
-    if "slope" in found:
+            right.plot(
+                curve.x, curve.y - curve.x, color=colours[curve.name], label=f"{curve.name}, reference", **_OTHER
+            )
+    fit = result.conditions.get("characteristic", {})
+    if "slope" in fit:
         x = np.array(RANGE)
-        line = found["slope"] * x + found["offset"] - x
+        line = fit["slope"] * x + fit["offset"] - x
         right.plot(x, line, color=GREY, linestyle=(0, (1.5, 1.5)), linewidth=1.2, label="best line")
     for axes in (left, right):
         axes.set_xlim(-3, 103)
@@ -95,38 +97,44 @@ def characteristic_figure(result: BenchResult, other: BenchResult | None = None)
 
 
 def _focus(axes: Any, curves: Sequence[Curve]) -> None:
-    """The range of ordinates that the judged range needs; a dead zone at zero may leave it."""
-    inside = [c.y - c.x for c in curves]
-    judged = [d[(c.x >= RANGE[0]) & (c.x <= RANGE[1])] for c, d in zip(curves, inside, strict=True)]
-    values = np.concatenate([d for d in judged if d.size] or [np.zeros(1)])
+    """Set the ordinates to the evaluated range; a dead zone at zero can exceed them."""
+    errors = [c.y - c.x for c in curves]
+    evaluated = [d[(c.x >= RANGE[0]) & (c.x <= RANGE[1])] for c, d in zip(curves, errors, strict=True)]
+    values = np.concatenate([d for d in evaluated if d.size] or [np.zeros(1)])
     low, high = float(np.min(values)), float(np.max(values))
     margin = max(0.6 * (high - low), 0.1)
-    every = np.concatenate([d for d in inside if d.size] or [np.zeros(1)])
-    low, high = max(low - margin, float(np.min(every)) - 0.05), min(high + margin, float(np.max(every)) + 0.05)
+    all_errors = np.concatenate([d for d in errors if d.size] or [np.zeros(1)])
+    low, high = (
+        max(low - margin, float(np.min(all_errors)) - 0.05),
+        min(high + margin, float(np.max(all_errors)) + 0.05),
+    )
     axes.set_ylim(min(low, -0.05), max(high, 0.05))
 
 
-def resolution_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """The small staircase and the outlet."""
+def resolution_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
+    """Draw the small staircase of the setpoint and the outlet."""
     figure, axes = _single(2.4)
     curves = curves_of(result, "resolution")
     for curve in curves:
         if curve.case in _cases(curves)[:1]:
             style = {"color": GREY, "linewidth": 1.0} if curve.name == "setpoint" else {"color": _UP}
             axes.plot(curve.x, curve.y, label=curve.name, **style)
-    for curve in [each for each in curves_of(other, "resolution") if each.name == "outlet"][:1]:
-        axes.plot(curve.x, curve.y, color=_DOWN, label="outlet, other", **_OTHER)
+    for curve in [curve for curve in curves_of(reference, "resolution") if curve.name == "outlet"][:1]:
+        axes.plot(curve.x, curve.y, color=_DOWN, label="outlet, reference", **_OTHER)
     axes.set_xlabel("time [s]")
     axes.set_ylabel("[% FS]")
     _key(axes)
     return figure
 
 
-def _there_and_back(axes: Any, found: Ways, other: Ways, thick: tuple[str, ...]) -> None:
-    """Curves of several cases, each in its colour: thick on the way there, thin back; of another valve there only."""
-    cases = _cases(curve for curve, _, _ in found)
-    for ways, is_other in ((found, False), (other, True)):
-        for curve, x, y in ways:
+def _there_and_back(axes: Any, curves: CurveValues, reference: CurveValues, thick: tuple[str, ...]) -> None:
+    """Draw one colour for each case.
+
+    Curves with a name in `thick` are thick, their return curves are thin. The reference valve has no return curves.
+    """
+    cases = _cases(curve for curve, _, _ in curves)
+    for group, is_other in ((curves, False), (reference, True)):
+        for curve, x, y in group:
             is_there = curve.name in thick
             if curve.case not in cases or (is_other and not is_there):
                 continue
@@ -136,51 +144,53 @@ def _there_and_back(axes: Any, found: Ways, other: Ways, thick: tuple[str, ...])
     _key(axes, 6)
 
 
-def flow_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """Outlet pressure against flow, both ways."""
+def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
+    """Draw outlet pressure versus forward and relief flow."""
     figure, axes = _single(3.4)
     curves = curves_of(result, "flow")
     unit = readable_unit("kg/s", max((float(np.max(np.abs(c.x), initial=0.0)) for c in curves), default=1.0))
-    own, others = ([(c, convert(c.x, "kg/s", unit), c.y) for c in each] for each in (curves, curves_of(other, "flow")))
-    axes.set_xlabel(f"flow out of the outlet [{unit}]; below zero: fed in")
+    measured, references = (
+        [(c, convert(c.x, "kg/s", unit), c.y) for c in group] for group in (curves, curves_of(reference, "flow"))
+    )
+    axes.set_xlabel(f"forward flow [{unit}]; negative: relief flow")
     axes.set_ylabel("outlet [% FS]")
-    _there_and_back(axes, own, others, ("drawn going", "fed going"))
+    _there_and_back(axes, measured, references, ("drawn going", "fed going"))
     axes.axvline(0.0, color=GREY, linewidth=0.8)
     return figure
 
 
-def supply_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """What the supply does to the outlet."""
+def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
+    """Draw the outlet pressure versus the supply pressure."""
     figure, axes = _single(2.4)
 
-    def ways(curves: list[Curve]) -> Ways:
+    def deviations(curves: list[Curve]) -> CurveValues:
         middle = {case: float(np.mean([np.mean(c.y) for c in curves if c.case == case])) for case in _cases(curves)}
         return [(c, convert(c.x, "Pa", "bar"), c.y - middle[c.case]) for c in curves if c.case in middle]
 
-    own, others = (ways(curves_of(each, "supply")) for each in (result, other))
-    _there_and_back(axes, own, others, ("rising",))
+    measured, references = (deviations(curves_of(source, "supply")) for source in (result, reference))
+    _there_and_back(axes, measured, references, ("rising",))
     low, high = axes.get_ylim()
-    if high - low < 0.02:  # rounding is not to fill the picture
+    if high - low < 0.02:  # rounding must not fill the figure
         axes.set_ylim(0.5 * (low + high) - 0.01, 0.5 * (low + high) + 0.01)
     axes.set_xlabel("supply pressure [bar, absolute]")
     axes.set_ylabel("outlet - its mean [% FS]")
     return figure
 
 
-def step_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """All steps as parts of the change of the outlet, up on the left, down on the right, a row per volume."""
+def step_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
+    """Draw all steps relative to the change of the outlet; left: up, right: down, one row per volume."""
     curves = curves_of(result, "step")
     volumes = list(dict.fromkeys(_volume_of(c.case) for c in curves)) or [""]
-    sizes = list(dict.fromkeys(_size_of(c.case) for c in curves))[:_MOST_CASES]
+    sizes = list(dict.fromkeys(_size_of(c.case) for c in curves))[:_MAX_CASES]
     row = _TOP + 2.5 + _FOOT
     figure = new_figure(_WIDTH, len(volumes) * row)
     for k, volume in enumerate(volumes):
         for column, sign in enumerate("+-"):
             axes = axes_in(figure, _LEFT + column * (_HALF + _GAP), k * row + _TOP, _HALF, 2.5)
             same = [c for c in curves if _volume_of(c.case) == volume and c.case.startswith(sign)]
-            drawn = {c.case for c in same}
+            cases = {c.case for c in same}
             unit = readable_unit("s", max((float(c.x[-1]) for c in same), default=1.0))
-            for curve in (*same, *(c for c in curves_of(other, "step") if c.case in drawn)):
+            for curve in (*same, *(c for c in curves_of(reference, "step") if c.case in cases)):
                 size = _size_of(curve.case)
                 if size in sizes:
                     is_own = curve in same
@@ -189,37 +199,37 @@ def step_figure(result: BenchResult, other: BenchResult | None = None) -> Figure
             axes.axhspan(100.0 - 100.0 * BAND, 100.0 + 100.0 * BAND, color=FAINT, alpha=0.5, linewidth=0)
             axes.axvline(0.0, color=GREY, linewidth=0.8)
             axes.set_xlabel(f"time after the step {'up' if sign == '+' else 'down'}{volume} [{unit}]")
-            axes.set_ylabel("part of the change [%]")
+            axes.set_ylabel("fraction of the change [%]")
             _key(axes, 4)
     return figure
 
 
 def _size_of(case: str) -> str:
-    """Size of a step without its sign, `80` of `+80 % FS, 1 l`."""
+    """Return the size of a step without its sign, `80` of `+80 % FS, 1 l`."""
     return case[1:].partition(" ")[0]
 
 
 def _volume_of(case: str) -> str:
-    """Volume of a step as it stands behind a comma, or nothing."""
+    """Return the volume of a step with the comma before it, or nothing."""
     return case.partition(",")[1] + case.partition(",")[2]
 
 
-def bode_figure(result: BenchResult, other: BenchResult | None = None) -> Figure:
-    """Gain and phase over the frequency."""
+def bode_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
+    """Draw gain and phase versus frequency."""
     figure, (gain, phase) = _pair()
     curves = curves_of(result, "frequency")
     cases = _cases(curves)
     gain.axhline(GAIN_DB, color=GREY, linewidth=0.8)
     phase.axhline(PHASE_DEG, color=GREY, linewidth=0.8)
-    for found, is_other in ((curves, False), (curves_of(other, "frequency"), True)):
-        names = _cases(found)
-        for curve in found:
+    for group, is_other in ((curves, False), (curves_of(reference, "frequency"), True)):
+        names = _cases(group)
+        for curve in group:
             if curve.case not in names:
                 continue
             axes = gain if curve.name == "gain" else phase
             colour = PALETTE[(cases if curve.case in cases else names).index(curve.case)]
             if is_other:
-                axes.semilogx(curve.x, curve.y, color=colour, label="other", **_OTHER)
+                axes.semilogx(curve.x, curve.y, color=colour, label="reference", **_OTHER)
             else:
                 axes.semilogx(curve.x, curve.y, "o-", color=colour, markersize=3.0, label=f"± {curve.case}")
     for axes, label in ((gain, "gain, relative [dB]"), (phase, "phase [deg]")):

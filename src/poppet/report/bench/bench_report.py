@@ -1,19 +1,19 @@
-"""A bench as one page that needs nothing else: figures, pictures, words."""
+"""Report of a valve bench: characteristic values, tests and conditions."""
 
 from __future__ import annotations
 
 import html
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from poppet.bench.iso10094.bench_result import BenchResult
 from poppet.bench.iso10094.definitions import TESTS
-from poppet.bench.iso10094.evaluation import VERIFY
+from poppet.bench.iso10094.evaluation import VERIFY, CharacteristicValue
 from poppet.report.bench import bench_figures
-from poppet.report.bench.bench_tables import case_table, condition_table, figure_table
-from poppet.report.bench.bench_text import SECTIONS, verdict
-from poppet.report.html_page import document, findings, head, picture, write_page
+from poppet.report.bench.bench_text import DESCRIPTIONS, NOTHING, conditions_text, figure_text, value_text, verdict
+from poppet.report.html_page import Section, document, findings, head, paragraph, picture, write_page
+from poppet.report.tables import Column, Markup, Table, numeric, with_detail
 from poppet.timeseries.plotting.figures import style
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ main { max-width: 70rem; } .figures table { width: 100%; }
   .summary strong { display: block; } .figures td:last-child { flex-basis: 100%; } }
 .findings { max-width: 56rem; } .findings li { margin: .3rem 0; }
 """
-_PICTURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {
+_FIGURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {
     "characteristic": bench_figures.characteristic_figure,
     "resolution": bench_figures.resolution_figure,
     "flow": bench_figures.flow_figure,
@@ -40,56 +40,134 @@ _PICTURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {
     "frequency": bench_figures.bode_figure,
 }
 _SOURCES = {
-    "circuit": "The virtual test bench: figures of a model, simulated.",
-    "recordings": "Figures of a valve from recordings of a bench.",
-    "stand-in": "Figures of a stand-in whose truth is known.",
+    "circuit": "Virtual test bench: characteristic values of a simulated model.",
+    "recordings": "Characteristic values of a valve from recordings of a bench.",
+    "stand-in": "Characteristic values of a virtual valve with known properties.",
 }
+_WARNINGS = {"failed": "A test was not completed.", "interrupted": "The bench was interrupted."}
 _STANDARD = (
     "<p>The tests follow the ideas of ISO 10094-1 and -2 (Pneumatic fluid power, electro-pneumatic pressure control "
-    "valves). The standard itself was not at hand when the definitions on this page were written: where figures are to "
-    f"be stated after it, {VERIFY} first. The definitions, bands and rates used here stand in the table above.</p>\n"
+    "valves). The definitions on this page were written without access to the standard. To state values according to "
+    f"it, {VERIFY} first. The table above contains the definitions, bands and rates of these tests.</p>\n"
 )
 
 
 def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
-    """Write a bench as one page that needs nothing else; the same result gives the same bytes."""
+    """Write the report of a bench; equal results give equal bytes."""
     return write_page(path, lambda: bench_page(result, other))
 
 
 def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
-    """The page as text."""
+    """Return the report of a bench as HTML, with the values of a reference valve if there is one."""
     with style("A report of a bench"):
         tests = [test for test in TESTS if test in result.rows]
         sections = [
-            ("", _head(result, other, tests)),
-            ("Figures", f'<div class="figures">{figure_table(result, other)}</div>\n'),
-            *((SECTIONS[test].title, _test(result, other, test)) for test in tests),
-            ("Conditions", condition_table(result)),
-            ("About the standard", _STANDARD),
+            Section("", _head(result, other, tests)),
+            Section("Characteristic values", figure_table(result, other)),
+            *(Section(DESCRIPTIONS[test].title, _test(result, other, test)) for test in tests),
+            Section("Conditions", _condition_table(result)),
+            Section("About the standard", _STANDARD),
         ]
     return document(result.title, sections, style=_STYLE)
 
 
-def _head(result: BenchResult, other: BenchResult | None, tests: list[str]) -> str:
-    words = {test: verdict(result, test) for test in tests}
-    rows = "".join(
-        f"<p><strong>{SECTIONS[test].title}</strong> <span>{html.escape(text)}</span></p>\n"
-        for test, text in words.items()
-        if text
+def _head(result: BenchResult, reference: BenchResult | None, tests: list[str]) -> str:
+    lines = "".join(
+        f"<p><strong>{DESCRIPTIONS[test].title}</strong> <span>{html.escape(text)}</span></p>\n"
+        for test in tests
+        if (text := verdict(result, test))
     )
-    source = _SOURCES.get(result.source, result.source)
-    beside = f" Compared with: {other.title}." if other else ""
-    ended = {"failed": "A test could not be run to its end.", "interrupted": "The bench was interrupted."}
-    warning = f"<p><strong>{ended[result.outcome]}</strong></p>\n" if result.outcome in ended else ""
+    lead = _SOURCES.get(result.source, result.source) + (f" Compared with: {reference.title}." if reference else "")
     notes = [*result.notes.get("bench", ()), *result.comparison.get("notes", ())]
-    return f'{head(result.title, source + beside)}{warning}<div class="summary">{rows}</div>\n{findings(notes)}'
+    warning = paragraph(_WARNINGS.get(result.outcome, ""), bold=True)
+    return f'{head(result.title, lead)}{warning}<div class="summary">{lines}</div>\n{findings(notes)}'
 
 
-def _test(result: BenchResult, other: BenchResult | None, test: str) -> str:
-    """Words, picture, findings and cases of a test."""
-    section, meaning = SECTIONS[test], TESTS[test].meaning
-    text = f"<p>{html.escape(meaning[:1].upper() + meaning[1:])}.</p>\n"
-    if result.curves.get(test) and test in _PICTURES:
-        dashed = f" Dashed: {other.title}." if other is not None and other.curves.get(test) else ""
-        text += picture(_PICTURES[test](result, other), test, section.caption + dashed, label=section.title)
-    return text + findings(result.notes.get(test, ())) + case_table(result, test)
+def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | Table]:
+    description, meaning = DESCRIPTIONS[test], TESTS[test].meaning
+    figure = ""
+    if result.curves.get(test) and test in _FIGURES:
+        has_reference = reference is not None and reference.curves.get(test)
+        caption = description.caption + (f" Dashed: {reference.title}." if reference and has_reference else "")
+        figure = picture(_FIGURES[test](result, reference), test, caption, label=description.title)
+    text = paragraph(f"{meaning[:1].upper() + meaning[1:]}.")
+    return [text, figure, findings(result.notes.get(test, ())), _case_table(result, test)]
+
+
+def figure_table(result: BenchResult, reference: BenchResult | None = None) -> Table:
+    """Return every characteristic value with its definition, and the values of a reference valve."""
+    rows: list[list[Any]] = []
+    headings = ["value ± 95 %"] if reference is None else [*map(_short, (result.title, reference.title)), "ratio"]
+    for test, definition in TESTS.items():
+        names = [name for name in definition.definitions if any(name in r.figures for r in (result, reference) if r)]
+        if names:
+            title = Markup(f"<strong>{html.escape(DESCRIPTIONS[test].title)}</strong>")
+            rows.append([title, *([""] * (len(headings) + 1))])
+        for name in names:
+            values = [None if valve is None else valve.figures.get(name) for valve in (result, reference)]
+            value = values[0] or values[1]
+            assert value is not None
+            cells = [_unbroken(figure_text(v)) for v in values[: 1 if reference is None else 2]]
+            cells += [] if reference is None else [_ratio(*values)]
+            rows.append([name.replace("_", " "), *cells, with_detail(conditions_text(value), value.definition)])
+    return Table(("quantity", *numeric(*headings), "conditions; definition"), rows, css_class="figures")
+
+
+def _unbroken(text: str) -> str:
+    """Return a text without line breaks."""
+    return text.replace(" ", "\N{NO-BREAK SPACE}")
+
+
+def _short(title: str) -> str:
+    return title if len(title) <= 28 else f"{title[:27]}…"
+
+
+def _ratio(value: CharacteristicValue | None, reference: CharacteristicValue | None) -> str:
+    if value is None or reference is None or value.bound or reference.bound:
+        return "-"
+    # A percentage at the level of rounding has no meaningful ratio.
+    is_zero = reference.value == 0.0 or (reference.unit in ("% FS", "%") and abs(reference.value) < NOTHING)
+    return "-" if is_zero else f"{value.value / reference.value:.2f}"
+
+
+def _case_table(result: BenchResult, test: str) -> Table:
+    """Return the cases of a test."""
+    description, rows = DESCRIPTIONS[test], result.rows.get(test, ())
+    keys = [key for key in description.columns if any(key in row for row in rows)]
+    columns = [description.column(key) for key in keys]
+    cells = [[_unbroken(_cell(row, key, unit)) for key, (_, unit) in zip(keys, columns, strict=True)] for row in rows]
+    return Table([Column(heading, "" if unit == "word" else "s") for heading, unit in columns], cells if keys else ())
+
+
+def _cell(row: Mapping[str, Any], key: str, unit: str) -> str:
+    if key not in row:
+        return "-"
+    return str(row[key]) if unit == "word" else value_text(row[key], unit, row.get(f"{key}_bound", ""))
+
+
+def _condition_table(result: BenchResult) -> Table:
+    """Return the conditions of the tests."""
+    c = result.conditions
+    unit = str(c.get("setpoint_unit", ""))
+    formats: tuple[tuple[str, str, Callable[[Any], str]], ...] = (
+        ("setpoint_range", "setpoint range", lambda ends: _range(ends, unit)),
+        ("full_scale", "full scale", lambda ends: f"{_range(ends, 'Pa')}, absolute"),
+        ("supply_pressure", "supply pressure", lambda value: f"{value_text(value, 'Pa')}, absolute"),
+        ("volumes", "volumes at the outlet", lambda values: ", ".join(value_text(v, "m^3") for v in values)),
+        ("circuit", "circuit", str),
+        ("valve", "valve", str),
+        ("changed", "changed", ", ".join),
+    )
+    rows = [(heading, text(c[key])) for key, heading, text in formats if key in c]
+    rows += [(f"recordings, {test}", ", ".join(names)) for test, names in c.get("recordings", {}).items()]
+    sweep, flow = c.get("characteristic", {}), c.get("flow", {})
+    if "sweep_rate" in sweep:
+        branches = f"{sweep['branches_up']} up, {sweep['branches_down']} down"
+        rows.append(("sweep of the setpoint", f"{sweep['sweep_rate']:.3g} % FS/s, {branches}"))
+    directions = ("flow_drawn", "out"), ("flow_fed", "in")
+    rows += [(f"rated flow {text}", value_text(flow[key], "kg/s")) for key, text in directions if key in flow]
+    return Table(("", ""), rows)
+
+
+def _range(ends: Any, unit: str) -> str:
+    return f"{value_text(float(ends[0]), unit)} to {value_text(float(ends[1]), unit)}"

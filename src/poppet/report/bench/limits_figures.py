@@ -19,16 +19,16 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Scale = tuple[str, list[str]]
-"""Name of an axis, and what stands at its ticks."""
+"""Name and tick labels of an axis."""
 STILL = 1.0
-"""Amplitude at the outlet below which the valve rests [Pa]."""
+"""Amplitude at the outlet below which the valve is at rest [Pa]."""
 # Sizes in inches.
 _WIDTH, _LEFT, _TOP, _FOOT, _BAR, _SIDE = 10.0, 0.75, 0.4, 0.62, 0.16, 0.75
-_CELL, _ACROSS = 0.44, 3
+_CELL, _MAX_COLUMNS = 0.44, 3
 _VOLUME = "load volume [l]"
 _COLOURS = {part: PALETTE[k] for k, part in enumerate((*PARTS, LOAD))} | {CONTROLLER: GREY}
 NOISY = 0.5
-"""What is beside the fundamental, over it, from which a bandwidth is marked as rough."""
+"""Motion relative to the fundamental above which a bandwidth is marked as approximate."""
 SHORT = {
     "solenoids": "solenoids",
     "pilot volume": "pilot vol.",
@@ -38,11 +38,11 @@ SHORT = {
     "load volume": "load",
     CONTROLLER: "controller",
 }
-"""Part to the word in a cell."""
+"""Part to its name in a cell."""
 
 
 def bandwidth_figure(result: LimitsResult) -> Figure:
-    """Bandwidth over load volume and amplitude, with the part that limits written into each cell."""
+    """Draw the bandwidth by load volume and amplitude, with the limiting part in each cell."""
     plan = result.plan
     height = len(plan.volumes) * 0.62
     figure, (axes,) = _panels(1, height, _SIDE + 0.35, 0.0)
@@ -50,27 +50,27 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
     mesh, mark = _heat(axes, values, (plan.lowest, plan.highest))
     _volume_axes(axes, plan)
     hertz = _known(values, lambda v: frequency_text(plan, v))
-    rough = _Line(0.13, 9.5, lambda at: f"~{hertz(at)}" if noise[at] > NOISY else hertz(at), "bold")
-    _write(axes, values, mark, rough, _Line(-0.24, 7.5, lambda at: names[at[0]][at[1]]))
+    rough = _Line(0.13, 9.5, lambda cell: f"~{hertz(cell)}" if noise[cell] > NOISY else hertz(cell), "bold")
+    _write(axes, values, mark, rough, _Line(-0.24, 7.5, lambda cell: names[cell[0]][cell[1]]))
     axes.set_title("-3 dB frequency [Hz], and the part that limits it", loc="left")
     _bar(figure, mesh, _WIDTH - _SIDE - 0.15, height, "")
     return figure
 
 
 def response_figure(result: LimitsResult) -> Figure:
-    """Frequency of 90 degrees of lag, and times of steps up and down."""
+    """Draw the frequency of 90 degrees of lag, and the times of steps up and down."""
     plan = result.plan
     phase, up, down = (_array(result.grid(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
-    known = np.concatenate([each[np.isfinite(each)] for each in (up, down)])
-    # Both steps on one scale; without any time the least lies above the greatest, which `_heat` mends.
-    span = (float(np.min(known, initial=10.0)), float(np.max(known, initial=1e-3)))
-    drawn: list[tuple[str, Array, tuple[float, float], str, Callable[[float], str]]] = [
+    times = np.concatenate([grid[np.isfinite(grid)] for grid in (up, down)])
+    # Both steps have one scale. Without times the minimum exceeds the maximum; `_heat` corrects this.
+    span = (float(np.min(times, initial=10.0)), float(np.max(times, initial=1e-3)))
+    maps: list[tuple[str, Array, tuple[float, float], str, Callable[[float], str]]] = [
         ("-90 deg frequency [Hz]", phase, (plan.lowest, plan.highest), "viridis", lambda v: frequency_text(plan, v)),
         ("step up, 90 % [ms]", up, span, "viridis_r", time_text),
         ("step down, 90 % [ms]", down, span, "viridis_r", time_text),
     ]
     figure, panels = _panels(3, len(plan.volumes) * _CELL, 0.15, 0.25)
-    for k, (axes, (title, values, limits, colours, text)) in enumerate(zip(panels, drawn, strict=True)):
+    for k, (axes, (title, values, limits, colours, text)) in enumerate(zip(panels, maps, strict=True)):
         _, mark = _heat(axes, values, limits, colours)
         _volume_axes(axes, plan, is_first=k == 0)
         _write(axes, values, mark, _Line(0.0, 8.0, _known(values, text)))
@@ -79,14 +79,14 @@ def response_figure(result: LimitsResult) -> Figure:
 
 
 def ideal_figure(result: LimitsResult) -> Figure:
-    """For every part what the bandwidth would gain by an ideal one."""
+    """Draw the ratio of bandwidths with an ideal and with the real part, for every part."""
     plan = result.plan
     height = len(plan.volumes) * 0.36
-    figure, panels = _panels(2 * _ACROSS, height, _SIDE + 0.2, 0.25)
+    figure, panels = _panels(2 * _MAX_COLUMNS, height, _SIDE + 0.2, 0.25)
     for k, (axes, part) in enumerate(zip(panels, (*PARTS, LOAD), strict=True)):
         values = _array(result.gains(part))
         mesh, mark = _heat(axes, values, (0.1, 10.0), "RdBu")
-        _volume_axes(axes, plan, is_first=k % _ACROSS == 0, is_last=k >= _ACROSS)
+        _volume_axes(axes, plan, is_first=k % _MAX_COLUMNS == 0, is_last=k >= _MAX_COLUMNS)
         _write(axes, values, mark, _Line(0.0, 7.5, _known(values, lambda v: f"{v:.2g}")))
         axes.set_title(part, loc="left", color=_COLOURS[part])
     _bar(figure, mesh, _WIDTH - _SIDE - 0.1, 2 * height + _TOP, "bandwidth, ideal / real")
@@ -94,45 +94,51 @@ def ideal_figure(result: LimitsResult) -> Figure:
 
 
 def stability_figure(result: LimitsResult) -> Figure:
-    """Growth rate of the linear model over volume and damping, and what the full one does after a push."""
+    """Draw the growth rate of the linear model, with the motion of the full model after a disturbance."""
     from matplotlib.colors import SymLogNorm
 
     norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
 
-    def drawn(axes: Any, spring: float) -> Any:
+    def draw(axes: Any, spring: float) -> Any:
         growth, hum = (_array(result.map(name, spring)) for name in ("growth", "smooth_frequency"))
         does = np.array(result.map("smooth", spring))
         _write(
             axes, growth, lambda v: "white" if abs(v) > 300.0 else INK,
-            _Line(0.17, 8.0, lambda at: f"{growth[at]:.3g}" if math.isfinite(growth[at]) else "?"),
-            _Line(-0.22, 7.0, lambda at: motion_text(does[at], hum[at])),
+            _Line(0.17, 8.0, lambda cell: f"{growth[cell]:.3g}" if math.isfinite(growth[cell]) else "?"),
+            _Line(-0.22, 7.0, lambda cell: motion_text(does[cell], hum[cell])),
         )  # fmt: skip
         return _mesh(axes, growth, cmap="RdBu_r", norm=norm)
 
-    return _spring_figure(result, drawn, "growth of the linear model [1/s]")
+    return _spring_figure(result, draw, "growth of the linear model [1/s]")
 
 
 def hum_figure(result: LimitsResult) -> Figure:
-    """What the valve with its bands does by itself: amplitude and frequency at the outlet."""
+    """Draw amplitude and frequency of the limit cycles of the complete valve."""
 
-    def drawn(axes: Any, spring: float) -> Any:
+    def draw(axes: Any, spring: float) -> Any:
         amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
         mesh, mark = _heat(axes, amplitude, (10.0, 1e4), "viridis_r")
 
-        def often(at: Any) -> str:
-            hertz = frequency[at]
-            if not hertz > 0.0 or not amplitude[at] >= STILL:
+        def frequency_word(cell: Any) -> str:
+            hertz = frequency[cell]
+            if not hertz > 0.0 or not amplitude[cell] >= STILL:
                 return ""
             return f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz"
 
-        _write(axes, amplitude, mark, _Line(0.17, 8.0, lambda at: swing_text(amplitude[at])), _Line(-0.22, 7.0, often))
+        _write(
+            axes,
+            amplitude,
+            mark,
+            _Line(0.17, 8.0, lambda cell: swing_text(amplitude[cell])),
+            _Line(-0.22, 7.0, frequency_word),
+        )
         return mesh
 
-    return _spring_figure(result, drawn, "amplitude at the outlet [Pa]")
+    return _spring_figure(result, draw, "amplitude at the outlet [Pa]")
 
 
 def swing_text(value: float) -> str:
-    """An amplitude [Pa] at the outlet."""
+    """Return an amplitude at the outlet [Pa] as text."""
     if not math.isfinite(value):
         return "?"
     if value < STILL:
@@ -141,41 +147,38 @@ def swing_text(value: float) -> str:
 
 
 def _limiting(result: LimitsResult) -> list[list[str]]:
-    """The word of each cell: the part that limits, and where that is the load the part of the valve that comes next."""
+    """Return the limiting part of each cell; for the load, also the second part."""
 
     def word(point: Point | None) -> str:
         if point is None or not point.limiting:
             return ""
-        own = {part: gain for part, gain in point.gains.items() if part != LOAD}
-        then = max(own, key=lambda part: own[part]) if point.limiting == LOAD else ""
-        return SHORT[point.limiting] + (f", {SHORT[then]}" if then and own[then] >= WORTH else "")
+        gains = {part: gain for part, gain in point.gains.items() if part != LOAD}
+        second = max(gains, key=lambda part: gains[part]) if point.limiting == LOAD else ""
+        return SHORT[point.limiting] + (f", {SHORT[second]}" if second and gains[second] >= WORTH else "")
 
     plan = result.plan
     return [[word(result.points.get((volume, size))) for size in plan.amplitudes] for volume in plan.volumes]
 
 
-# Pieces ----------------------------------------------------------------------------------------------------------
-
-
 class _Line(NamedTuple):
-    """One line in every cell of a map: how far above the middle, its size, what it says at a place."""
+    """One line of text in every cell of a map."""
 
-    up: float
-    size: float
-    text: Callable[[Any], str]
+    up: float  # distance from the centre
+    size: float  # of the font
+    text: Callable[[Any], str]  # text of a cell
     weight: str = "normal"
 
 
 def _write(axes: Any, values: Array, colour: Callable[[float], str], *lines: _Line) -> None:
-    for at, value in np.ndenumerate(values):
-        look = {"ha": "center", "va": "center", "color": colour(float(value))}
+    for cell, value in np.ndenumerate(values):
+        alignment = {"ha": "center", "va": "center", "color": colour(float(value))}
         for up, size, text, weight in lines:
-            axes.text(at[1], at[0] + up, text(at), fontsize=size, fontweight=weight, **look)
+            axes.text(cell[1], cell[0] + up, text(cell), fontsize=size, fontweight=weight, **alignment)
 
 
 def _known(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
-    """What is written of a value at a place; a dash where none was found."""
-    return lambda at: "-" if math.isnan(values[at]) else text(float(values[at]))
+    """Return the text of each cell; a dash if its value is NaN."""
+    return lambda cell: "-" if math.isnan(values[cell]) else text(float(values[cell]))
 
 
 def _array(grid: list[list[Any]]) -> Array:
@@ -183,54 +186,54 @@ def _array(grid: list[list[Any]]) -> Array:
 
 
 def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
-    """Maps side by side; more than one row of `_ACROSS` where there are that many."""
-    across = _ACROSS if count == 2 * _ACROSS else count
-    rows = count // across
+    """Return a figure with axes in one row, or in two rows for `2 * _MAX_COLUMNS` maps."""
+    columns = _MAX_COLUMNS if count == 2 * _MAX_COLUMNS else count
+    rows = count // columns
     figure = new_figure(_WIDTH, rows * (_TOP + height) + _FOOT + 0.1 * (rows - 1))
-    width = (_WIDTH - _LEFT - right - (across - 1) * gap) / across
-    places = [divmod(k, across) for k in range(count)]
+    width = (_WIDTH - _LEFT - right - (columns - 1) * gap) / columns
+    cells = [divmod(k, columns) for k in range(count)]
     return figure, [
         axes_in(figure, _LEFT + column * (width + gap), _TOP + row * (_TOP + height), width, height)
-        for row, column in places
+        for row, column in cells
     ]
 
 
-def _spring_figure(result: LimitsResult, drawn: Callable[[Any, float], Any], label: str) -> Figure:
-    """One panel per factor on the spring rates, dampings up and volumes across, and the bar of what is drawn there."""
+def _spring_figure(result: LimitsResult, draw: Callable[[Any, float], Any], label: str) -> Figure:
+    """Draw one map of dampings and volumes for each factor on the spring rates, with a colour bar."""
     plan = result.plan
     height = len(plan.dampings) * 0.52
     figure, panels = _panels(len(plan.springs), height, _SIDE + 0.2, 0.2)
     for k, (axes, spring) in enumerate(zip(panels, plan.springs, strict=True)):
-        mesh = drawn(axes, spring)
-        up = ("damping", [f"x {d:g}" for d in plan.dampings])
-        _scales(axes, (_VOLUME, _liters(plan)), up, is_first=k == 0)
+        mesh = draw(axes, spring)
+        y_scale = ("damping", [f"x {d:g}" for d in plan.dampings])
+        _scales(axes, (_VOLUME, _liters(plan)), y_scale, is_first=k == 0)
         axes.set_title(f"spring rate x {spring:g}", loc="left")
     _bar(figure, mesh, _WIDTH - _SIDE - 0.1, height, label)
     return figure
 
 
-def _mesh(axes: Any, values: Array, **look: Any) -> Any:
-    across, up = (np.arange(count + 1) - 0.5 for count in values.shape[::-1])  # cells about whole numbers
-    return axes.pcolormesh(across, up, values, **look)
+def _mesh(axes: Any, values: Array, **options: Any) -> Any:
+    x, y = (np.arange(count + 1) - 0.5 for count in values.shape[::-1])  # cells about whole numbers
+    return axes.pcolormesh(x, y, values, **options)
 
 
 def _heat(
     axes: Any, values: Array, limits: tuple[float, float], colours: str = "viridis"
 ) -> tuple[Any, Callable[[float], str]]:
-    """A heat map on a logarithmic scale, and the colour in which to write onto it."""
+    """Draw a heat map on a logarithmic scale; return the mesh and a function for the colour of text."""
     from matplotlib import colormaps
     from matplotlib.colors import LogNorm
 
     low, high = limits if limits[0] < limits[1] else (0.5 * limits[0], 2.0 * limits[0])
     norm = LogNorm(low, high, clip=True)
     palette = colormaps[colours].with_extremes(bad="#eceef1")
-    # Infinite is beyond the scale and takes its last colour; only what was not found stays grey.
+    # Infinite values have the last colour of the scale. Only missing values are grey.
     mesh = _mesh(axes, np.clip(values, low, high), cmap=palette, norm=norm)
 
     def mark(value: float) -> str:
         if math.isnan(value):
             return INK
-        # Weights of the eye: green looks brighter than red, and red than blue.
+        # Luminance: green looks brighter than red, and red looks brighter than blue.
         red, green, blue, _ = palette(float(norm(min(max(value, low), high))))
         return "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else INK
 
@@ -238,18 +241,18 @@ def _heat(
 
 
 def _volume_axes(axes: Any, plan: LimitsPlan, *, is_first: bool = True, is_last: bool = True) -> None:
-    across = ("amplitude of the setpoint [kPa]", [f"{a / 1e3:.3g}" for a in plan.amplitudes])
-    _scales(axes, across, (_VOLUME, _liters(plan)), is_first=is_first, is_last=is_last)
+    x_scale = ("amplitude of the setpoint [kPa]", [f"{a / 1e3:.3g}" for a in plan.amplitudes])
+    _scales(axes, x_scale, (_VOLUME, _liters(plan)), is_first=is_first, is_last=is_last)
 
 
 def _liters(plan: LimitsPlan) -> list[str]:
     return [f"{v * 1e3:.2g}" for v in plan.volumes]
 
 
-def _scales(axes: Any, across: Scale, up: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
-    """Names and ticks of both axes; panels within a row or column have only the marks."""
+def _scales(axes: Any, x_scale: Scale, y_scale: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
+    """Set names and ticks of both axes; inner panels have no labels."""
     axes.grid(visible=False)
-    (x_name, x), (y_name, y) = across, up
+    (x_name, x), (y_name, y) = x_scale, y_scale
     axes.set_xticks(range(len(x)), x if is_last else [])
     axes.set_yticks(range(len(y)), y if is_first else [])
     axes.set_xlabel(x_name if is_last else "")
@@ -264,19 +267,19 @@ def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> N
 
 
 def frequency_text(plan: LimitsPlan, value: float) -> str:
-    """A frequency [Hz] as a cell has it; 0 and infinite are beyond the range that was searched."""
-    if value == 0.0:  # how a search says that it is below its range
+    """Return a frequency [Hz] as text; 0 and infinite are outside the range of the search."""
+    if value == 0.0:  # below the range
         return f"< {plan.lowest:g}"
     return f"> {plan.highest:g}" if math.isinf(value) else f"{value:.2g}" if value < 100.0 else f"{value:.0f}"
 
 
 def time_text(value: float) -> str:
-    """A time [s] in milliseconds."""
+    """Return a time [s] as text in milliseconds."""
     return f"{1e3 * value:.2g}" if value < 0.0995 else f"{1e3 * value:.0f}"
 
 
-def motion_text(word: str, frequency: float) -> str:
-    """What the full model does after a push."""
-    if word == OSCILLATES:
+def motion_text(motion: str, frequency: float) -> str:
+    """Return the motion of the full model after a disturbance as text."""
+    if motion == OSCILLATES:
         return f"{frequency:.0f} Hz" if math.isfinite(frequency) and frequency > 0.0 else "oscillates"
-    return "calm" if word == DECAYS else word
+    return "calm" if motion == DECAYS else motion

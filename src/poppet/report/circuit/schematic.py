@@ -333,11 +333,11 @@ def _graph(circuit: Circuit) -> Graph:
     edges = []
     for name, part in circuit.parts.items():
         for port, store in part.ports().items():
-            if isinstance(part, Tube) and store in part.met():
+            if isinstance(part, Tube) and store in part.outer_ports():
                 continue  # drawn from the port that names the tube
             owner = store.partition(".")[0]
             edges.append((name, port, f"{AMBIENT} at {name}.{port}" if store == AMBIENT else owner))
-        body = part.held_body()
+        body = part.body_name()
         edges += [] if body is None else [(name, BODY, body)]
     passages = tuple(dict.fromkeys(edge[0] for edge in edges))
     stores = [name for name in circuit.parts if name not in passages]

@@ -1,1 +1,1 @@
-"""What an ensemble tells, as tables, figures and one page."""
+"""Tables, figures and reports of ensembles."""

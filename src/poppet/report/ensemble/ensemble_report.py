@@ -1,128 +1,186 @@
-"""An ensemble as one page that needs nothing else: yield, curves, metrics, what matters, worst cases."""
+"""Report of an ensemble: yield, curves, metrics, influence and worst cases."""
 
 from __future__ import annotations
 
 import html
+import math
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
+from poppet.core.number_format import USUAL, scaled
 from poppet.ensemble import Ensemble
 from poppet.ensemble.ensemble_plan import varied_specs
-from poppet.report.ensemble import ensemble_figures
-from poppet.report.ensemble.ensemble_tables import in_usual, metric_table, usual, worst_table, yield_table
-from poppet.report.html_page import document, findings, head, picture, table, write_page
+from poppet.report.ensemble.ensemble_figures import (
+    MAX_POINTS,
+    Array,
+    bands_figure,
+    histogram_figure,
+    scatter_figure,
+    tornado_figure,
+    usual_unit,
+    with_unit,
+    yield_figure,
+)
+from poppet.report.html_page import Section, document, findings, head, paragraph, picture, write_page
+from poppet.report.tables import Column, Table, code, numeric
 from poppet.timeseries.plotting.figures import style
 
-_WAYS = {
-    "random": "independent draws",
-    "latin": "a Latin hypercube",
-    "sobol": "a scrambled Sobol sequence",
-    "grid": "a grid",
-    "file": "numbers of a file",
+QUANTILES = (0.05, 0.5, 0.95)
+"""Quantiles of a metric or a parameter that a table shows."""
+_METHODS = {
+    "random": "independent samples",
+    "latin": "Latin hypercube",
+    "sobol": "scrambled Sobol sequence",
+    "grid": "grid",
+    "file": "values of a file",
 }
-_EVEN = (
-    "The interval, of 95 %, is Wilson's for independent draws; these points spread more evenly than such draws do, so "
-    "that it is wider than it need be."
-)
-_PLAIN = "The interval, of 95 %, is Wilson's."
 
 
-def write_ensemble(found: Ensemble, path: str | Path) -> Path:
-    """Write an ensemble as one page; the same dataset gives the same bytes."""
-    return write_page(path, lambda: ensemble_page(found))
+def yield_table(ensemble: Ensemble) -> Table:
+    """Return the yield of each requirement with its confidence interval."""
+    rows = [
+        (y.name, y.text or "all requirements", y.good, 100.0 * y.share, f"{100.0 * y.low:.4g} ... {100.0 * y.high:.4g}")
+        for y in ensemble.yields()
+    ]
+    return Table(("requirement", "", Column("good runs", "d"), Column("yield [%]", ".4g"), "95 % [%]"), rows)
 
 
-def ensemble_page(found: Ensemble) -> str:
-    """The page as text."""
-    plan = found.plan
+def metric_table(ensemble: Ensemble) -> Table:
+    """Return mean, standard deviation and quantiles of every metric."""
+    rows = []
+    for s in ensemble.summaries():
+        values = s.mean, *(s.quantiles.get(q, math.nan) for q in QUANTILES), s.least, s.greatest
+        mean, *others = (_in_usual_unit(value, s.unit) for value in values)
+        # The standard deviation of a temperature in degC is a difference.
+        deviation = _in_usual_unit(s.mean + s.sd, s.unit) - mean
+        rows.append((s.name, usual_unit(s.unit), mean, deviation, *others, s.never, s.failed))
+    headings = "mean", "sd", *(f"{100 * q:g} %" for q in QUANTILES), "minimum", "maximum"
+    return Table(("metric", "unit", *numeric(*headings, digits=".4g"), *numeric("never", "no value", digits="d")), rows)
+
+
+def _in_usual_unit(value: float, unit: str) -> float:
+    return float(scaled(value, unit, USUAL.get(unit, unit)))
+
+
+def write_ensemble(ensemble: Ensemble, path: str | Path) -> Path:
+    """Write the report of an ensemble; equal datasets give equal bytes."""
+    return write_page(path, lambda: ensemble_page(ensemble))
+
+
+def ensemble_page(ensemble: Ensemble) -> str:
+    """Return the report of an ensemble as HTML."""
+    plan = ensemble.plan
     units = {address: spec.unit for address, spec in varied_specs(plan.circuit).items()}
-    rows = found.dataset.columns("runs", most=ensemble_figures.MOST_POINTS * 40)
-    few = {name: values[: ensemble_figures.MOST_POINTS] for name, values in rows.items()}
+    rows = ensemble.dataset.columns("runs", most=MAX_POINTS * 40)
     title = plan.circuit.title or "An ensemble"
-    draws = f"{found.done} runs, {len(plan.addresses)} uncertain numbers, {_WAYS[plan.sampling]}, seed {plan.seed}."
+    lead = (
+        f"{ensemble.done} runs, {len(plan.addresses)} uncertain parameters, sampling: {_METHODS[plan.sampling]}, "
+        f"seed {plan.seed}."
+    )
     with style("A report of an ensemble"):
         sections = [
-            ("", head(title, draws) + findings(found.remarks())),
-            ("Yield", _yield(found)),
-            ("Curves", _curves(found)),
-            ("Metrics", _metrics(found, rows)),
-            ("What matters", _influence(found)),
-            ("Runs", _scatter(found, few, units)),
-            ("Worst cases", _worst(found, units)),
-            ("Numbers", _numbers(found, units)),
+            Section("", head(title, lead) + findings(ensemble.remarks())),
+            Section("Yield", _yield(ensemble)),
+            Section("Curves", _curves(ensemble)),
+            Section("Metrics", _metrics(ensemble, rows)),
+            Section("Influence of the parameters", _influence(ensemble)),
+            Section("Runs", _scatter(ensemble, rows, units)),
+            Section("Worst cases", _worst_cases(ensemble, units)),
+            Section("Parameters", _parameter_table(ensemble, units)),
         ]
     return document(title, sections)
 
 
-def _yield(found: Ensemble) -> str:
-    yields = found.yields()
+def _yield(ensemble: Ensemble) -> list[str | Table]:
+    yields, sampling = ensemble.yields(), ensemble.plan.sampling
     if not yields:
-        return ""
-    even = found.plan.sampling in ("latin", "sobol")
-    words = f"Bars: share of the runs that meet a requirement; line: its interval. {_EVEN if even else _PLAIN}"
-    if found.plan.sampling in ("grid", "file"):
-        words = "Share of the runs that meet a requirement. The points are chosen, not drawn: the interval says little."
-    return picture(ensemble_figures.yield_figure(yields), "yield", words, is_still=True) + yield_table(found).html()
+        return []
+    caption = "Bars: fraction of the runs that meet a requirement."
+    if sampling in ("grid", "file"):
+        caption += " The runs are not a random sample, so the interval has little meaning."
+    else:
+        caption += " Lines: 95 % confidence intervals by Wilson's method."
+    if sampling in ("latin", "sobol"):
+        caption += " The method assumes independent samples; with this sampling method the intervals are too wide."
+    return [picture(yield_figure(yields), "yield", caption, is_still=True), yield_table(ensemble)]
 
 
-def _curves(found: Ensemble) -> str:
-    bands = found.bands()
-    outputs = dict(found.plan.circuit.model.outputs)
-    text = ""
-    for k, curve in enumerate(bands.curves if bands is not None else ()):
-        assert bands is not None
-        words = f"{curve}: at each time half, 90 % and 98 % of the runs lie within the bands; no run need follow one."
-        text += picture(ensemble_figures.bands_figure(bands, outputs, curve), f"bands-{k}", words)
-    return text
+def _curves(ensemble: Ensemble) -> list[str]:
+    if (bands := ensemble.bands()) is None:
+        return []
+    units = dict(ensemble.plan.circuit.model.outputs)
+    return [
+        picture(
+            bands_figure(bands, units, curve),
+            f"bands-{k}",
+            f"{curve}: the bands contain 50 %, 90 % and 98 % of the runs at each time. A band edge is not one run.",
+        )
+        for k, curve in enumerate(bands.curves)
+    ]
 
 
-def _metrics(found: Ensemble, rows: Mapping[str, Any]) -> str:
-    if not found.plan.metrics:
-        return ""
-    lost = "never: runs in which what is asked for does not happen; no value: it failed, or the metric is not defined."
-    words = "How metrics are spread; broken lines: bounds of requirements."
-    drawn = picture(ensemble_figures.histogram_figure(found, rows), "metrics", words, is_still=True)
-    return drawn + metric_table(found).html() + f'<p class="lead">{lost}</p>\n'
+def _metrics(ensemble: Ensemble, rows: Mapping[str, Array]) -> list[str | Table]:
+    if not ensemble.plan.metrics:
+        return []
+    caption = "Distribution of each metric; dashed lines: bounds of requirements."
+    figure = picture(histogram_figure(ensemble, rows), "metrics", caption, is_still=True)
+    note = "never: runs in which the event does not occur; no value: the run failed, or the metric is not defined."
+    return [figure, metric_table(ensemble), paragraph(note, css_class="lead")]
 
 
-def _influence(found: Ensemble) -> str:
-    indices = found.indices()
-    text = ""
-    for k, metric in enumerate(found.plan.metrics):
-        ranges = found.tornado().get(metric.name, [])
-        if not any(0.0 < each.size < float("inf") for each in ranges):
+def _influence(ensemble: Ensemble) -> str:
+    indices, tornado, text = ensemble.indices(), ensemble.tornado(), ""
+    for k, metric in enumerate(ensemble.plan.metrics):
+        ranges, sobol = tornado.get(metric.name, []), indices.get(metric.name)
+        if not any(0.0 < effect.size < math.inf for effect in ranges):
             continue
-        own = indices.get(metric.name)
-        words = "Each number at its 5 % (teal) and 95 % quantile (amber), the others at their medians."
-        if own:
-            words += " Right: part of the variance that it makes by itself (first) and with others (total), 95 %."
-        drawn = ensemble_figures.tornado_figure(metric, ranges, own)
-        text += f"<h3>{html.escape(metric.name)}</h3>\n" + picture(drawn, f"tornado-{k}", words, is_still=True)
+        caption = "One parameter at its 5 % quantile (teal) and its 95 % quantile (amber), the others at their medians."
+        if sobol:
+            caption += (
+                " Right: fraction of the variance from the parameter alone (first) and with its interactions (total); "
+                "95 % intervals."
+            )
+        figure = picture(tornado_figure(metric, ranges, sobol), f"tornado-{k}", caption, is_still=True)
+        text += f"<h3>{html.escape(metric.name)}</h3>\n{figure}"
     return text
 
 
-def _scatter(found: Ensemble, few: Mapping[str, Any], units: Mapping[str, str]) -> str:
-    if not found.plan.metrics:
+def _scatter(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping[str, str]) -> str:
+    if not ensemble.plan.metrics:
         return ""
-    words = "Each metric over the number that moves it most; orange: runs that miss a requirement"
-    words += f", the first {len(few['run'])} runs." if found.done > len(few["run"]) else "."
-    return picture(ensemble_figures.scatter_figure(found, few, units), "scatter", words, is_still=True)
+    sample = {name: values[:MAX_POINTS] for name, values in rows.items()}
+    n_points = len(sample["run"])
+    caption = "Each metric versus the parameter with the largest effect; orange: runs that miss a requirement"
+    caption += f". Only the first {n_points} runs are shown." if ensemble.done > n_points else "."
+    return picture(scatter_figure(ensemble, sample, units), "scatter", caption, is_still=True)
 
 
-def _worst(found: Ensemble, units: dict[str, str]) -> str:
-    if not found.plan.requirements:
-        return ""
-    words = "The runs with the smallest margins. <code>poppet ensemble FILE --worst FOLDER</code> writes them as files."
-    return f"<p>{words}</p>\n" + worst_table(found, units).html()
+def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | Table]:
+    plan = ensemble.plan
+    if not plan.requirements:
+        return []
+    metric_units = {metric.name: metric.unit for metric in plan.metrics}
+    rows = []
+    for requirement in plan.requirements:
+        unit = metric_units[requirement.metric]
+        for case in ensemble.worst()[requirement.name]:
+            value = f"{_in_usual_unit(case.value, unit):.4g}\N{NO-BREAK SPACE}{usual_unit(unit)}".strip()
+            if case.value == math.inf:
+                value = "never"
+            elif not math.isfinite(case.margin):
+                value = "failed"
+            parameters = (_in_usual_unit(number, units[address]) for address, number in case.numbers.items())
+            rows.append((requirement.name, case.run, value, *parameters))
+    headings = (with_unit(address, units[address]) for address in plan.addresses)
+    text = "<p>Runs with the smallest margins. <code>poppet ensemble FILE --worst FOLDER</code> writes files.</p>\n"
+    return [text, Table(("requirement", Column("run", "d"), "metric", *numeric(*headings, digits=".4g")), rows)]
 
 
-def _numbers(found: Ensemble, units: Mapping[str, str]) -> str:
-    """What was uncertain, and how."""
-    plan, rows = found.plan, []
+def _parameter_table(ensemble: Ensemble, units: Mapping[str, str]) -> Table:
+    plan, rows = ensemble.plan, []
     for address in plan.addresses:
-        own = plan.alone.get(address)
-        kind = own.kind if own else "of the file" if plan.table else "joint normal, of the fit"
-        ends = (f"{in_usual(plan.quantile(address, u), units[address]):.4g}" for u in (0.05, 0.5, 0.95))
-        rows.append([f"<code>{html.escape(address)}</code>", kind, *ends, html.escape(usual(units[address]))])
-    return table(["number", "distribution", "5 %", "median", "95 %", "unit"], rows, numbers=(2, 3, 4))
+        distribution = plan.alone.get(address)
+        kind = distribution.kind if distribution else "file" if plan.table else "joint normal, from the fit"
+        values = (_in_usual_unit(plan.quantile(address, u), units[address]) for u in QUANTILES)
+        rows.append((code(address), kind, *values, usual_unit(units[address])))
+    return Table(("parameter", "distribution", *numeric("5 %", "median", "95 %", digits=".4g"), "unit"), rows)

@@ -1,1 +1,1 @@
-"""Pages on identifications."""
+"""Reports of identifications and of experiment designs."""

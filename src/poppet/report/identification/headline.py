@@ -1,4 +1,4 @@
-"""An identification in short, for page and terminal: what was found, how well, and what to do next."""
+"""Headline, verdicts and next step of an identification, for reports and terminals."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from poppet.identify import Result
 from poppet.identify.result import VERDICTS, behind
 
 SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
-"""What a headline shows of a passage; where nothing of it was sought, the first two numbers of the circuit."""
-MINOR = ("table", "measured", "series", "signals")
-"""First words of codes that say how a recording was read."""
+"""Symbols of the parameters in a headline; without such a parameter it shows the first two of the circuit."""
+READING_CODES = ("table", "measured", "series", "signals")
+"""First words of the codes on reading a recording."""
 NEXT = {
     "interrupted": ("finding.interrupted",),
     "unexplained": ("finding.unexplained",),
@@ -27,11 +27,11 @@ NEXT = {
     "bound": ("finding.number.bound", "flow.at_bound"),
     "longer": ("finding.number.not_determined", "finding.number.weak"),
 }
-"""What to do next by what was said, the most urgent first; nothing where the finding says it itself."""
+"""Next step by the codes of findings, the most urgent first; empty if the finding itself names the step."""
 
 
 def headline(result: Result, *, is_plain: bool = False) -> str:
-    """C and b with their errors, and the verdict of all numbers; `is_plain` keeps to ASCII.
+    """Return C and b with their errors and a summary of the verdicts; `is_plain` restricts the text to ASCII.
 
     Examples
     --------
@@ -39,47 +39,46 @@ def headline(result: Result, *, is_plain: bool = False) -> str:
     >>> good = Estimate(1.1e-8, "m^3/(s Pa)", 1e-11, 1.08e-8, 1.12e-8, "determined")
     >>> poor = Estimate(0.3, "1", 0.2, 0.0, 0.7, "not determined")
     >>> headline(Result("fit", "", {"valve.sonic_conductance": good, "valve.critical_ratio": poor}))
-    'C = 1.1000 ± 0.0010 dm³/(s bar), b = 0.30 ± 0.20 (not determined). Of 2 numbers 1 is determined, 1 is not.'
+    'C = 1.1000 ± 0.0010 dm³/(s bar), b = 0.30 ± 0.20 (not determined). Of 2 parameters, 1 is determined, 1 is not.'
     """
-    names = _shown(result)
-    parts = [name.rpartition(".") for name in names]
-    symbols = [SYMBOLS.get(local, "") for _, _, local in parts]
+    names = _main_names(result)
+    fields = [name.rpartition(".")[2] for name in names]
     texts = []
-    for name, symbol, (owner, _, _) in zip(names, symbols, parts, strict=True):
+    for name, field in zip(names, fields, strict=True):
         e = result.parameters[name]
         unit = readable_unit(e.unit, e.value)
-        label = f"{symbol} of {owner}" if symbols.count(symbol) > 1 else symbol
-        doubt = "" if e.verdict == "determined" else f" ({e.verdict})"
+        symbol = SYMBOLS.get(field, name)
+        label = f"{symbol} of {name.rpartition('.')[0]}" if field in SYMBOLS and fields.count(field) > 1 else symbol
+        verdict = "" if e.verdict == "determined" else f" ({e.verdict})"
         size = value_with_error(e.value, e.standard_error, e.unit, unit)
-        if apart := _apart(result, name):
-            size, doubt = " or ".join(number(scaled(value, e.unit, unit)) for value in apart), ""
-        texts.append(f"{label if symbol else name} = {size}{behind(unit if is_plain else pretty(unit))}{doubt}")
+        if values := _distinct_values(result, name):
+            size, verdict = " or ".join(number(scaled(value, e.unit, unit)) for value in values), ""
+        texts.append(f"{label} = {size}{behind(unit if is_plain else pretty(unit))}{verdict}")
     text = f"{', '.join(texts)}. {verdicts(result)}" if texts else verdicts(result)
     return text.replace("±", "+/-") if is_plain else text
 
 
-def _shown(result: Result) -> list[str]:
+def _main_names(result: Result) -> list[str]:
     if result.method == "characteristic":
-        return []  # its coefficients mean little one by one
+        return []  # single coefficients of a curve have little meaning
     recordings = result.conditions.get("recordings", ())
-    own = [name for name in result.parameters if name.partition(".")[0] not in recordings]
-    flow = [name for name in own if name.rpartition(".")[2] in SYMBOLS]
-    return flow[:4] or own[:2]
+    names = [name for name in result.parameters if name.partition(".")[0] not in recordings]
+    return [name for name in names if name.rpartition(".")[2] in SYMBOLS][:4] or names[:2]
 
 
-def _apart(result: Result, name: str) -> list[float]:
-    """Values of a number at places that fit alike, where these matter; what differs by less than 2 % is one."""
-    found: list[float] = []
+def _distinct_values(result: Result, name: str) -> list[float]:
+    """Return the values at equivalent optima that differ by more than 2 %, unless the parameter is determined."""
+    values: list[float] = []
     if result.parameters[name].verdict != "determined":
         for optimum in result.optima:
             value = float(optimum["values"][name])
-            if all(abs(value - other) > 0.02 * abs(other) for other in found):
-                found.append(value)
-    return found if len(found) > 1 else []
+            if all(abs(value - previous) > 0.02 * abs(previous) for previous in values):
+                values.append(value)
+    return values if len(values) > 1 else []
 
 
 def verdicts(result: Result) -> str:
-    """The verdict of all numbers in one sentence.
+    """Return a sentence on the verdicts of all parameters.
 
     Examples
     --------
@@ -87,44 +86,43 @@ def verdicts(result: Result) -> str:
     >>> good = Estimate(1.0, "s", 0.01, 0.98, 1.02, "determined")
     >>> poor = Estimate(1.0, "s", 9.0, 0.0, 19.0, "not determined")
     >>> verdicts(Result("fit", "test", {"a": good, "b": poor}))
-    'Of 2 numbers 1 is determined, 1 is not.'
+    'Of 2 parameters, 1 is determined, 1 is not.'
     >>> verdicts(Result("fit", "test", {"a": good}))
-    'The one number sought is determined.'
+    'The parameter is determined.'
     """
-    found = [e.verdict for e in result.parameters.values()]
-    total = len(found)
+    names = [e.verdict for e in result.parameters.values()]
+    total = len(names)
     if not total:
-        return "No number was sought."
-    counts = {verdict: found.count(verdict) for verdict in VERDICTS if verdict in found}
-    words = {"weak": "weakly determined", "at bound": "at a bound"}
+        return "There are no free parameters."
+    counts = {verdict: names.count(verdict) for verdict in VERDICTS if verdict in names}
+    phrases = {"weak": "weakly determined", "at bound": "at a bound"}
     if len(counts) == 1:
         (verdict,) = counts
         if verdict == "not determined" and total > 1:
-            return f"None of the {total} numbers is determined."
-        who = "The one number sought is" if total == 1 else f"All {total} numbers are"
-        return f"{who} {words.get(verdict, verdict)}."
-    if list(counts) == ["determined", "not determined"]:  # no word twice
-        words["not determined"] = "not"
-    texts = [f"{n} {'is' if n == 1 else 'are'} {words.get(verdict, verdict)}" for verdict, n in counts.items()]
-    return f"Of {total} numbers {', '.join(texts)}."
+            return f"None of the {total} parameters is determined."
+        subject = "The parameter is" if total == 1 else f"All {total} parameters are"
+        return f"{subject} {phrases.get(verdict, verdict)}."
+    if list(counts) == ["determined", "not determined"]:
+        phrases["not determined"] = "not"
+    texts = [f"{n} {'is' if n == 1 else 'are'} {phrases.get(verdict, verdict)}" for verdict, n in counts.items()]
+    return f"Of {total} parameters, {', '.join(texts)}."
 
 
 def next_step(result: Result) -> str:
-    """What to do next, by the most urgent finding."""
-    for word, codes in NEXT.items():
+    """Return the next step that the most urgent finding suggests."""
+    for key, codes in NEXT.items():
         for remark in result.remarks:
             if any(remark.code == code or remark.code.startswith(f"{code}.") for code in codes):
-                return sentence(f"identification.next.{word}", {}) if word else str(remark)
+                return sentence(f"identification.next.{key}", {}) if key else str(remark)
     if result.method not in ("fit", "tank") or result.conditions.get("validation"):
         return ""
     return sentence("identification.next.held_out", {})
 
 
-def sorted_out(remarks: Iterable[Note]) -> tuple[list[Note], list[Note]]:
-    """What a reader has to know, and what only tells how the recordings were read."""
-    given = list(remarks)
-    is_minor = [remark.code.partition(".")[0] in MINOR for remark in given]
-    major, minor = (
-        [each for each, own in zip(given, is_minor, strict=True) if own is wanted] for wanted in (False, True)
-    )
+def split_notes(notes: Iterable[Note]) -> tuple[list[Note], list[Note]]:
+    """Return the findings, and the notes on reading the recordings."""
+    major: list[Note] = []
+    minor: list[Note] = []
+    for note in notes:
+        (minor if note.code.partition(".")[0] in READING_CODES else major).append(note)
     return major, minor

@@ -1,9 +1,10 @@
-"""Figures of an identification: measurement against model with residuals, intervals, correlations."""
+"""Figures of an identification: measured and modelled channels, residuals, intervals, correlations."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -12,7 +13,6 @@ from poppet.core.number_format import pretty, readable_unit, scaled, with_unit
 from poppet.core.units import convert
 from poppet.identify import Estimate, Result
 from poppet.laws.iso6358 import REFERENCE_DENSITY, REFERENCE_TEMPERATURE, mass_flow_rate
-from poppet.report.identification.series import Trace
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.plotting.figures import ACCENT, FAINT, GREY, INK, PALETTE, axes_in, new_figure, widest
 from poppet.timeseries.plotting.panels import draw_thinned, thinned
@@ -28,11 +28,86 @@ VERDICT_COLOURS = {
 }
 # Sizes in inches.
 _WIDTH, _LEFT, _MAIN, _SIDE, _GAP = 10.0, 0.95, 6.35, 1.85, 0.75
-_TOP, _HIGH, _LOW, _BETWEEN, _FOOT = 0.3, 2.3, 1.35, 0.42, 0.5
+_TOP, _UPPER, _LOWER, _BETWEEN, _FOOT = 0.3, 2.3, 1.35, 0.42, 0.5
 _ROW = 0.46
-_COLUMNS = 300  # groups of samples of which the extremes are drawn
-FEWEST, _MOST_LAGS = 20, 60  # samples below which residuals have no distribution worth a picture; lags shown
+_COLUMNS = 300  # groups of samples; the figure shows the extremes of each
+MIN_SAMPLES, _MAX_LAGS = 20, 60  # minimum samples for the distribution of residuals; lags in the figure
 _MODEL, _POINTS = PALETTE[1], PALETTE[0]
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class Trace:
+    """Measured and modelled values of one channel; arrays that are not available are empty."""
+
+    name: str  # as in the result
+    unit: str  # SI unit of all values
+    x: FloatArray  # abscissas of the measurement, (n,)
+    measured: FloatArray  # (n,)
+    curve_x: FloatArray  # abscissas of the model, (m,)
+    model: FloatArray  # (m,)
+    low: FloatArray  # band of the model, (m,)
+    high: FloatArray
+    samples: FloatArray  # half the width of the band of samples with noise, (m,)
+    x_unit: str  # SI
+    x_name: str  # quantity of the abscissas; `time` for a recording
+    error_low: FloatArray  # intervals of the points, (n,)
+    error_high: FloatArray
+    sigma: float = math.nan  # standard deviation of the noise; NaN if it is not known
+
+    @property
+    def is_timed(self) -> bool:
+        """True for a recording."""
+        return self.x_name == "time"
+
+    @property
+    def quantity(self) -> str:
+        """Quantity of the values, `pressure`."""
+        return self.name.rpartition(".")[2].replace("_", " ")
+
+    @property
+    def residual(self) -> FloatArray:
+        """Model minus measurement at the abscissas of the measurement; empty if one of them is missing."""
+        if not self.model.size or not self.measured.size:
+            return np.zeros(0)
+        if np.array_equal(self.x, self.curve_x):
+            return self.model - self.measured
+        return np.interp(self.x, self.curve_x, self.model, np.nan, np.nan) - self.measured
+
+
+def traces_of(result: Result) -> list[Trace]:
+    """Return the channels of a result that can be drawn."""
+    traces = [_trace(result, name, table) for name, table in result.series.items() if isinstance(table, Mapping)]
+    return [trace for trace in traces if trace.measured.size or trace.model.size]
+
+
+def _trace(result: Result, name: str, table: Mapping[str, Any]) -> Trace:
+    """Read a table of samples, or of a curve `x`, `y` with separate points."""
+
+    def array(key: str, like: FloatArray | None = None) -> FloatArray:
+        """Return a column; it is empty if the column is missing or its size differs from `like`."""
+        values = np.asarray(table.get(key, ()), dtype=float)
+        return values if values.ndim == 1 and (like is None or values.shape == like.shape) else np.zeros(0)
+
+    is_timed, is_curve = "time" in table, "points_x" in table
+    curve_x = array("time" if is_timed else "x")
+    x = array("points_x") if is_curve else curve_x
+    residual = result.residuals.get(name)
+    return Trace(
+        name=name,
+        unit=str(table.get("unit") or (residual.unit if residual else "1")),
+        x=x,
+        measured=array("points_y" if is_curve else "measured", x),
+        curve_x=curve_x,
+        model=array("y" if is_curve else "model", curve_x),
+        low=array("low", curve_x),
+        high=array("high", curve_x),
+        samples=array("samples_high", curve_x) - array("model", curve_x) if "samples_high" in table else np.zeros(0),
+        x_unit="s" if is_timed else str(table.get("x_unit", "1")),
+        x_name="time" if is_timed else str(table.get("x_name", "x")),
+        error_low=array("points_low", x),
+        error_high=array("points_high", x),
+        sigma=float(result.conditions.get("noise", {}).get(name, math.nan)),
+    )
 
 
 def channel_figure(
@@ -41,32 +116,36 @@ def channel_figure(
     critical_ratio: Estimate | None = None,
     outliers: Sequence[float] = (),
 ) -> Figure:
-    """Measured points against the model, and the residuals below; rings around the points at `outliers` of x."""
-    has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= FEWEST
-    figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT + has_residuals * (_BETWEEN + _LOW))
+    """Draw measurement, model and residuals of a channel; rings mark the points at `outliers`."""
+    has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= MIN_SAMPLES
+    figure = new_figure(_WIDTH, _TOP + _UPPER + _FOOT + has_residuals * (_BETWEEN + _LOWER))
     figure.set_label(trace.name)
     width = _MAIN if has_side else _MAIN + _GAP + _SIDE
-    upper = axes_in(figure, _LEFT, _TOP, width, _HIGH)
-    _upper(upper, trace, curve)
+    upper = axes_in(figure, _LEFT, _TOP, width, _UPPER)
+    _draw_channel(upper, trace, curve)
     if critical_ratio is not None:
-        _critical(upper, critical_ratio)
-    places = [int(np.argmin(np.abs(trace.x - each))) for each in outliers]
-    _rings(upper, trace, trace.measured, _y_unit(trace), places)
-    _key(upper)
-    if not has_residuals:
-        upper.set_xlabel(_x_label(trace), parse_math=False)
-        return figure
-    top = _TOP + _HIGH + _BETWEEN
-    lower = axes_in(figure, _LEFT, top, width, _LOW, sharex=upper)
-    _residuals(lower, trace)
-    _rings(lower, trace, trace.residual, residual_unit(trace), places)
-    lower.set_xlabel(_x_label(trace), parse_math=False)
-    if not has_side:
-        return figure
-    left = _LEFT + _MAIN + _GAP
-    _histogram(axes_in(figure, left, top, _SIDE, _LOW, sharey=lower), trace)
-    if trace.is_timed:
-        _autocorrelation(axes_in(figure, left, _TOP, _SIDE, _HIGH), trace.residual)
+        colour = VERDICT_COLOURS[critical_ratio.verdict]
+        upper.axvspan(
+            max(critical_ratio.low, 0.0), min(critical_ratio.high, 1.0), color=colour, alpha=0.13, linewidth=0
+        )
+        if math.isfinite(critical_ratio.value):
+            line = {"color": colour, "linewidth": 1.2, "linestyle": (0, (4, 2))}
+            upper.axvline(critical_ratio.value, label="critical ratio", **line)
+    indices = [int(np.argmin(np.abs(trace.x - x))) for x in outliers]
+    _draw_rings(upper, trace, trace.measured, _y_unit(trace), indices)
+    legend_above(upper, 4, markerscale=1.5)
+    lower = upper
+    if has_residuals:
+        top = _TOP + _UPPER + _BETWEEN
+        lower = axes_in(figure, _LEFT, top, width, _LOWER, sharex=upper)
+        _draw_residuals(lower, trace)
+        _draw_rings(lower, trace, trace.residual, residual_unit(trace), indices)
+    lower.set_xlabel(_label(trace.x_name, _x_unit(trace)), parse_math=False)
+    if has_side:
+        left = _LEFT + _MAIN + _GAP
+        _draw_histogram(axes_in(figure, left, top, _SIDE, _LOWER, sharey=lower), trace)
+        if trace.is_timed:
+            _draw_autocorrelation(axes_in(figure, left, _TOP, _SIDE, _UPPER), trace.residual)
     return figure
 
 
@@ -79,10 +158,6 @@ def _x_unit(trace: Trace) -> str:
     return _readable(trace.x_unit, trace.x, trace.curve_x)
 
 
-def _x_label(trace: Trace) -> str:
-    return _label(trace.x_name, _x_unit(trace))
-
-
 def _label(quantity: str, unit: str) -> str:
     return f"{quantity} [{pretty(unit)}]" if unit not in ("1", "") else f"{quantity} [1]"
 
@@ -91,11 +166,11 @@ def _y_unit(trace: Trace) -> str:
     return "degC" if trace.unit == "K" else _readable(trace.unit, trace.measured, trace.model)
 
 
-def _drawn(x: FloatArray, y: FloatArray) -> Any:
+def _visible_rows(x: FloatArray, y: FloatArray) -> Any:
     return thinned(x, y, _COLUMNS) if np.all(np.diff(x) > 0.0) else np.arange(x.size)
 
 
-def _upper(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] | None) -> None:
+def _draw_channel(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] | None) -> None:
     unit, x_unit = _y_unit(trace), _x_unit(trace)
 
     def x(values: FloatArray) -> FloatArray:
@@ -105,73 +180,66 @@ def _upper(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] | None)
         return convert(values, trace.unit, unit)
 
     if trace.low.size:
-        kept = _drawn(trace.curve_x, trace.high)
+        rows = _visible_rows(trace.curve_x, trace.high)
         if trace.samples.size:
-            ends = (y(trace.model[kept] + sign * trace.samples[kept]) for sign in (-1.0, 1.0))
-            place = x(trace.curve_x[kept]), *ends
-            axes.fill_between(*place, color=GREY, alpha=0.25, linewidth=0, label="95 % of samples")
+            ends = (y(trace.model[rows] + sign * trace.samples[rows]) for sign in (-1.0, 1.0))
+            x_and_edges = x(trace.curve_x[rows]), *ends
+            axes.fill_between(*x_and_edges, color=GREY, alpha=0.25, linewidth=0, label="95 % of samples")
         label = "95 % of the model" if trace.samples.size else "95 % band"
-        place = x(trace.curve_x[kept]), y(trace.low[kept]), y(trace.high[kept])
-        axes.fill_between(*place, color=_MODEL, alpha=0.16, linewidth=0, label=label)
+        x_and_edges = x(trace.curve_x[rows]), y(trace.low[rows]), y(trace.high[rows])
+        axes.fill_between(*x_and_edges, color=_MODEL, alpha=0.16, linewidth=0, label=label)
     if trace.measured.size:
-        kept = _drawn(trace.x, trace.measured)
+        rows = _visible_rows(trace.x, trace.measured)
         size = 3.0 if trace.x.size > 150 else 4.5
-        look = {"marker": "o", "linestyle": "none", "markersize": size, "markeredgewidth": 0}
-        draw_thinned(axes, x(trace.x), y(trace.measured), kept, color=_POINTS, alpha=0.75, label="measured", **look)
+        marker = {"marker": "o", "linestyle": "none", "markersize": size, "markeredgewidth": 0}
+        draw_thinned(axes, x(trace.x), y(trace.measured), rows, color=_POINTS, alpha=0.75, label="measured", **marker)
     if trace.error_low.size and trace.error_low.shape == trace.error_high.shape:
         axes.vlines(x(trace.x), y(trace.error_low), y(trace.error_high), color=_POINTS, linewidth=1.0)
-    along, model = curve or (trace.curve_x, trace.model)
+    curve_x, model = curve or (trace.curve_x, trace.model)
     if model.size:
-        kept = _drawn(along, model) if trace.is_timed else np.argsort(along, kind="stable")
-        draw_thinned(axes, x(along), y(model), kept, color=_MODEL, linewidth=1.1, label="model")
+        rows = _visible_rows(curve_x, model) if trace.is_timed else np.argsort(curve_x, kind="stable")
+        draw_thinned(axes, x(curve_x), y(model), rows, color=_MODEL, linewidth=1.1, label="model")
     axes.set_ylabel(_label(trace.quantity, unit), parse_math=False)
     axes.tick_params(labelbottom=not trace.residual.size)
 
 
-def _critical(axes: Any, b: Estimate) -> None:
-    """Choked to the left of it."""
-    axes.axvspan(max(b.low, 0.0), min(b.high, 1.0), color=VERDICT_COLOURS[b.verdict], alpha=0.13, linewidth=0)
-    if math.isfinite(b.value):
-        look = {"color": VERDICT_COLOURS[b.verdict], "linewidth": 1.2, "linestyle": (0, (4, 2))}
-        axes.axvline(b.value, label="critical ratio", **look)
-
-
-def _rings(axes: Any, trace: Trace, values: FloatArray, unit: str, places: Sequence[int]) -> None:
-    """Points that do not belong to the others."""
-    if places:
-        x, y = convert(trace.x[places], trace.x_unit, _x_unit(trace)), convert(values[places], trace.unit, unit)
+def _draw_rings(axes: Any, trace: Trace, values: FloatArray, unit: str, indices: Sequence[int]) -> None:
+    """Mark outliers with rings."""
+    if indices:
+        x, y = convert(trace.x[indices], trace.x_unit, _x_unit(trace)), convert(values[indices], trace.unit, unit)
         axes.plot(x, y, "o", markersize=11, markerfacecolor="none", color=ACCENT, label="off the law")
 
 
-def _key(axes: Any) -> None:
-    place = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
-    axes.legend(**place, ncols=4, borderpad=0.2, borderaxespad=0.1, markerscale=1.5)
+def legend_above(axes: Any, columns: int, **options: Any) -> None:
+    """Draw a legend above the axes."""
+    anchor = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
+    axes.legend(**anchor, ncols=columns, borderpad=0.2, borderaxespad=0.1, **options)
 
 
-def _residuals(axes: Any, trace: Trace) -> None:
+def _draw_residuals(axes: Any, trace: Trace) -> None:
     unit = residual_unit(trace)
     if trace.samples.size:
-        kept = _drawn(trace.curve_x, trace.samples)
-        place, looks = convert(trace.curve_x[kept], trace.x_unit, _x_unit(trace)), ((FAINT, 0.6), (_MODEL, 0.35))
-        for half, (colour, alpha) in zip((trace.samples, trace.high - trace.model), looks, strict=True):
-            end = convert(half[kept], trace.unit, unit)
-            axes.fill_between(place, -end, end, color=colour, alpha=alpha, linewidth=0)
+        rows = _visible_rows(trace.curve_x, trace.samples)
+        x, styles = convert(trace.curve_x[rows], trace.x_unit, _x_unit(trace)), ((FAINT, 0.6), (_MODEL, 0.35))
+        for half, (colour, alpha) in zip((trace.samples, trace.high - trace.model), styles, strict=True):
+            end = convert(half[rows], trace.unit, unit)
+            axes.fill_between(x, -end, end, color=colour, alpha=alpha, linewidth=0)
     else:
-        two_sigmas = 2.0 * scaled(spread(trace)[0], trace.unit, unit)
+        two_sigmas = 2.0 * scaled(residual_deviation(trace)[0], trace.unit, unit)
         axes.axhspan(-two_sigmas, two_sigmas, color=FAINT, alpha=0.6, linewidth=0)
     axes.axhline(0.0, color=GREY, linewidth=0.8)
-    kept = _drawn(trace.x, trace.residual)
+    rows = _visible_rows(trace.x, trace.residual)
     size = 2.2 if trace.x.size > 150 else 4.0
     draw_thinned(
-        axes, convert(trace.x, trace.x_unit, _x_unit(trace)), convert(trace.residual, trace.unit, unit), kept,
+        axes, convert(trace.x, trace.x_unit, _x_unit(trace)), convert(trace.residual, trace.unit, unit), rows,
         marker="o", linestyle="none", color=INK, markersize=size, alpha=0.6, markeredgewidth=0, label="residual",
     )  # fmt: skip
     axes.set_ylabel(f"model - measured\n[{pretty(unit)}]", parse_math=False)
     axes.margins(y=0.12)
 
 
-def spread(trace: Trace) -> tuple[float, str]:
-    """Standard deviation of the band around zero, and where it is from."""
+def residual_deviation(trace: Trace) -> tuple[float, str]:
+    """Return the standard deviation of the residuals, and its source: `noise` or `rms`."""
     if math.isfinite(trace.sigma) and trace.sigma > 0.0:
         return trace.sigma, "noise"
     finite = trace.residual[np.isfinite(trace.residual)]
@@ -179,11 +247,11 @@ def spread(trace: Trace) -> tuple[float, str]:
 
 
 def residual_unit(trace: Trace) -> str:
-    """Unit in which the residuals of a channel are easy to read."""
+    """Return a readable unit for the residuals of a channel."""
     return _readable(trace.unit, trace.residual)
 
 
-def _histogram(axes: Any, trace: Trace) -> None:
+def _draw_histogram(axes: Any, trace: Trace) -> None:
     unit = residual_unit(trace)
     values = convert(trace.residual[np.isfinite(trace.residual)], trace.unit, unit)
     if not values.size:
@@ -192,7 +260,7 @@ def _histogram(axes: Any, trace: Trace) -> None:
     bins = int(np.clip(round(2.0 * values.size ** (1.0 / 3.0)), 5, 40))
     ends = axes.get_ylim()
     counts, edges, _ = axes.hist(values, bins=bins, range=ends, orientation="horizontal", color="#9aa3ad", linewidth=0)
-    sigma = scaled(spread(trace)[0], trace.unit, unit)
+    sigma = scaled(residual_deviation(trace)[0], trace.unit, unit)
     if sigma > 0.0:
         level = np.linspace(ends[0], ends[1], 200)
         size = values.size * (edges[1] - edges[0]) / (sigma * math.sqrt(2.0 * math.pi))
@@ -204,14 +272,14 @@ def _histogram(axes: Any, trace: Trace) -> None:
     axes.locator_params(axis="x", nbins=4, integer=True)
 
 
-def _autocorrelation(axes: Any, residual: FloatArray) -> None:
+def _draw_autocorrelation(axes: Any, residual: FloatArray) -> None:
     residual = residual[np.isfinite(residual)]
     centred = residual - np.mean(residual) if residual.size > 3 else np.zeros(1)
     power = float(centred @ centred)
     if not power > 0.0:
         axes.set_axis_off()
         return
-    lags = np.arange(1, min(residual.size // 3, _MOST_LAGS) + 1)
+    lags = np.arange(1, min(residual.size // 3, _MAX_LAGS) + 1)
     rho = np.array([float(centred[k:] @ centred[:-k]) / power for k in lags])
     limit = 1.96 / math.sqrt(residual.size)
     axes.axhspan(-limit, limit, color=FAINT, alpha=0.6, linewidth=0)
@@ -224,16 +292,16 @@ def _autocorrelation(axes: Any, residual: FloatArray) -> None:
 
 
 def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
-    """A bar for the 95 % interval of each parameter, on an axis of its own that begins at zero."""
+    """Draw the 95 % interval of each parameter; every axis begins at zero."""
     left = 0.35 + widest(list(parameters), 8.5)
     figure = new_figure(_WIDTH, _ROW * len(parameters) + 0.35)
     for row, (name, estimate) in enumerate(parameters.items()):
         axes = axes_in(figure, left, 0.1 + _ROW * row, _WIDTH - left - 1.35, 0.2)
-        _interval(axes, name, estimate)
+        _draw_interval(axes, name, estimate)
     return figure
 
 
-def _interval(axes: Any, name: str, e: Estimate) -> None:
+def _draw_interval(axes: Any, name: str, e: Estimate) -> None:
     low_end, high_end = interval_range(e)
     unit = readable_unit(e.unit, low_end, high_end)
 
@@ -245,9 +313,9 @@ def _interval(axes: Any, name: str, e: Estimate) -> None:
     axes.set_ylim(-1.0, 1.0)
     if not (math.isnan(e.low) or math.isnan(e.high)):
         axes.barh(0.0, at(e.high) - at(e.low), left=at(e.low), height=1.1, color=colour, alpha=0.3, linewidth=0)
-        for end, place, mark in ((e.low, at(low_end), "<"), (e.high, at(high_end), ">")):
+        for end, edge, mark in ((e.low, at(low_end), "<"), (e.high, at(high_end), ">")):
             if not low_end <= end <= high_end:
-                axes.plot(place, 0.0, mark, color=colour, markersize=7, clip_on=False, markeredgewidth=0)
+                axes.plot(edge, 0.0, mark, color=colour, markersize=7, clip_on=False, markeredgewidth=0)
     if low_end <= e.start <= high_end:
         axes.plot(at(e.start), 0.0, "o", color="white", markeredgecolor=GREY, markersize=5, clip_on=False)
     if math.isfinite(e.value):
@@ -263,7 +331,7 @@ def _interval(axes: Any, name: str, e: Estimate) -> None:
 
 
 def interval_range(e: Estimate) -> tuple[float, float]:
-    """Ends of the axis on which an interval is drawn: zero, and what is finite and not far out.
+    """Return the limits of the axis of an interval; they include zero and all values that are not far away.
 
     Examples
     --------
@@ -271,21 +339,21 @@ def interval_range(e: Estimate) -> tuple[float, float]:
     (0.0, 2.4200000000000004)
     """
     size = next((abs(v) for v in (e.value, e.start, e.high, e.low) if math.isfinite(v) and v != 0.0), 1.0)
-    shown = [v for v in (e.value, e.low, e.high, e.start) if math.isfinite(v) and abs(v) <= 4.0 * size]
-    low, high = min([0.0, *shown]), max([0.0, *shown])
+    values = [v for v in (e.value, e.low, e.high, e.start) if math.isfinite(v) and abs(v) <= 4.0 * size]
+    low, high = min([0.0, *values]), max([0.0, *values])
     if e.unit == "1" and low >= 0.0 and high <= 1.0:
         return 0.0, 1.0
     return 1.1 * low, 1.1 * high if high > low else size
 
 
 def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure:
-    """Correlations of the estimates as a coloured table."""
+    """Draw the correlation matrix of the estimates."""
     names = list(correlation)
     matrix = np.array([[1.0 if a == b else correlation[a].get(b, math.nan) for b in names] for a in names])
     side, left = 0.62 * len(names), 0.35 + widest(names, 8.5)
     figure = new_figure(max(left + side + 0.1, 6.0), side + 0.4)
     axes = axes_in(figure, left, 0.1, side, side)
-    np.fill_diagonal(matrix, 0.0)  # of a number with itself it is one and says nothing: left white
+    np.fill_diagonal(matrix, 0.0)  # the diagonal has no information and stays white
     axes.pcolormesh(matrix, cmap="RdBu_r", vmin=-1.3, vmax=1.3, edgecolors="white", linewidth=1.5)
     axes.invert_yaxis()
     for (i, j), value in np.ndenumerate(matrix):
@@ -293,8 +361,8 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
             weight = "bold" if abs(value) > 0.9 else "normal"
             text = "-" if math.isnan(value) else f"{value:+.2f}"
             colour = "white" if abs(value) > 0.7 else INK
-            place = {"ha": "center", "va": "center", "color": colour}
-            axes.text(j + 0.5, i + 0.5, text, fontsize=8.5, fontweight=weight, **place)
+            font = {"ha": "center", "va": "center", "color": colour}
+            axes.text(j + 0.5, i + 0.5, text, fontsize=8.5, fontweight=weight, **font)
     axes.set_xticks(np.arange(len(names)) + 0.5, [str(k + 1) for k in range(len(names))])
     axes.set_yticks(np.arange(len(names)) + 0.5, [f"{name}  {k + 1}" for k, name in enumerate(names)])
     for label in axes.get_yticklabels():
@@ -307,7 +375,10 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
 
 
 def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | None:
-    """Effective conductance over p2/p1 of the passage that was found, at the usual inlet pressure of the test."""
+    """Return p2/p1 and the effective conductance of the fitted flow path at the mean inlet pressure.
+
+    The result is None if a parameter of the flow law is not known.
+    """
     numbers = dict(result.conditions.get("fixed", {}))
     numbers |= {name.rpartition(".")[2]: e.value for name, e in result.parameters.items()}
     law = ("sonic_conductance", "critical_ratio", "subsonic_index", "cracking_pressure")
@@ -317,6 +388,6 @@ def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | 
         return None
     pressure = float(np.mean(result.conditions.get("pressure_1", 7e5)))
     ratio = np.linspace(0.0, 1.0, 401)[:-1]
-    given: dict[str, Any] = {name: float(numbers[name]) for name in law}
-    flow = mass_flow_rate(pressure, ratio * pressure, REFERENCE_TEMPERATURE, **given)
+    parameters: dict[str, Any] = {name: float(numbers[name]) for name in law}
+    flow = mass_flow_rate(pressure, ratio * pressure, REFERENCE_TEMPERATURE, **parameters)
     return ratio, flow / (REFERENCE_DENSITY * pressure)

@@ -1,4 +1,4 @@
-"""Tables of an identification's page: parameters, residuals, comparison, conditions, uncertainty."""
+"""Tables of an identification report: parameters, residuals, comparison, conditions, searches."""
 
 from __future__ import annotations
 
@@ -19,57 +19,55 @@ from poppet.core.number_format import (
 )
 from poppet.core.provenance import Number
 from poppet.identify import Estimate, Result
-from poppet.identify.friction.coordinate import COORDINATES, TURNING
-from poppet.report.html_page import table
+from poppet.identify.friction.coordinate import TURNING
+from poppet.report.tables import Column, Markup, Table, code, numeric, with_detail
 
 _LABELS = {
-    "validation": "Held out of the fit",
+    "validation": "Recordings for validation",
     "starts": "Starts of the search",
     "evaluations": "Evaluations of the model",
-    "noise": "Noise, one sigma",
-    "fixed": "Fixed numbers",
-    "kicks": "Rounds of new places, at most",
+    "noise": "Noise, standard deviation",
+    "fixed": "Fixed parameters",
+    "kicks": "Maximum rounds of restarts",
     "pressure_ratio": "Pressure ratio p2/p1",
     "pressure_1": "Upstream pressure",
     "temperature_1": "Upstream temperature",
-    "way": "Way of the fit",
+    "way": "Fit method",
     "taut": "Taut points",
-    "groups": "Groups, each held out once",
+    "groups": "Groups of the cross-validation",
     "speed": "Speeds",
     "smoothing": "Windows of the velocities",
-    "velocity_noise": "Noise of the velocities, one sigma",
-    "bending_distance": "Way behind a reversal that is no steady sliding",
+    "velocity_noise": "Noise of the velocities, standard deviation",
+    "bending_distance": "Distance after a reversal without steady sliding",
     "tested": "Strokes tested",
-    "argument_unit": "Unit of the polynomials' argument",
+    "argument_unit": "Unit of the argument of the polynomials",
     "common_uncertainty": "Uncertainty common to all tests, of C (relative) and b",
     "standard_uncertainties": "Stated standard uncertainties",
 }
-"""Conditions whose label is not the words of their key."""
+"""Labels of conditions that differ from the words of the key."""
 _UNITS = {
     **dict.fromkeys(("sonic_conductance", "conductance"), "m^3/(s Pa)"),
-    **dict.fromkeys(("pressure", "pressure_1", "pressure_2"), "Pa"),
+    **dict.fromkeys(("pressure", "pressure_1", "pressure_2", "gauge_pressure", "pressure_difference"), "Pa"),
     **dict.fromkeys(("temperature", "temperature_1"), "K"),
-    **dict.fromkeys(("domain", "tested", "knots"), "m"),
+    **dict.fromkeys(("domain", "tested", "knots", "bending_distance", "nominal_length", "nominal_diameter"), "m"),
     **dict.fromkeys(("lag", "delay", "duration", "smoothing"), "s"),
-    "mass_flow_rate": "kg/s",
-    **dict.fromkeys(("gauge_pressure", "pressure_difference"), "Pa"),
     **dict.fromkeys(("speed", "velocity_noise"), "m/s"),
+    "mass_flow_rate": "kg/s",
     "bandwidth": "Hz",
     "mass": "kg",
     "inertia": "kg m^2",
-    "bending_distance": "m",
     "force": "N",
-    **dict.fromkeys(("nominal_length", "nominal_diameter"), "m"),
     "volume": "m^3",
     "wall_conductance": "W/K",
-    **dict.fromkeys(("relative", "calibration"), "1"),
+    "relative": "1",
+    "calibration": "1",
 }
-"""SI unit of a number without one, by the last known word of its address."""
+"""SI unit of a condition by the last known word of its address."""
 _STATISTICS = {
     "chi_square": "Chi-square",
     "degrees_of_freedom": "Degrees of freedom",
-    "chi_square_probability": "Probability of a chi-square as large",
-    "runs_probability": "Runs test: probability of as few runs",
+    "chi_square_probability": "Probability of a larger chi-square",
+    "runs_probability": "Runs test: probability of fewer runs",
     "scatter_factor": "Factor on the stated scatter",
     "aicc": "AICc",
 }
@@ -81,22 +79,36 @@ _MONOTONE = {
     "aicc_polynomial": "AICc with polynomials",
 }
 _RANGES = (
-    *("pressure_ratio", "pressure_1", "temperature_1", "domain", "tested"),
-    *("gauge_pressure", "contraction", "force"),
+    *("pressure_ratio", "pressure_1", "temperature_1", "domain", "tested", "gauge_pressure", "contraction", "force"),
     *("speed", "pressure_difference", "smoothing", "bandwidth", "velocity_noise"),
 )
-_SEPARATE = ("sources", "tests", "searches")
-_TOLD = ("sonic_conductance", "effective_area", "critical_ratio", "wall_conductance")
-"""Numbers of a circuit that tables of searches and of answers show, as far as they are free."""
+_OTHER_SECTIONS = ("sources", "tests", "searches")
+"""Conditions that other sections of the report show."""
+_MAIN_PARAMETERS = ("sonic_conductance", "effective_area", "critical_ratio", "wall_conductance")
+"""Last words of the parameters that tables of searches and optima show."""
 
 
-def verdict_word(verdict: str) -> str:
-    """A verdict as a coloured word."""
-    return f'<span class="verdict {verdict.replace(" ", "-")}">{html.escape(verdict)}</span>'
+def value_text(value: float, si_unit: str) -> str:
+    """Return a value in a readable unit."""
+    if not math.isfinite(value):
+        return number(value)
+    unit = readable_unit(si_unit, value)
+    return with_unit(number(scaled(value, si_unit, unit)), unit)
+
+
+def error_text(value: float, error: float, si_unit: str) -> str:
+    """Return a value and its standard error in a readable unit."""
+    unit = readable_unit(si_unit, value)
+    return with_unit(value_with_error(value, error, si_unit, unit), unit)
+
+
+def verdict_word(verdict: str) -> Markup:
+    """Return a verdict as a coloured word."""
+    return Markup(f'<span class="verdict {verdict.replace(" ", "-")}">{html.escape(verdict)}</span>')
 
 
 def estimate_text(e: Estimate) -> str:
-    """Value and standard error in the unit that fits the value."""
+    """Return value and standard error in the unit that suits the value."""
     unit = _unit_of(e)
     text = value_with_error(e.value, e.standard_error, e.unit, unit)
     return with_unit(text, unit) if math.isfinite(e.value) else text
@@ -108,351 +120,200 @@ def _unit_of(e: Estimate) -> str:
     return readable_unit(e.unit, e.value) if e.value else readable_unit(e.unit, e.start, e.high)
 
 
-def parameter_table(parameters: Mapping[str, Estimate]) -> str:
-    """Every parameter with its value, interval and verdict."""
-    headings = ["number", "verdict", "value ± error", "95 % interval", "unit", "relative", "start"]
+def parameter_table(parameters: Mapping[str, Estimate]) -> Table:
+    """Return every parameter with its value, confidence interval and verdict."""
+    estimate, start = numeric("value ± error", "95 % interval"), numeric("relative", "start")
+    columns: list[Column | str] = ["parameter", "verdict", *estimate, "unit", *start]
     rows = [_parameter_row(name, e) for name, e in parameters.items()]
-    if not any(math.isfinite(e.start) for e in parameters.values()):
-        headings, rows = headings[:-1], [row[:-1] for row in rows]
-    return table(headings, rows, numbers=(2, 3, 5, 6))
+    has_starts = any(math.isfinite(e.start) for e in parameters.values())
+    return Table(columns, rows) if has_starts else Table(columns[:-1], [row[:-1] for row in rows])
 
 
 def _parameter_row(name: str, e: Estimate) -> list[str]:
     unit = _unit_of(e)
-    half = 0.5 * (e.high - e.low)
-    relative = half / abs(e.value) if e.value else math.nan
-    value = html.escape(value_with_error(e.value, e.standard_error, e.unit, unit))
-    if unit != e.unit and math.isfinite(e.value):
-        value += f'<br><span class="lead">{html.escape(with_unit(f"{e.value:.6g}", e.unit))}</span>'
-    cells = [
+    relative = 100.0 * 0.5 * (e.high - e.low) / abs(e.value) if e.value else math.nan
+    si_value = with_unit(f"{e.value:.6g}", e.unit) if unit != e.unit and math.isfinite(e.value) else ""
+    return [
+        code(name),
+        verdict_word(e.verdict),
+        with_detail(value_with_error(e.value, e.standard_error, e.unit, unit), si_value),
         interval(e.low, e.high, e.unit, unit),
         "-" if unit in ("1", "") else pretty(unit).replace(" ", "\N{NO-BREAK SPACE}"),
-        f"± {_percent(relative)}" if relative < 10.0 else "-",
+        f"± {relative:{'.0f' if relative >= 10.0 else '.2g'}} %" if relative < 1000.0 else "-",
         number(scaled(e.start, e.unit, unit)) if math.isfinite(e.start) else "-",
     ]
-    return [f"<code>{html.escape(name)}</code>", verdict_word(e.verdict), value, *(html.escape(cell) for cell in cells)]
 
 
-def _percent(fraction: float) -> str:
-    return f"{100.0 * fraction:.0f} %" if fraction >= 0.1 else f"{100.0 * fraction:.2g} %"
-
-
-def residual_table(result: Result) -> str:
-    """Model minus measurement of every channel."""
-    noise = result.conditions.get("noise", {})
-    held = result.conditions.get("validation", [])
+def residual_table(result: Result) -> Table:
+    """Return the statistics of model minus measurement for every channel."""
+    noise, validation = (result.conditions.get(key, default) for key, default in (("noise", {}), ("validation", [])))
     rows = []
     for name, r in result.residuals.items():
-        unit = readable_unit(r.unit, r.rms)
         sigma = float(noise.get(name, math.nan))
-        role = "held out" if name.partition(".")[0] in held else "fitted"
-        texts = [
-            _size(r.rms, r.unit, unit, r.rms),
-            f"{100.0 * r.nrmse:.3g} %" if math.isfinite(r.nrmse) else number(r.nrmse),
-            _size(r.bias, r.unit, unit, r.rms),
-            _size(sigma, r.unit, unit, r.rms) if math.isfinite(sigma) else "-",
-            str(r.samples),
-        ]
-        rows.append([f"<code>{html.escape(name)}</code>", role, *(html.escape(text) for text in texts)])
-    return table(["channel", "", "rms", "NRMSE", "bias", "noise, one sigma", "samples"], rows, numbers=(2, 3, 4, 5, 6))
+        rms, bias = (_residual_text(value, r.unit, r.rms) for value in (r.rms, r.bias))
+        noise_text = _residual_text(sigma, r.unit, r.rms) if math.isfinite(sigma) else "-"
+        role = "validation" if name.partition(".")[0] in validation else "fitted"
+        nrmse = f"{100.0 * r.nrmse:.3g} %" if math.isfinite(r.nrmse) else number(r.nrmse)
+        rows.append((code(name), role, rms, nrmse, bias, noise_text, str(r.samples)))
+    return Table(("channel", "", *numeric("rms", "NRMSE", "bias", "noise, one sigma", "samples")), rows)
 
 
-def _size(value: float, unit: str, shown_in: str, rms: float) -> str:
-    """A value with the decimals that show three digits of the rms."""
-    places = decimals(scaled(rms, unit, shown_in))
-    text = number(scaled(value, unit, shown_in), None if places is None else places + 1)
-    return with_unit(text, shown_in) if math.isfinite(value) else text
+def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> str:
+    """Return a value with the decimals that show three digits of the rms."""
+    unit = unit or readable_unit(si_unit, rms)
+    places = decimals(scaled(rms, si_unit, unit))
+    text = number(scaled(value, si_unit, unit), None if places is None else places + 1)
+    return with_unit(text, unit) if math.isfinite(value) else text
 
 
-def comparison_table(result: Result) -> str:
-    """This model beside the other, where there is one."""
+def comparison_table(result: Result) -> Table:
+    """Return AICc and residuals of this model and the model it is compared with."""
     c = result.comparison
-    other = c.get("other_rms", {})
-    names = list(result.residuals)
-    headings = ["model", "AICc", "free numbers", *(f"rms of {name}" for name in names)]
-    first = [result.title, f"{c['aicc']:.1f}", str(c.get("free_numbers", "-"))]
-    second = [str(c["other"]), f"{c['other_aicc']:.1f}", str(c.get("other_free_numbers", "-"))]
-    for name in names:
-        r = result.residuals[name]
-        unit = readable_unit(r.unit, r.rms, float(other.get(name, math.nan)))
-        for cells, rms in ((first, r.rms), (second, float(other.get(name, math.nan)))):
-            cells.append(_size(rms, r.unit, unit, r.rms))
-    rows = [[html.escape(cell) for cell in cells] for cells in (first, second)]
-    return table(headings, rows, numbers=range(1, len(headings)))
+    rows = [
+        [result.title, f"{c['aicc']:.1f}", str(c.get("free_numbers", "-"))],
+        [str(c["other"]), f"{c['other_aicc']:.1f}", str(c.get("other_free_numbers", "-"))],
+    ]
+    for name, r in result.residuals.items():
+        sizes = r.rms, float(c.get("other_rms", {}).get(name, math.nan))
+        unit = readable_unit(r.unit, *sizes)
+        for row, rms in zip(rows, sizes, strict=True):
+            row.append(_residual_text(rms, r.unit, r.rms, unit))
+    headings = "AICc", "free parameters", *(f"rms of {name}" for name in result.residuals)
+    return Table(("model", *numeric(*headings)), rows)
 
 
-def standard_table(result: Result) -> str:
-    """What the formulas of ISO 6358-1 give, beside the direct fit."""
-    formulas = result.comparison["standard_formulas"]
-    rows = []
-    for name in ("sonic_conductance", "critical_ratio", "subsonic_index", "cracking_pressure"):
-        if name not in formulas:
-            continue
-        value, error = float(formulas[name]), float(formulas.get(f"u_{name}", math.nan))
-        si = "Pa" if name == "cracking_pressure" else _UNITS.get(name, "1")
-        fit = next((e for key, e in result.parameters.items() if key.rpartition(".")[2] == name), None)
-        fixed = number(float(result.conditions.get("fixed", {}).get(name, math.nan)))
-        unit = readable_unit(si, value)
-        text = with_unit(value_with_error(value, error, si, unit), unit) if error > 0.0 else number(value)
-        direct = estimate_text(fit) if fit else f"{fixed}, fixed"
-        rows.append([f"<code>{name}</code>", html.escape(text), html.escape(direct)])
-    note = "<p>The errors are standard uncertainties.</p>\n"
-    return table(["number", "formulas of the standard", "direct fit"], rows) + note
-
-
-def budget_table(result: Result) -> str:
-    """Where the standard errors come from."""
-    rows = []
-    for name, budget in result.comparison["uncertainty"].items():
-        si = result.parameters[name].unit if name in result.parameters else "1"
-        total = math.hypot(*budget["sources"].values())
-        for source, size in sorted(budget["sources"].items(), key=lambda pair: -pair[1]):
-            unit = readable_unit(si, total)
-            share = f"{100.0 * (size / total) ** 2:.0f} %" if 0.0 < total < math.inf else "-"
-            text = with_unit(f"{scaled(size, si, unit):.2g}", unit) if math.isfinite(size) else number(size)
-            rows.append([f"<code>{html.escape(name)}</code>", *map(html.escape, (source, text, share))])
-    return table(["number", "source", "standard uncertainty", "share of the variance"], rows, numbers=(2, 3))
-
-
-def condition_table(result: Result) -> str:
-    """What held during test and fit."""
-    rows = []
-    for key, value in result.conditions.items():
-        is_empty = value is None or (isinstance(value, (str, list, tuple, Mapping)) and not value)
-        if key in _SEPARATE or is_empty:
-            continue
-        label = _LABELS.get(key, key.replace("_", " ").capitalize())
-        rows.append([html.escape(label), _condition(result, key, value)])
-    return table((), rows) if rows else ""
+def condition_table(result: Result) -> Table:
+    """Return the conditions of the tests and settings of the fit."""
+    rows = [
+        (_LABELS.get(key, key.replace("_", " ").capitalize()), _condition(result, key, value))
+        for key, value in result.conditions.items()
+        if key not in _OTHER_SECTIONS and value is not None
+        if not isinstance(value, str | list | tuple | Mapping) or value
+    ]
+    return Table(("", ""), rows)
 
 
 def _condition(result: Result, name: str, value: Any) -> str:
     if isinstance(value, Mapping):
         if "value" in value and not isinstance(value["value"], Mapping):
             notes = [str(v) for k, v in value.items() if k not in ("value", "unit") and v]
-            text = _plain(value["value"], str(value.get("unit", "1")))
-            return html.escape(", ".join([text, *notes]))
-        pairs = [(html.escape(str(k)), _condition(result, f"{name}.{k}", v)) for k, v in value.items()]
-        return "<br>".join(f"<code>{key}</code>: {text}" for key, text in pairs)
+            return ", ".join([plain_text(value["value"], str(value.get("unit", "1"))), *notes])
+        pairs = [(code(k, ": "), _condition(result, f"{name}.{k}", v)) for k, v in value.items()]
+        return Markup("<br>".join(key + (v if isinstance(v, Markup) else html.escape(v)) for key, v in pairs))
     unit = _condition_unit(result, name)
     if not isinstance(value, (list, tuple)):
-        return html.escape(_plain(value, unit))
-    texts = [_plain(v, unit) for v in value]
+        return plain_text(value, unit)
+    texts = [plain_text(v, unit) for v in value]
     if name in _RANGES and len(value) == 2:
-        return html.escape(" ... ".join(texts) if value[0] < value[1] else texts[0])
-    return html.escape(", ".join(texts))
+        return " ... ".join(texts) if value[0] < value[1] else texts[0]
+    return ", ".join(texts)
 
 
 def _condition_unit(result: Result, name: str) -> str:
-    """Unit of a number whose place is `fixed.tank.volume`, `noise.discharge.tank.pressure`."""
-    place = name.partition(".")[2]
-    if place in result.residuals:
-        return result.residuals[place].unit
+    """Return the SI unit of a condition such as `fixed.tank.volume` or `noise.discharge.tank.pressure`."""
+    channel = name.partition(".")[2]
+    if channel in result.residuals:
+        return result.residuals[channel].unit
     unit = next((_UNITS[word] for word in reversed(name.split(".")) if word in _UNITS), "1")
-    turns = result.comparison.get("body") == TURNING.body
-    return {"m": TURNING.length, "m/s": TURNING.speed}.get(unit, unit) if turns else unit
+    is_rotary = result.comparison.get("body") == TURNING.body
+    return {"m": TURNING.length, "m/s": TURNING.speed}.get(unit, unit) if is_rotary else unit
 
 
-def _plain(value: Any, unit: str) -> str:
+def plain_text(value: Any, unit: str) -> str:
+    """Return a number, truth value or text as a reader expects it."""
     if isinstance(value, Number):
         text = value.display()
         return ": ".join(filter(None, (f"{text}, {value.source.kind}", value.source.locator)))
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, int):
-        return str(value)
-    if isinstance(value, float):
-        if not math.isfinite(value):
-            return number(value)
-        shown_in = readable_unit(unit, value)
-        return with_unit(number(scaled(value, unit, shown_in)), shown_in)
-    return str(value)
+    return value_text(value, unit) if isinstance(value, float) else str(value)
 
 
-def stroke_table(result: Result) -> str:
-    """The tests behind a characteristic: stroke, C and b of each."""
+def main_parameters(result: Result) -> list[str]:
+    """Return the addresses that tables of searches and optima show; without a known one, the first ones."""
+    names = [name for name in result.parameters if name.rpartition(".")[2] in _MAIN_PARAMETERS]
+    return (names or list(result.parameters))[:4]
+
+
+def search_table(result: Result) -> Table:
+    """Return start, end and increase in chi-square of every search."""
+    searches, names = result.conditions["searches"], main_parameters(result)
+    min_cost = min(search["cost"] for search in searches)
     rows = []
-    for name, (stroke, c, b, u_c, u_b) in result.conditions["tests"].items():
-        unit = readable_unit(_UNITS["conductance"], c)
-        texts = [
-            _plain(stroke, "m"),
-            with_unit(value_with_error(c, u_c, _UNITS["conductance"], unit), unit),
-            value_with_error(b, u_b, "1", "1"),
-        ]
-        rows.append([html.escape(text) for text in (str(name), *texts)])
-    return table(["test", "stroke", "C ± error", "b ± error"], rows, numbers=(1, 2, 3))
-
-
-def told_numbers(result: Result) -> list[str]:
-    """Addresses of the numbers that tables of searches and answers show; where none is known, the first ones."""
-    found = [name for name in result.parameters if name.rpartition(".")[2] in _TOLD]
-    return (found or list(result.parameters))[:4]
-
-
-def search_table(result: Result) -> str:
-    """Every search: where it began, where it ended, and how much worse than the best."""
-    searches, names = result.conditions["searches"], told_numbers(result)
-    least = min(each["cost"] for each in searches)
-    rows = []
-    for each in sorted(searches, key=lambda search: float(search["cost"])):
-        cells = [str(each["name"]).replace("_", " "), f"{2.0 * (each['cost'] - least):.3g}"]
+    for search in sorted(searches, key=lambda search: float(search["cost"])):
+        cells = [str(search["name"]).replace("_", " "), f"{2.0 * (search['cost'] - min_cost):.3g}"]
         for name in names:
-            si, (begin, end) = result.parameters[name].unit, (float(each[key][name]) for key in ("start", "end"))
-            unit = readable_unit(si, begin, end)
-            first, last = (number(scaled(value, si, unit)) for value in (begin, end))
-            cells.append(with_unit(f"{first} → {last}", unit))
-        rows.append([html.escape(cell) for cell in cells])
-    return table(["start", "rise of chi-square", *names], rows, numbers=range(1, len(names) + 2))
-
-
-def answer_table(result: Result) -> str:
-    """Every answer that fits alike, with its own intervals."""
-    names = told_numbers(result)
-    rows = []
-    for place, each in enumerate(result.optima, 1):
-        cells = [html.escape(f"{place}, from {str(each['name']).replace('_', ' ')}"), f"{2.0 * each['excess']:.2g}"]
-        for name in names:
-            si, value = result.parameters[name].unit, float(each["values"][name])
-            unit = readable_unit(si, value)
-            low, high = (float(each[end][name]) for end in ("low", "high"))
-            size = html.escape(with_unit(number(scaled(value, si, unit)), unit))
-            cells.append(f'{size}<br><span class="lead">{html.escape(interval(low, high, si, unit))}</span>')
+            si_unit, ends = result.parameters[name].unit, [float(search[key][name]) for key in ("start", "end")]
+            unit = readable_unit(si_unit, *ends)
+            cells.append(with_unit(" → ".join(number(scaled(value, si_unit, unit)) for value in ends), unit))
         rows.append(cells)
-    return table(["answer", "rise of chi-square", *names], rows, numbers=range(1, len(names) + 2))
+    return Table(("start", *numeric("increase in chi-square", *names)), rows)
 
 
-def law_table(result: Result) -> str:
-    """The same recordings under several thermal laws; differences to the best."""
-    laws, names = result.comparison["thermal_laws"], told_numbers(result)
-    least = min(float(law["aicc"]) for law in laws.values())
+def optimum_table(result: Result) -> Table:
+    """Return every equivalent optimum with its confidence intervals."""
+    names, rows = main_parameters(result), []
+    for index, optimum in enumerate(result.optima, 1):
+        cells = [f"{index}, from {str(optimum['name']).replace('_', ' ')}", f"{2.0 * optimum['excess']:.2g}"]
+        for name in names:
+            value, low, high = (float(optimum[key][name]) for key in ("values", "low", "high"))
+            cells.append(_interval_cell(value, low, high, result.parameters[name].unit))
+        rows.append(cells)
+    return Table(("optimum", *numeric("increase in chi-square", *names)), rows)
+
+
+def alternative_table(result: Result) -> Table:
+    """Return models with other free parameters, and their estimates."""
+    names, rows = main_parameters(result), []
+    for label, model in result.comparison["alternatives"].items():
+        estimates = (model["free"].get(name) for name in names)
+        cells = ("-" if e is None else _interval_cell(e["value"], e["low"], e["high"], e["unit"]) for e in estimates)
+        rows.append((label.replace("_", " "), f"{model['aicc_difference']:+.1f}", *cells))
+    return Table(("free in addition", *numeric("AICc minus this fit", *names)), rows)
+
+
+def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Markup:
+    unit = readable_unit(si_unit, value)
+    return with_detail(with_unit(number(scaled(value, si_unit, unit)), unit), interval(low, high, si_unit, unit))
+
+
+def law_table(result: Result) -> Table:
+    """Return the estimates under each thermal law, and the difference in AICc."""
+    laws, names = result.comparison["thermal_laws"], main_parameters(result)
+    min_aicc = min(float(law["aicc"]) for law in laws.values())
     channels = list(next(iter(laws.values()))["rms"])
     rows = []
     for label, law in laws.items():
-        cells = [html.escape(label), f"{float(law['aicc']) - least:.1f}"]
+        cells = [label, f"{float(law['aicc']) - min_aicc:.1f}"]
         for name in names:
-            e = law["numbers"].get(name)
-            if e is None:
-                cells.append("held" if name.endswith(".wall_conductance") and label == "adiabatic" else "-")
-                continue
-            unit = readable_unit(e["unit"], e["value"])
-            size = value_with_error(e["value"], e["standard_error"], e["unit"], unit)
-            cells.append(html.escape(with_unit(size, unit)))
-        for channel in channels:
-            si = result.residuals[channel].unit
-            unit = readable_unit(si, law["rms"][channel])
-            cells.append(html.escape(_size(law["rms"][channel], si, unit, law["rms"][channel])))
+            if e := law["numbers"].get(name):
+                cells.append(error_text(e["value"], e["standard_error"], e["unit"]))
+            else:
+                cells.append("fixed" if name.endswith(".wall_conductance") and label == "adiabatic" else "-")
+        cells += [_residual_text(law["rms"][name], result.residuals[name].unit, law["rms"][name]) for name in channels]
         rows.append(cells)
-    headings = ["thermal law", "AICc above the best", *names, *(f"rms of {channel}" for channel in channels)]
-    return table(headings, rows, numbers=range(1, len(headings)))
+    headings = "AICc above the best", *names, *(f"rms of {channel}" for channel in channels)
+    return Table(("thermal law", *numeric(*headings)), rows)
 
 
-def force_table(result: Result) -> str:
-    """Laws of a muscle's force, the best first."""
-    rows = [
-        [
-            f"<code>{html.escape(law['law'])}</code>",
-            f"{law['held_out']:.3g} N",
-            f"{100.0 * law['held_out_of_largest']:.2g} %",
-            *(f"{law[f'held_out_by_{axis}']:.3g} N" for axis in result.comparison["held_out_by"]),
-            f"{law['rms']:.3g} N",
-            f"{100.0 * law['rms_of_largest']:.2g} %",
-            f"{law['worst']:.3g} N",
-            str(law["numbers"]),
-        ]
-        for law in result.comparison["forces"]
-    ]
-    axes = [f"held out by {axis}" for axis in result.comparison["held_out_by"]]
-    heads = [
-        "law",
-        "held out",
-        "of the largest force",
-        *axes,
-        "rms of the fit",
-        "of the largest force",
-        "worst",
-        "numbers",
-    ]
-    return table(heads, rows, numbers=range(1, len(heads)))
-
-
-def friction_table(result: Result) -> str:
-    """Laws of friction, the best first; what each recording says for itself; the numbers as a circuit takes them."""
-    c = result.comparison
-    coordinate = COORDINATES[c["body"]]
-    unit, effort = coordinate.effort_unit, coordinate.effort
-    rows = [
-        [
-            f"<code>{html.escape(law['law'])}</code>",
-            f"{law['held_out']:.3g} {unit}",
-            f"{law['rms']:.3g} {unit}",
-            str(law["numbers"]),
-            "supported" if law["law"] == c["supported"] else "not told apart" if law["alike"] else "worse",
-        ]
-        for law in c["laws"]
-    ]
-    text = table(["law", f"held out by {c['held_out_by']}", "rms of the fit", "numbers", ""], rows, numbers=(1, 2, 3))
-    rows = [
-        [
-            html.escape(each["name"]),
-            _plain(float(f"{each['pressure']:.3g}"), "Pa") if each["pressure"] else "-",
-            html.escape(" / ".join(_plain(float(f"{speed:.3g}"), coordinate.speed) for speed in each["speeds"])),
-            *(
-                f"{each[name]:.3g} {unit}" if name in each else "-"
-                for name in ("level", "line", "offset", "half_of_force")
-            ),
-        ]
-        for each in c["recordings"]
-    ]
-    heads = [
-        "recording",
-        "pressure",
-        "mean speeds",
-        "friction",
-        "by the law",
-        f"zero of the {effort}",
-        f"half of the {effort}s",
-    ]
-    text += table(heads, rows, numbers=range(1, len(heads)))
-    return text + f"<p>In a circuit file:</p>\n<pre>{html.escape(c['ready'])}</pre>\n"
-
-
-def alternative_table(result: Result) -> str:
-    """Models with other numbers free, and what they make of the numbers of this fit."""
-    names = told_numbers(result)
-    rows = []
-    for label, model in result.comparison["alternatives"].items():
-        cells = [html.escape(label.replace("_", " ")), f"{model['aicc_difference']:+.1f}"]
-        for name in names:
-            e = model["free"].get(name)
-            if e is None:
-                cells.append("-")
-                continue
-            unit = readable_unit(e["unit"], e["value"])
-            size = html.escape(with_unit(number(scaled(e["value"], e["unit"], unit)), unit))
-            ends = html.escape(interval(e["low"], e["high"], e["unit"], unit))
-            cells.append(f'{size}<br><span class="lead">{ends}</span>')
-        rows.append(cells)
-    return table(["free in addition", "AICc against this fit", *names], rows, numbers=range(1, len(names) + 2))
-
-
-def statistics_table(result: Result) -> str:
-    """Tests on the residuals, as far as the method made them."""
-    found = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
+def statistics_table(result: Result) -> Table:
+    """Return the tests on the residuals if the method made more than one."""
+    values = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
     monotone = result.comparison.get("monotone")
     if isinstance(monotone, Mapping):
-        found += [(label, monotone[key]) for key, label in _MONOTONE.items() if monotone.get(key) is not None]
-    rows = [[label, html.escape(_statistic(value))] for label, value in found]
-    return table((), rows, numbers=(1,)) if len(found) > 1 else ""
+        values += [(label, monotone[key]) for key, label in _MONOTONE.items() if monotone.get(key) is not None]
+    rows = [(label, _statistic(value)) for label, value in values]
+    return Table(("", Column("", "s")), rows if len(rows) > 1 else ())
 
 
 def _statistic(value: Any) -> str:
     if isinstance(value, (list, tuple)):
         return ", ".join(_statistic(v) for v in value)
-    return f"{value:.4g}" if isinstance(value, float) and math.isfinite(value) else _plain(value, "1")
+    return f"{value:.4g}" if isinstance(value, float) and math.isfinite(value) else plain_text(value, "1")
 
 
 def correlation_sentence(correlation: Mapping[str, Mapping[str, float]]) -> str:
-    """The correlation of two parameters in words; empty for none."""
+    """Return the correlation of two parameters as a sentence; empty if there is none."""
     pairs = [(a, b, r) for a, row in correlation.items() for b, r in row.items()]
     if not pairs:
         return ""

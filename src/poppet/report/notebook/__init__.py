@@ -1,24 +1,24 @@
-"""What a notebook shows of circuits, recordings, linear models, ensembles and results, one module for each."""
+"""HTML output of circuits, recordings, linear models, ensembles and results in notebooks."""
 
 from __future__ import annotations
 
 import importlib
 from typing import Any
 
-PAGES = {
-    "poppet.circuit.circuit.Circuit": "circuit",
-    "poppet.timeseries.recording.Recording": "recording",
-    "poppet.circuit.linear_model.LinearModel": "linear",
-    "poppet.identify.result.Result": "results",
-    "poppet.bench.iso10094.bench_result.BenchResult": "results",
-    "poppet.bench.limits.maps.LimitsResult": "results",
-    "poppet.ensemble.ensemble_result.Ensemble": "ensemble",
+CARDS = {
+    "poppet.circuit.circuit.BaseCircuit": "circuit_card",
+    "poppet.timeseries.recording.Recording": "recording_card",
+    "poppet.circuit.linear_model.LinearModel": "linear_card",
+    "poppet.identify.result.Result": "identification_card",
+    "poppet.bench.iso10094.bench_result.BenchResult": "bench_card",
+    "poppet.bench.limits.maps.LimitsResult": "limits_card",
+    "poppet.ensemble.ensemble_result.Ensemble": "ensemble_card",
 }
-"""Class to the module that shows it: nothing is imported before something of its kind is shown."""
+"""Class to the function in `poppet.report.notebook.cards`, which is imported at the first call."""
 
 
-def html_of(thing: Any) -> str | None:
-    """HTML of something that a notebook is to show, or None where its text will do.
+def html_of(value: Any) -> str | None:
+    """Return an object as HTML for a notebook, or None if its text suffices.
 
     Examples
     --------
@@ -26,9 +26,8 @@ def html_of(thing: Any) -> str | None:
     >>> html_of(Recording.from_series([0.0, 1.0], {"tank.pressure [Pa]": [1e5, 2e5]})).startswith("<div")
     True
     """
-    for kind in type(thing).__mro__:
-        page = PAGES.get(f"{kind.__module__}.{kind.__qualname__}")
-        if page:
-            text: str = importlib.import_module(f"poppet.report.notebook.{page}").shown(thing)
+    for cls in type(value).__mro__:
+        if name := CARDS.get(f"{cls.__module__}.{cls.__qualname__}"):
+            text: str = getattr(importlib.import_module("poppet.report.notebook.cards"), name)(value)
             return text
     return None

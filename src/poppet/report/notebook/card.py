@@ -1,7 +1,7 @@
-"""The frame of what a notebook shows: a few lines of style, a head, tables, and parts that can be folded.
+"""Frame of the HTML output in notebooks: style, title and notes.
 
-Colours are those of the notebook around: text inherits its colour, lines and grounds are mixed from it. So it is dark
-where the notebook is, in classic notebooks, JupyterLab and VS Code, and asks none of them which theme it has.
+Text inherits the colour of the notebook; lines and backgrounds are mixed from it. The output therefore suits light and
+dark themes of classic notebooks, JupyterLab and VS Code.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from collections.abc import Iterable
 
 from poppet.core.codes import Note
 from poppet.core.note_groups import grouped
+from poppet.report.html_page import Content, folded, items, render
 
 STYLE = """
 .poppet-card { --paper: var(--jp-layout-color0, var(--vscode-editor-background, Canvas));
@@ -46,12 +47,12 @@ STYLE = """
   opacity: .8; }
 .poppet-card .poppet-picture svg { display: block; height: auto; }
 """
-MOST_ROWS = 12
-"""Rows of a table that are shown without unfolding it."""
+MAX_ROWS = 12
+"""Maximum number of rows of an unfolded table."""
 
 
-def card(title: str, lead: str, *blocks: str) -> str:
-    """What a notebook shows of one thing: title and lead are text, blocks HTML.
+def card(title: str, lead: str, *blocks: Content) -> str:
+    """Return the output of one object: title and lead are text, blocks are HTML or tables.
 
     Examples
     --------
@@ -60,16 +61,15 @@ def card(title: str, lead: str, *blocks: str) -> str:
     """
     name = f'<span class="poppet-head">{html.escape(title)}</span> ' if title else ""
     head = f'<p>{name}<span class="lead">{html.escape(lead)}</span></p>'
-    return f'<div class="poppet-card"><style>{STYLE}</style>{head}{"".join(blocks)}</div>'
+    return f'<div class="poppet-card"><style>{STYLE}</style>{head}{"".join(map(render, blocks))}</div>'
 
 
-def folded(summary: str, body: str, *, is_open: bool = False) -> str:
-    """A part that can be unfolded: its summary is text, its body HTML."""
-    return f"<details{' open' if is_open else ''}><summary>{html.escape(summary)}</summary>{body}</details>"
+def note_list(notes: Iterable[Note]) -> str:
+    """Return notes as a list that is folded if it is long."""
+    texts = grouped(notes)
+    return folded(plural(len(texts), "note"), items(texts), is_open=len(texts) <= 3)
 
 
-def notes(given: Iterable[Note]) -> str:
-    """What a reader has to know, folded where it is much."""
-    rows = [f"<li>{html.escape(str(note))}</li>" for note in grouped(given)]
-    word = f"{len(rows)} note{'s' * (len(rows) != 1)}"
-    return folded(word, f"<ul>{''.join(rows)}</ul>", is_open=len(rows) <= 3) if rows else ""
+def plural(count: int, noun: str) -> str:
+    """Return a number with its noun, `2 notes`."""
+    return f"{count} {noun}{'s' * (count != 1)}"

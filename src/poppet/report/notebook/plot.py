@@ -1,4 +1,4 @@
-"""A small plot of a recording in a few kilobytes of SVG: panels by quantity, each line as the range of its samples."""
+"""Small SVG plot of a recording: one panel for each quantity."""
 
 from __future__ import annotations
 
@@ -15,59 +15,57 @@ from poppet.timeseries.plotting.panels import Panel, Series, panels_of, shown_se
 from poppet.timeseries.plotting.sheet import axis_unit, home_colours, panel_colours, time_unit
 from poppet.timeseries.plotting.timeline import looks_of
 
-MOST_PANELS, MOST_LINES = 4, 6
+MAX_PANELS, MAX_LINES = 4, 6
 COLUMNS = 200
-"""Columns of a plot, in each of which a line shows its first, last, lowest and highest sample."""
+"""Columns of a plot; a line has the first, last, lowest and highest sample of each."""
 WIDTH, HEIGHT = 1000, 100
-"""Of the drawing, stretched to the room that there is."""
+"""Size of the drawing, which is stretched to the available width."""
 
 
 def plot(recording: Columns) -> str:
-    """Panels of what moves in a recording, or nothing where nothing does."""
+    """Return panels of the outputs that change, or nothing if all are constant."""
     if recording.time.size < 2:
         return ""
-    series = shown_series([_thin(recording, name) for name in _lines(recording)], None, None)
-    panels, _ = panels_of(series)
-    # Where all rest they are panels still, and there is nothing to see.
-    panels = [panel for panel in panels if any(not one.is_still for one in panel.series)][:MOST_PANELS]
+    panels, _ = panels_of(shown_series([_thin(recording, name) for name in _lines(recording)], None, None))
+    panels = [panel for panel in panels if any(not line.is_still for line in panel.series)][:MAX_PANELS]
     homes = home_colours(panels)
     start, end = float(recording.time[0]), float(recording.time[-1])
     name, size = time_unit(end - start)
     times = "".join(f"<span>{text}</span>" for text in (f"{start / size:.5g}", f"time [{name}]", f"{end / size:.5g}"))
-    shown = "".join(_panel(panel, panel_colours(panel, homes), (start, end)) for panel in panels)
-    return f'{shown}<div class="poppet-time">{times}</div>' if shown else ""
+    body = "".join(_panel(panel, panel_colours(panel, homes), (start, end)) for panel in panels)
+    return f'{body}<div class="poppet-time">{times}</div>' if body else ""
 
 
 def _lines(recording: Columns) -> list[str]:
-    """Names of all series but codes of regimes and contacts, which are no curves, and but inner ones, if others are."""
+    """Return the names of all curves; internal outputs are omitted if there are others."""
     pairs = zip(recording.names, recording.units, strict=True)
     lines = [name for name, unit in pairs if looks_of(name, unit, recording[name]) is None]
     return [name for name in lines if name not in recording.inner] or lines
 
 
 def _thin(recording: Columns, name: str) -> Columns:
-    """One series with the samples that are drawn: what follows never sees a long recording."""
-    kept = thinned(recording.time, recording[name], COLUMNS)
-    values = recording[name][kept].reshape(1, -1)
+    """Return one output with the samples that the plot shows."""
+    rows = thinned(recording.time, recording[name], COLUMNS)
+    values = recording[name][rows].reshape(1, -1)
     air = recording.ambient_pressure
-    return Columns(recording.time[kept], (name,), (recording.unit(name),), values, ambient_pressure=air)
+    return Columns(recording.time[rows], (name,), (recording.unit(name),), values, ambient_pressure=air)
 
 
 def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
-    """One panel: its key, the ends of its scale, its lines."""
-    series = _spread(panel.series)[:MOST_LINES]
-    finite = np.concatenate([one.values[np.isfinite(one.values)] for one in series])
+    """Return one panel: legend, limits of the scale and lines."""
+    series = _sort_by_part(panel.series)[:MAX_LINES]
+    finite = np.concatenate([line.values[np.isfinite(line.values)] for line in series])
     low, high = float(finite.min()), float(finite.max())
     paths, keys = [], []
-    for one in series:
-        colour = f"color-mix(in srgb, {colours[one.name]} 72%, currentColor)"
-        points = path(one, span, (low, high if high > low else low + 1.0))
-        # The plain colour is for browsers that cannot mix.
-        paths.append(f'<path stroke="{colours[one.name]}" style="stroke:{colour}" d="{points}"/>')
-        mark = f'<i style="background:{colours[one.name]};background:{colour}"></i>'
-        keys.append(f"<span>{mark}{html.escape(panel.labels[one.name])}</span>")
-    more = len(panel.series) - len(series)
-    keys += [f'<span class="lead">and {more} more</span>'] if more else []
+    for line in series:
+        colour = f"color-mix(in srgb, {colours[line.name]} 72%, currentColor)"
+        points = path(line, span, (low, high if high > low else low + 1.0))
+        # The first colour is for browsers without `color-mix`.
+        paths.append(f'<path stroke="{colours[line.name]}" style="stroke:{colour}" d="{points}"/>')
+        mark = f'<i style="background:{colours[line.name]};background:{colour}"></i>'
+        keys.append(f"<span>{mark}{html.escape(panel.labels[line.name])}</span>")
+    n_omitted = len(panel.series) - len(series)
+    keys += [f'<span class="lead">and {n_omitted} more</span>'] if n_omitted else []
     label = html.escape(f"{panel.quantity} over time", quote=True)
     return (
         f'<div class="poppet-panel"><div class="poppet-key"><b>{html.escape(panel.quantity)}</b> '
@@ -78,24 +76,24 @@ def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> 
     )
 
 
-def _spread(series: Sequence[Series]) -> list[Series]:
-    """The first of each part before the second of any: many signals of one valve must not hide the tank."""
-    seen: dict[str, int] = {}
+def _sort_by_part(series: Sequence[Series]) -> list[Series]:
+    """Sort lines so that the first line of each part precedes the second line of any part."""
+    counts: dict[str, int] = {}
     rank: dict[str, int] = {}
-    for one in series:
-        part = one.name.partition(".")[0]
-        rank[one.name] = seen[part] = seen.get(part, -1) + 1
-    return sorted(series, key=lambda one: rank[one.name])
+    for line in series:
+        part = line.name.partition(".")[0]
+        rank[line.name] = counts[part] = counts.get(part, -1) + 1
+    return sorted(series, key=lambda line: rank[line.name])
 
 
 def _end(value: float, span: float) -> str:
-    """An end of a scale, to about a thousandth of its span."""
-    places = 3 - math.floor(math.log10(span)) if span > 0.0 else 6
-    return f"{round(value, places):z.6g}"
+    """Return an end of a scale to about a thousandth of its span."""
+    decimals = 3 - math.floor(math.log10(span)) if span > 0.0 else 6
+    return f"{round(value, decimals):z.6g}"
 
 
-def path(one: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
-    """A line as the `d` of an SVG path, in whole thousandths of its width; what is no number is a gap.
+def path(series: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
+    """Return a line as the `d` of an SVG path, with abscissas in thousandths of the width; NaN is a gap.
 
     Examples
     --------
@@ -103,27 +101,27 @@ def path(one: Series, span: tuple[float, float], scale: tuple[float, float]) -> 
     >>> path(Series("a", 0, time, values, "1", "", 0), (0.0, 2.0), (0.0, 10.0))
     'M0 100L500 50L1000 0'
     """
-    x = np.round((one.time - span[0]) / (span[1] - span[0]) * WIDTH).astype(int)
-    y = np.round(HEIGHT * (1.0 - (one.values - scale[0]) / (scale[1] - scale[0])), 1)
+    x = np.round((series.time - span[0]) / (span[1] - span[0]) * WIDTH).astype(int)
+    y = np.round(HEIGHT * (1.0 - (series.values - scale[0]) / (scale[1] - scale[0])), 1)
     parts: list[str] = []
-    is_down, before = False, 0.0
-    for k in _kept(x, y):
+    is_down, previous = False, 0.0
+    for k in _visible_points(x, y):
         if not np.isfinite(y[k]):
             is_down = False
         elif not is_down:
             parts.append(f"M{x[k]} {y[k]:g}")
             is_down = True
         else:
-            # A step goes across first.
-            parts.append(f"H{x[k]}V{y[k]:g}" if one.is_staircase and y[k] != before else f"L{x[k]} {y[k]:g}")
-        before = y[k]
+            # A step is horizontal first.
+            parts.append(f"H{x[k]}V{y[k]:g}" if series.is_staircase and y[k] != previous else f"L{x[k]} {y[k]:g}")
+        previous = y[k]
     return "".join(parts)
 
 
-def _kept(x: NDArray[np.int64], y: FloatArray) -> NDArray[np.int64]:
-    """Points but those that fall on the one before, and of the rest those between two of the same height."""
+def _visible_points(x: NDArray[np.int64], y: FloatArray) -> NDArray[np.int64]:
+    """Return the indices of points, without repeated points and without inner points of horizontal lines."""
     y = np.where(np.isfinite(y), y, -1e9)
-    apart = np.flatnonzero((np.diff(x, prepend=-1) != 0) | (np.diff(y, prepend=np.nan) != 0.0))
-    y = y[apart]
+    distinct = np.flatnonzero((np.diff(x, prepend=-1) != 0) | (np.diff(y, prepend=np.nan) != 0.0))
+    y = y[distinct]
     level = (y[1:-1] == y[:-2]) & (y[1:-1] == y[2:])
-    return apart[np.concatenate(([True], ~level, [True]))[: len(apart)]]
+    return distinct[np.concatenate(([True], ~level, [True]))[: len(distinct)]]

@@ -38,17 +38,17 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
     """
     if not figure.axes or any(_is_still(axes) for axes in figure.axes):
         return None
-    columns, across = _Columns(), float(figure.get_size_inches()[0])
+    columns, width = _Columns(), float(figure.get_size_inches()[0])
     lefts = sorted({round(_box(figure, axes)[0], 3) for axes in figure.axes})
-    edges = [0.0, *(left - lefts[0] for left in lefts[1:]), across]
+    edges = [0.0, *(left - lefts[0] for left in lefts[1:]), width]
     panels = []
     # As they are read: from the top down, from left to right.
-    for axes in sorted(figure.axes, key=lambda each: [round(v, 2) for v in _box(figure, each)[1::-1]]):
+    for axes in sorted(figure.axes, key=lambda panel: [round(v, 2) for v in _box(figure, panel)[1::-1]]):
         box = _box(figure, axes)
-        place = lefts.index(round(box[0], 3))
+        column = lefts.index(round(box[0], 3))
         # A panel over all columns takes what lies to its right as well.
         free = not any(left > box[0] and left < box[0] + box[2] for left in lefts)
-        share = (edges[place + 1] - edges[place]) / across if free and len(lefts) > 1 else 1.0
+        share = (edges[column + 1] - edges[column]) / width if free and len(lefts) > 1 else 1.0
         panels.append(_panel(axes, columns) | {"box": [round(v, 3) for v in box], "share": round(share, 4)})
     notes = " ".join(text.get_text() for text in figure.texts if text.get_fontweight() != "bold")
     return {"columns": columns.found, "panels": panels, "notes": [" ".join(notes.split())] * bool(notes.strip())}
@@ -58,16 +58,19 @@ def _is_still(axes: Any) -> bool:
     """True where there is nothing to read off: maps, drawings, scales that the plots do not know."""
     from matplotlib.collections import LineCollection, PolyCollection
 
-    known = all(isinstance(one, LineCollection | PolyCollection) for one in axes.collections)
+    has_known_artists = all(isinstance(artist, LineCollection | PolyCollection) for artist in axes.collections)
     scales = {axes.get_xscale(), axes.get_yscale()}
-    return not (axes.axison and known and scales <= {"linear", "log"}) or bool(axes.images)
+    return not (axes.axison and has_known_artists and scales <= {"linear", "log"}) or bool(axes.images)
 
 
 def _box(figure: Figure, axes: Any) -> list[float]:
     """Left, top, width and height [in]."""
-    across, up = figure.get_size_inches()
-    place = axes.get_position()
-    return [float(v) for v in (place.x0 * across, (1.0 - place.y1) * up, place.width * across, place.height * up)]
+    width, height = figure.get_size_inches()
+    position = axes.get_position()
+    return [
+        float(v)
+        for v in (position.x0 * width, (1.0 - position.y1) * height, position.width * width, position.height * height)
+    ]
 
 
 class _Columns:
@@ -103,8 +106,8 @@ def _rounded(values: FloatArray, *, is_log: bool = False) -> list[float | None]:
     size = float(np.ptp(finite)) if finite.size else 0.0
     if is_log or size == 0.0:
         return [float(f"{v:.6g}") if math.isfinite(v) else None for v in values]
-    places = DIGITS - math.floor(math.log10(size))
-    return [round(v, places) if math.isfinite(v) else None for v in values.tolist()]
+    decimals = DIGITS - math.floor(math.log10(size))
+    return [round(v, decimals) if math.isfinite(v) else None for v in values.tolist()]
 
 
 def _panel(axes: Any, columns: _Columns) -> dict[str, Any]:
@@ -121,36 +124,36 @@ def _panel(axes: Any, columns: _Columns) -> dict[str, Any]:
 
 def _group(axes: Any) -> int:
     """The number of the first panel with the same horizontal axis."""
-    every: list[Any] = axes.figure.axes
-    return min(every.index(one) for one in axes.get_shared_x_axes().get_siblings(axes) if one in every)
+    panels: list[Any] = axes.figure.axes
+    return min(panels.index(panel) for panel in axes.get_shared_x_axes().get_siblings(axes) if panel in panels)
 
 
 def _axis(axes: Any, name: str) -> dict[str, Any]:
     axis, limits = getattr(axes, f"{name}axis"), getattr(axes, f"get_{name}lim")()
     # What only the first of several panels says on paper, each says for itself where they may be below each other.
-    alike = [axes, *(each for each in axes.get_shared_y_axes().get_siblings(axes) if name == "y")]
-    labels = (getattr(each, f"{name}axis").get_label_text() for each in alike)
-    found: dict[str, Any] = {
+    siblings = [axes, *(panel for panel in axes.get_shared_y_axes().get_siblings(axes) if name == "y")]
+    labels = (getattr(panel, f"{name}axis").get_label_text() for panel in siblings)
+    entry: dict[str, Any] = {
         "label": next(filter(None, labels), "").replace("\n", " "),
         "range": [float(f"{v:.9g}") for v in limits],
     }
     if axis.get_scale() == "log":
-        found["log"] = True
+        entry["log"] = True
     else:
         from matplotlib.ticker import FixedFormatter, FuncFormatter
 
         # Names at the ticks are part of what a figure says; where numbers stand, a plot finds places itself.
         if isinstance(axis.get_major_formatter(), FixedFormatter | FuncFormatter):
-            found["ticks"] = [
+            entry["ticks"] = [
                 [float(v) for v in axis.get_ticklocs()], [label.get_text() for label in axis.get_ticklabels()]
             ]  # fmt: skip
     if name == "x" and not axis.get_tick_params().get("labelbottom", True):
-        found["silent"] = True
+        entry["silent"] = True
     second = [child for child in axes.child_axes if hasattr(child, "set_functions")]
     if name == "y" and second:
         factor = second[0].get_ylim()[1] / limits[1] if limits[1] else 1.0
-        found["second"] = {"label": second[0].get_ylabel(), "factor": float(f"{factor:.6g}")}
-    return found
+        entry["second"] = {"label": second[0].get_ylabel(), "factor": float(f"{factor:.6g}")}
+    return entry
 
 
 def _label(artist: Any) -> str:
@@ -169,37 +172,40 @@ def _pen(artist: Any) -> dict[str, Any]:
     """Colour, width and dashes of a line."""
     style = artist.get_linestyle()
     width = float(artist.get_linewidth()) if style not in _NO_MARKER else 0.0
-    look = _colour(artist.get_color(), artist.get_alpha()) | {"width": width}
+    pen = _colour(artist.get_color(), artist.get_alpha()) | {"width": width}
     dashes = artist._unscaled_dash_pattern[1] if style not in (*_NO_MARKER, "-") else None
-    return look | ({"dash": [round(2.0 * float(v), 2) for v in dashes]} if dashes else {})
+    return pen | ({"dash": [round(2.0 * float(v), 2) for v in dashes]} if dashes else {})
 
 
 def _lines(axes: Any, columns: _Columns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """Lines with their points, and those across the whole panel."""
     lines, rules = [], []
     for line in axes.lines:
-        look = {"label": _label(line)} | _pen(line)
+        entry = {"label": _label(line)} | _pen(line)
         in_x, in_y = line.get_transform().contains_branch_seperately(axes.transData)
         if not (in_x and in_y):
-            at = line.get_xdata()[0] if in_x else line.get_ydata()[0]
-            rules.append(look | {"axis": "x" if in_x else "y", "at": float(at)})
+            level = line.get_xdata()[0] if in_x else line.get_ydata()[0]
+            rules.append(entry | {"axis": "x" if in_x else "y", "at": float(level)})
             continue
         x, y = (np.asarray(values, dtype=float) for values in whole_of(line))
         if not x.size:
             continue
         if x.size > MOST_POINTS and np.all(np.diff(x) > 0.0):
-            kept = thinned(x, y, MOST_POINTS // 5)
-            look, x, y = look | {"of": int(x.size)}, x[kept], y[kept]
+            rows = thinned(x, y, MOST_POINTS // 5)
+            entry, x, y = entry | {"of": int(x.size)}, x[rows], y[rows]
         marker = line.get_marker()
         if marker not in _NO_MARKER:
-            look |= {"marker": str(marker), "size": float(line.get_markersize())}
+            entry |= {"marker": str(marker), "size": float(line.get_markersize())}
             fill = line.get_markerfacecolor()
-            look |= {} if isinstance(fill, str) and fill == "none" else {"fill": _colour(fill)["colour"]}
-            look |= {"edge": _colour(line.get_markeredgecolor())["colour"]} if line.get_markeredgewidth() else {}
+            entry |= {} if isinstance(fill, str) and fill == "none" else {"fill": _colour(fill)["colour"]}
+            entry |= {"edge": _colour(line.get_markeredgecolor())["colour"]} if line.get_markeredgewidth() else {}
         if line.get_drawstyle() == "steps-post":
-            look["step"] = True
-        place = columns.add(x, is_log=axes.get_xscale() == "log"), columns.add(y, is_log=axes.get_yscale() == "log")
-        lines.append(look | {"x": place[0], "y": place[1]})
+            entry["step"] = True
+        columns_xy = (
+            columns.add(x, is_log=axes.get_xscale() == "log"),
+            columns.add(y, is_log=axes.get_yscale() == "log"),
+        )
+        lines.append(entry | {"x": columns_xy[0], "y": columns_xy[1]})
     return lines, rules
 
 
@@ -209,33 +215,36 @@ def _filled(axes: Any, columns: _Columns) -> tuple[list[Any], list[Any], list[An
     from matplotlib.patches import Rectangle
 
     bands, boxes, segments = [], [], []
-    for one in axes.collections:
-        if isinstance(one, LineCollection):
-            ends = [v for piece in one.get_segments() for v in np.asarray(piece)[:2].ravel()]
-            width = float(np.atleast_1d(one.get_linewidth())[0])
-            segments.append(_colour(one.get_colors()[0]) | {"width": width, "at": _flat(ends)})
+    for artist in axes.collections:
+        if isinstance(artist, LineCollection):
+            ends = [v for piece in artist.get_segments() for v in np.asarray(piece)[:2].ravel()]
+            width = float(np.atleast_1d(artist.get_linewidth())[0])
+            segments.append(_colour(artist.get_colors()[0]) | {"width": width, "at": _flat(ends)})
             continue
-        look = {"label": _label(one)} | _colour(one.get_facecolors()[0])
-        shapes = [path.vertices for path in one.get_paths()]
+        entry = {"label": _label(artist)} | _colour(artist.get_facecolors()[0])
+        shapes = [path.vertices for path in artist.get_paths()]
         if all(len(shape) <= 5 for shape in shapes):
             corners = [v for s in shapes for v in (*s.min(axis=0), *s.max(axis=0))]
-            boxes.append(look | ({"hatch": True} if one.get_hatch() else {}) | {"at": _flat(corners)})
+            boxes.append(entry | ({"hatch": True} if artist.get_hatch() else {}) | {"at": _flat(corners)})
             continue
         for shape in shapes:
             # Along the lower line and back along the upper one, with a corner between them at either end.
             count = (len(shape) - 3) // 2
             low, high = shape[1 : count + 1], shape[count + 2 : 2 * count + 2][::-1]
-            places = [columns.add(np.ascontiguousarray(v)) for v in (low[:, 0], low[:, 1], high[:, 1])]
-            bands.append(look | dict(zip(("x", "low", "high"), places, strict=True)))
+            indices = [columns.add(np.ascontiguousarray(v)) for v in (low[:, 0], low[:, 1], high[:, 1])]
+            bands.append(entry | dict(zip(("x", "low", "high"), indices, strict=True)))
     bars: dict[tuple[str, Any], list[Any]] = {}
     for patch in axes.patches:
         if isinstance(patch, Rectangle):
             in_x, in_y = patch.get_data_transform().contains_branch_seperately(axes.transData)
             (a, b), (c, d) = patch.get_xy(), (patch.get_x() + patch.get_width(), patch.get_y() + patch.get_height())
-            at = [a if in_x else None, b if in_y else None, c if in_x else None, d if in_y else None]
+            corners_of_bar = [a if in_x else None, b if in_y else None, c if in_x else None, d if in_y else None]
             key = _label(patch), patch.get_facecolor()
-            bars.setdefault(key, []).extend(at)
-    boxes += [{"label": label} | _colour(fill) | {"at": _flat(at)} for (label, fill), at in bars.items()]
+            bars.setdefault(key, []).extend(corners_of_bar)
+    boxes += [
+        {"label": label} | _colour(fill) | {"at": _flat(corners_of_bar)}
+        for (label, fill), corners_of_bar in bars.items()
+    ]
     return bands, boxes, segments
 
 
@@ -250,8 +259,8 @@ def _texts(axes: Any) -> tuple[list[Any], list[Any]]:
         x, y = (float(v) for v in text.get_position())
         in_x, in_y = text.get_transform().contains_branch_seperately(axes.transData)
         if in_x and in_y:
-            place = _ALIGN[text.get_ha()], _BASELINE.get(text.get_va(), "alphabetic")
-            texts.append([x, y, text.get_text(), _colour(text.get_color())["colour"], *place])
+            alignment = _ALIGN[text.get_ha()], _BASELINE.get(text.get_va(), "alphabetic")
+            texts.append([x, y, text.get_text(), _colour(text.get_color())["colour"], *alignment])
         elif in_y and x > 1.0:
             rows.append([y, text.get_text()])
     return texts, rows

@@ -110,7 +110,7 @@ def find(progress: Callable[[str], Any]) -> Findings:
     wall = walls[SUPPLIES.index(SUPPLY)].for_peak
     fillings = _fillings(wall, exponent)
     progress("main stage")
-    printed, drawn = _strokes_by_sign()
+    stroke_printed, stroke_drawn = _strokes_by_sign()
     open_ends = [
         staged("paper", Steps([0.0], [START + pilot]), thermal="isothermal").simulate(_LONGEST)["tank.pressure"][-1]
         for pilot in (1e5, 4e5)
@@ -132,8 +132,8 @@ def find(progress: Callable[[str], Any]) -> Findings:
         settling_time=_settling_time(),
         open_end=(float(open_ends[0]), float(open_ends[1])),
         exhaust_strokes=tuple(map(float, emptying)),
-        stroke_printed=printed,
-        stroke_fig5=drawn,
+        stroke_printed=stroke_printed,
+        stroke_fig5=stroke_drawn,
         staircase=_staircase(wall, progress),
     )
 
@@ -205,8 +205,8 @@ def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[fl
     """Stroke [m] and value where `sign` times the curve is least, on 0..1 mm."""
     strokes = np.linspace(0.0, 1e-3, 100_001)
     values = np.asarray(curve(strokes))
-    place = int(np.argmin(sign * values))
-    return float(strokes[place]), float(values[place])
+    index = int(np.argmin(sign * values))
+    return float(strokes[index]), float(values[index])
 
 
 def _law_deviation(c: float, b: float) -> float:
@@ -228,9 +228,9 @@ def _root(function: Callable[[float], Any], low: float, high: float, **tolerance
 # --- Filling at a fixed stroke ---
 
 
-def _filled(**given: Any) -> Recording:
+def _filled(**options: Any) -> Recording:
     """Run `filling` until the tank holds 5 bar."""
-    return _run_to_target(filling(**given))
+    return _run_to_target(filling(**options))
 
 
 def _run_to_target(circuit: Circuit) -> Recording:
@@ -277,9 +277,9 @@ def _wall_conductance(supply: float) -> WallConductance:
     def filled(wall: float) -> Filling:
         return _filling_of("", _run_to_target(circuit.with_values({"tank.wall_conductance": wall})))
 
-    wanted = START_TEMPERATURE + REPORTED_RISE
-    peak = _root(lambda wall: filled(wall).peak_temperature - wanted, 5.0, 500.0, xtol=1e-4)
-    end = _root(lambda wall: filled(wall).end_temperature - wanted, 5.0, 500.0, xtol=1e-4)
+    target = START_TEMPERATURE + REPORTED_RISE
+    peak = _root(lambda wall: filled(wall).peak_temperature - target, 5.0, 500.0, xtol=1e-4)
+    end = _root(lambda wall: filled(wall).end_temperature - target, 5.0, 500.0, xtol=1e-4)
     return WallConductance(supply, peak, filled(peak).peak_time, end)
 
 
@@ -307,8 +307,8 @@ def _strokes_by_sign() -> tuple[float, float]:
     valve: Any = circuit.parts["valve"]
     k1, h1 = float(valve.upper_spring.rate), float(valve.upper_spring.preload)
     k2, h2 = float(valve.lower_spring.rate), float(valve.lower_spring.preload)
-    drawn = (float(valve.plate_area) * 3e5 - k1 * h1 - k2 * h2) / (k1 - k2)
-    return float(circuit.simulate(0.1)["valve.stroke"][-1]), drawn
+    stroke = (float(valve.plate_area) * 3e5 - k1 * h1 - k2 * h2) / (k1 - k2)
+    return float(circuit.simulate(0.1)["valve.stroke"][-1]), stroke
 
 
 # --- Fig. 6 ---
@@ -318,8 +318,8 @@ def _staircase(wall: float, progress: Callable[[str], Any]) -> Recording:
     time, series = np.zeros(0), {}
     for name, options in TANKS.items():
         progress(f"figure 6, {name}")
-        found = {"wall_conductance": wall} if name == "wall" else {}
-        run = staircase_circuit(**options, **found).simulate(STEPS_END, 0.1, 1e-6)
+        wall_option = {"wall_conductance": wall} if name == "wall" else {}
+        run = staircase_circuit(**options, **wall_option).simulate(STEPS_END, 0.1, 1e-6)
         time = run.time
         series[f"{name}.pressure [Pa]"] = run["tank.pressure"]
         series[f"{name}.temperature [K]"] = run["tank.temperature"]

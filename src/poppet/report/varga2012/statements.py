@@ -45,80 +45,80 @@ class Statement:
         return sentence(f"{self.code}.finding", self.facts)
 
 
-def statements(found: Findings) -> tuple[Statement, ...]:
+def statements(results: Findings) -> tuple[Statement, ...]:
     """All statements with their verdicts."""
     verdicts = {True: Verdict.HOLDS, False: Verdict.FAILS, None: Verdict.OPEN}
     return tuple(
         Statement(f"paper.{name}", verdicts[None if holds is None else bool(holds)], facts)
-        for name, holds, facts in _judged(found)
+        for name, holds, facts in _judged(results)
     )
 
 
-def _judged(found: Findings) -> Iterator[tuple[str, bool | None, dict[str, Any]]]:
+def _judged(results: Findings) -> Iterator[tuple[str, bool | None, dict[str, Any]]]:
     """Statement, whether it holds (None: that cannot be told), and numbers in the units of its sentence."""
-    c, b, (stroke, largest) = found.conductances, found.ratios, found.largest
-    smallest_stroke, smallest = found.smallest_ratio
-    fill = found.fillings
+    c, b, (stroke, largest) = results.conductances, results.ratios, results.largest
+    smallest_stroke, smallest = results.smallest_ratio
+    fill = results.fillings
     isentrope, adiabatic, walled = fill["isentrope"], fill["adiabatic"], fill["wall of the peak"]
     isothermal, polytropic = fill["isothermal"].time, fill["polytropic"].time
-    settling = {"settling": 1e3 * found.settling_time}
+    settling = {"settling": 1e3 * results.settling_time}
     first, greatest = {"first": 1e8 * c[0]}, {"largest": 1e8 * largest}
 
     # The flow law.
-    yield "law", found.law_deviation < 1e-9, {"deviation": found.law_deviation}
-    yield "downstream", abs(found.downstream_error) < 1e-3, {"per_cent": 100.0 * found.downstream_error}
+    yield "law", results.law_deviation < 1e-9, {"deviation": results.law_deviation}
+    yield "downstream", abs(results.downstream_error) < 1e-3, {"per_cent": 100.0 * results.downstream_error}
     is_physical = min(c) > 0.0 and min(b) > 0.0 and max(b) < 1.0
-    yield "range", is_physical, {"zero": 1e3 * found.zero_beyond, "beyond": 1e8 * found.conductance_beyond}
+    yield "range", is_physical, {"zero": 1e3 * results.zero_beyond, "beyond": 1e8 * results.conductance_beyond}
 
     # The characteristic.
     ratios = {"lowest_ratio": smallest, "lowest_stroke": 1e3 * smallest_stroke, "first_ratio": b[0]}
     spread = {**first, **greatest, **ratios, "growth": largest / c[0], "stroke": 1e3 * stroke}
     yield "nonlinear", largest > 1.1 * c[0] and b[0] > 1.1 * smallest, spread
-    hump = {"fall": 100.0 * (1.0 - c[-1] / largest), "suspected": 1e8 * found.suspected_largest}
+    hump = {"fall": 100.0 * (1.0 - c[-1] / largest), "suspected": 1e8 * results.suspected_largest}
     yield "drawn", None, greatest | hump  # the points of the figure are not in the text
-    yield "closing", c[0] < 1e-3 * largest, first | {"share": 100.0 * c[0] / largest, "leak": 1e3 * found.leak}
+    yield "closing", c[0] < 1e-3 * largest, first | {"share": 100.0 * c[0] / largest, "leak": 1e3 * results.leak}
 
     # Mechanics.
-    strokes = found.exhaust_strokes
+    strokes = results.exhaust_strokes
     yield "emptying", max(strokes) - min(strokes) < 1e-9, {"strokes": [1e6 * x for x in strokes]}
-    printed, drawn = found.stroke_printed, found.stroke_fig5
-    yield "fig5", abs(drawn - printed) < 1e-3 * printed, {"printed": 1e3 * printed, "drawn": 1e3 * drawn}
-    low, high = found.open_end
+    printed, from_figure = results.stroke_printed, results.stroke_fig5
+    yield "fig5", abs(from_figure - printed) < 1e-3 * printed, {"printed": 1e3 * printed, "drawn": 1e3 * from_figure}
+    low, high = results.open_end
     yield "following", max(low, high) < 0.99 * SUPPLY, {"low": 1e-5 * low, "high": 1e-5 * high}
-    yield "slow", found.settling_time < 1e-2 * walled.time, settling | {"filling": walled.time}
+    yield "slow", results.settling_time < 1e-2 * walled.time, settling | {"filling": walled.time}
     yield "faster", None, settling  # no response of the real valve is given
 
     # The tank.
     rise = isentrope.end_temperature - START_TEMPERATURE
     warmed = {"isentrope": rise, "adiabatic": adiabatic.end_temperature - START_TEMPERATURE}
-    walls = {"walls": [each.for_peak for each in found.walls], "supplies": [1e-5 * p for p in SUPPLIES]}
-    reported = {"reported": REPORTED_RISE, "exponent": found.exponent}
+    walls = {"walls": [wall.for_peak for wall in results.walls], "supplies": [1e-5 * p for p in SUPPLIES]}
+    reported = {"reported": REPORTED_RISE, "exponent": results.exponent}
     yield "warming", abs(rise - REPORTED_RISE) < 0.5 * REPORTED_RISE, warmed | reported | walls
     times = {"isentrope": isentrope.time, "adiabatic": adiabatic.time}
     ends = {"isentrope_end": isentrope.end_temperature, "adiabatic_end": adiabatic.end_temperature}
     yield "no_heat", abs(isentrope.time - adiabatic.time) < 1e-2 * adiabatic.time, times | ends
     times = {"isentrope": isentrope.time, "walled": walled.time, "isothermal": isothermal}
     excess = {"least": walled.time / isentrope.time, "most": isothermal / isentrope.time}
-    yield "measured_slower", walled.time > isentrope.time, times | excess | {"wall": found.wall.for_peak}
+    yield "measured_slower", walled.time > isentrope.time, times | excess | {"wall": results.wall.for_peak}
 
     # Conclusions.
     by_heat, by_law = walled.time - adiabatic.time, adiabatic.time - isentrope.time
     shares = {"difference": walled.time - isentrope.time, "by_heat": by_heat, "by_law": by_law}
-    yield "heat", by_heat > by_law and found.pressure_drop > 0.0, shares | {"drop": 1e-5 * found.pressure_drop}
+    yield "heat", by_heat > by_law and results.pressure_drop > 0.0, shares | {"drop": 1e-5 * results.pressure_drop}
     times = {"polytropic": polytropic, "walled": walled.time, "isentrope": isentrope.time}
     is_near = abs(polytropic - walled.time) < 0.1 * abs(isentrope.time - walled.time)
-    yield "polytropic", is_near, times | {"exponent": found.exponent}
-    slow, constant = found.slow_time, found.slow_time_constant
+    yield "polytropic", is_near, times | {"exponent": results.exponent}
+    slow, constant = results.slow_time, results.slow_time_constant
     yield "precise", slow > 1.1 * constant, {"slow": slow, "constant": constant}
-    lowest, highest, miss = _staircase(found)
+    lowest, highest, miss = _staircase(results)
     facts = {"low": lowest, "high": highest, "miss": 100.0 * miss}
     yield "staircase", miss < 1e-2 and lowest > 0.999 and highest < 5.5, facts
     yield "works_well", None, {}  # the points of fig. 6 are not in the text
 
 
-def _staircase(found: Findings) -> tuple[float, float, float]:
+def _staircase(results: Findings) -> tuple[float, float, float]:
     """Lowest and highest pressure of all tanks [bar], and the greatest relative miss when the next step comes."""
-    run = found.staircase
+    run = results.staircase
     required = run["required.pressure"]
     ends = np.append(np.flatnonzero(np.diff(required)), required.size - 1)
     rows = np.array([run[f"{tank}.pressure"] for tank in TANKS])

@@ -1,8 +1,8 @@
-"""Recordings made by others: the mapping of their columns to a circuit's addresses, and what looks wrong with them."""
+"""Measured recordings: assignment of their columns to addresses of a circuit, and plausibility checks."""
 
 from __future__ import annotations
 
-from poppet.timeseries.measurements.mapping import read_measurement
+from poppet.timeseries.measurements.mapping import read_measurement, read_recording
 from poppet.timeseries.measurements.measurement import Channel, InputChannel, Measurement
 from poppet.timeseries.measurements.noise import noise_of, quantum_of
 
@@ -13,4 +13,5 @@ __all__ = [
     "noise_of",
     "quantum_of",
     "read_measurement",
+    "read_recording",
 ]

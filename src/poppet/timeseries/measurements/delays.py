@@ -1,4 +1,4 @@
-"""Records that come late: inputs behind the pressure they make, thermometers behind the gas."""
+"""Late recordings: inputs with a delay against the pressure, temperature sensors with a lag."""
 
 from __future__ import annotations
 
@@ -13,44 +13,44 @@ from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements.measurement import Channel, InputChannel
 from poppet.timeseries.measurements.noise import noise_of
 
-_WINDOW = 50  # steps over which changes are compared: long against the noise, short against the wall's warming
-_MOST = 2000  # samples compared; of more, means are taken, so that seconds are seen in a fast recording
-_FARTHEST = 40  # steps: the largest delay looked for, on either side
-_LEAST = 5  # steps: a smaller one may as well be heat
-_BETTER = 0.95  # of the misfit without delay: less is no evidence
+_WINDOW = 50  # steps of a compared change: long compared with noise, short compared with heating of the wall
+_MAX_SAMPLES = 2000  # limit of compared samples; longer recordings are averaged to show delays of seconds
+_MAX_DELAY = 40  # largest tested delay in both directions [steps]
+_MIN_DELAY = 5  # smaller delays cannot be distinguished from heat transfer [steps]
+_MAX_RATIO = 0.95  # cost ratio with and without delay above which there is no evidence
 _ROUNDS = 10
-_TINY = 1e-300  # keeps a division by nothing finite
+_TINY = 1e-300  # avoids a division by zero
 _CERTAIN = 5.0  # standard deviations
-_SLIGHT = 0.01  # of the range: a pressure that moves by less has not moved
+_SLIGHT = 0.01  # pressure change below which a pressure is constant, relative to its range
 
-_CHANGE = 0.15  # of the pressure, relative
-_RESPONSE = 0.6  # of what the gas itself does at once
-_LEAST_RESPONSE = 3.0  # K
+_CHANGE = 0.15  # relative change of the pressure in the window
+_RESPONSE = 0.6  # limit of the response, relative to that of the gas
+_MIN_RESPONSE = 3.0  # [K]
 
 
 def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
-    r"""A mass flow whose record is late against the pressure that it raises.
+    r"""Return a note on a mass flow that was recorded late, compared with the pressure.
 
     .. math:: \Delta p \approx a\, \Delta m + b\, \Delta\!\int m\,dt + c\, \Delta\!\int p\,dt + e, \qquad
         m(t) = \int q(t + d)\,dt
 
     Notes
     -----
-    The changes are those over 50 samples, fitted robustly, so that a jump that has another cause counts little. The
-    integrals of m and p are the heat that the wall takes, as far as it is linear: what is left of it passes for a
-    delay of up to 0.4 s in simulated tanks of 7.5 litres. Delays of 5 to 39 samples are told, in recordings of more
-    than 2000 samples after means over several.
+    The robust fit of changes over 50 samples reduces the weight of jumps with other causes. The integrals of m and p
+    describe the heat flow to the wall as far as it is linear. The remaining heat flow looks like a delay of up to
+    0.4 s in simulated tanks of 7.5 litres. The function reports delays of 5 to 39 samples. Recordings of more than
+    2000 samples are averaged first.
     """
     pressures = [_thinned(channel) for channel in channels if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW]
     if item.unit != "kg/s" or not pressures or not np.ptp(item.values):
         return []
     item = replace(item, time=item.time - (item.delay or 0.0))
-    channel = max(pressures, key=lambda each: _explained(item, each))
+    channel = max(pressures, key=lambda candidate: _explained(item, candidate))
     _, delays, misfits = _misfits(item, channel)
     k = int(np.argmin(misfits))
-    delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_FARTHEST], _TINY))
-    # A best one at the end of what was looked at is no minimum.
-    if abs(k - _FARTHEST) < _LEAST or ratio > _BETTER or k in (0, delays.size - 1):
+    delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_MAX_DELAY], _TINY))
+    # The smallest residual at the end of the tested range is not a minimum.
+    if abs(k - _MAX_DELAY) < _MIN_DELAY or ratio > _MAX_RATIO or k in (0, delays.size - 1):
         return []
     facts = {
         "shift": abs(delay),
@@ -64,60 +64,60 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
 
 
 def _thinned(channel: Channel) -> Channel:
-    """Means over as many samples as leave a number that is quickly compared."""
-    count = -(-channel.time.size // _MOST)
-    whole = channel.time.size // count * count
-    time, values = (row[:whole].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
+    """Return means of consecutive samples; at most `_MAX_SAMPLES` of them remain."""
+    count = -(-channel.time.size // _MAX_SAMPLES)
+    length = channel.time.size // count * count
+    time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
     return replace(channel, time=time, values=values)
 
 
 def _explained(item: InputChannel, channel: Channel) -> float:
-    """Share of the pressure's changes that the flow explains, whatever its delay."""
-    change, _, misfits = _misfits(item, channel, every=5)
+    """Return the fraction of the pressure changes that the flow explains at the best delay."""
+    change, _, misfits = _misfits(item, channel, stride=5)
     return 1.0 - float(np.min(misfits)) / max(float(np.mean(np.abs(change - np.median(change)))), _TINY)
 
 
 def _zero_while_rising(item: InputChannel, channel: Channel) -> dict[str, float | None]:
-    """Until when the meter read nothing, and what the pressure had done before, as evidence."""
+    """Return facts on a pressure that changed before the flow meter showed a flow."""
     flowing = np.flatnonzero(np.abs(item.values) > 0.05 * float(np.max(np.abs(item.values))))
     begin = float(item.time[flowing[0]])
-    before = channel.values[channel.time < begin]
-    if before.size >= 2 * _WINDOW:
-        rise = abs(float(np.mean(before[-5:])) - float(np.mean(before[:_WINDOW])))
+    earlier = channel.values[channel.time < begin]
+    if earlier.size >= 2 * _WINDOW:
+        rise = abs(float(np.mean(earlier[-5:])) - float(np.mean(earlier[:_WINDOW])))
         noise = noise_of(channel.values, channel.time)
         if rise > max(_CERTAIN * noise, _SLIGHT * float(np.ptp(channel.values))):
             return {"silent_until": begin, "moved": rise}
     return {"silent_until": None, "moved": None}
 
 
-def _misfits(item: InputChannel, channel: Channel, every: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Changes of the pressure, delays [s], and for each the mean size of what a robust fit of the flow leaves."""
+def _misfits(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return pressure changes, delays [s] and the mean residual of a robust fit per delay."""
     step = float(np.median(np.diff(channel.time)))
-    at, span = channel.time[:-_WINDOW], _WINDOW * step
-    change = _changes(channel.time, channel.values, at, span)
-    of_pressure = _changes(channel.time, _integral(channel.time, channel.values), at, span)
+    times, span = channel.time[:-_WINDOW], _WINDOW * step
+    change = _changes(channel.time, channel.values, times, span)
+    of_pressure = _changes(channel.time, _integral(channel.time, channel.values), times, span)
     flown = _integral(item.time, item.values)
     rows = (flown, _integral(item.time, flown))
-    delays = np.array([step * k for k in range(-_FARTHEST, _FARTHEST + 1, every)])
+    delays = np.array([step * k for k in range(-_MAX_DELAY, _MAX_DELAY + 1, stride)])
     misfits = []
     for delay in delays:
-        of_flow = (_changes(item.time, row, at + delay, span) for row in rows)
-        misfits.append(_misfit(np.stack([np.ones(at.size), *of_flow, of_pressure], axis=1), change))
+        of_flow = (_changes(item.time, row, times + delay, span) for row in rows)
+        misfits.append(_misfit(np.stack([np.ones(times.size), *of_flow, of_pressure], axis=1), change))
     return change, delays, np.array(misfits)
 
 
-def _misfit(columns: FloatArray, wanted: FloatArray) -> float:
-    # The columns differ by decades, which would cost digits.
+def _misfit(columns: FloatArray, target: FloatArray) -> float:
+    # Scaled, because the columns differ by orders of magnitude.
     columns = columns / np.maximum(np.max(np.abs(columns), axis=0), _TINY)
-    weight = np.ones(wanted.size)
+    weight = np.ones(target.size)
     for _ in range(_ROUNDS):
         root = np.sqrt(weight)
-        fit = np.linalg.lstsq(columns * root[:, None], wanted * root, rcond=None)[0]
-        left = np.abs(wanted - columns @ fit)
+        fit = np.linalg.lstsq(columns * root[:, None], target * root, rcond=None)[0]
+        residual = np.abs(target - columns @ fit)
         # Huber's weights: 1.345 standard deviations keep 95 % of the efficiency of least squares.
-        limit = 1.345 * 1.4826 * max(float(np.median(left)), _TINY)
-        weight = limit / np.maximum(left, limit)
-    return float(np.mean(left))
+        limit = 1.345 * 1.4826 * max(float(np.median(residual)), _TINY)
+        weight = limit / np.maximum(residual, limit)
+    return float(np.mean(residual))
 
 
 def _integral(time: FloatArray, values: FloatArray) -> FloatArray:
@@ -125,26 +125,29 @@ def _integral(time: FloatArray, values: FloatArray) -> FloatArray:
     return np.concatenate([[0.0], np.cumsum(areas)])
 
 
-def _changes(time: FloatArray, values: FloatArray, at: FloatArray, span: float) -> FloatArray:
-    return np.asarray(np.interp(at + span, time, values) - np.interp(at, time, values))
+def _changes(time: FloatArray, values: FloatArray, times: FloatArray, span: float) -> FloatArray:
+    return np.asarray(np.interp(times + span, time, values) - np.interp(times, time, values))
 
 
 def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
-    r"""A thermometer that does not show what the gas must do when its pressure changes fast.
+    r"""Return a note on a temperature sensor that is slower than the gas during fast pressure changes.
 
     .. math:: \Delta T = \frac{\kappa - 1}{\kappa}\, T\, \Delta \ln p
 
     Notes
     -----
-    The law holds for discharge, and for the first moments of a charge with gas of the same temperature; air,
-    kappa = 1.4. A wall that takes much heat looks the same: it is a suspicion.
+    The law is valid for a discharge, and for the start of a charge with gas of the same temperature; kappa = 1.4
+    (air). A high heat flow to the wall has the same effect, so the result is a suspicion.
     """
     owner = channel.address.rpartition(".")[0]
-    pressure = next((each for each in channels if each.address == f"{owner}.pressure" and each.unit == "Pa"), None)
+    pressure = next(
+        (candidate for candidate in channels if candidate.address == f"{owner}.pressure" and candidate.unit == "Pa"),
+        None,
+    )
     if channel.unit != "K" or channel.lag != 0.0 or pressure is None or np.min(pressure.values) <= 0.0:
         return []
-    inside = (channel.time >= pressure.time[0]) & (channel.time <= pressure.time[-1])
-    time, shown = channel.time[inside], channel.values[inside]
+    is_common = (channel.time >= pressure.time[0]) & (channel.time <= pressure.time[-1])
+    time, temperature = channel.time[is_common], channel.values[is_common]
     if time.size < 3:
         return []
     level = np.interp(time, pressure.time, np.log(pressure.values))
@@ -154,24 +157,24 @@ def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
         return []
     first, last = window
     kappa = AIR_ISENTROPIC_EXPONENT
-    expected = (kappa - 1.0) / kappa * float(shown[first]) * float(level[last] - level[first])
-    moved = float(shown[last] - shown[first])
-    scatter = noise_of(shown, time) if time.size > 4 * _WINDOW else 0.0
-    if abs(expected) < max(_LEAST_RESPONSE, _CERTAIN * scatter) or moved / expected > _RESPONSE:
+    expected = (kappa - 1.0) / kappa * float(temperature[first]) * float(level[last] - level[first])
+    change = float(temperature[last] - temperature[first])
+    scatter = noise_of(temperature, time) if time.size > 4 * _WINDOW else 0.0
+    if abs(expected) < max(_MIN_RESPONSE, _CERTAIN * scatter) or change / expected > _RESPONSE:
         return []
-    facts = {"moved": moved, "start": float(time[first]), "stop": float(time[last]), "expected": expected}
+    facts = {"moved": change, "start": float(time[first]), "stop": float(time[last]), "expected": expected}
     return [Note("suspicion.slow_sensor", channel.address, **facts)]
 
 
 def _fastest(time: FloatArray, level: FloatArray, change: float) -> tuple[int, int] | None:
-    """Ends of the shortest stretch over which a level changes by so much."""
-    best: tuple[float, int, int] | None = None
+    """Return the limits of the shortest window in which the level changes by `change`."""
+    shortest: tuple[float, int, int] | None = None
     last = 1
     for first in range(time.size - 1):
         last = max(last, first + 1)
         while last < time.size - 1 and abs(level[last] - level[first]) < change:
-            last += 1  # never back, which is enough where a pressure falls or rises throughout
+            last += 1  # the end never moves back, which is sufficient for a monotone pressure
         if abs(level[last] - level[first]) >= change:
-            found = (float(time[last] - time[first]), first, last)
-            best = min(best or found, found)
-    return best and best[1:]
+            window = (float(time[last] - time[first]), first, last)
+            shortest = min(shortest or window, window)
+    return shortest and shortest[1:]

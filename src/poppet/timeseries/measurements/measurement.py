@@ -1,4 +1,4 @@
-"""What a bench recording is once it is read: channels and inputs in SI over one clock."""
+"""Bench recording after reading: channels and inputs in SI units over one clock."""
 
 from __future__ import annotations
 
@@ -11,42 +11,42 @@ from poppet.timeseries.checks import FloatArray
 
 @dataclass(frozen=True, eq=False)
 class Channel:
-    """One measured signal of a circuit, in SI, pressures absolute."""
+    """Measured signal of a circuit, in SI units with absolute pressures."""
 
     address: str  # `tank.pressure`
     time: FloatArray  # (n,), strictly increasing, from 0 at the first used sample of the recording [s]
     values: FloatArray  # (n,), in `unit`
     unit: str
-    noise: float | None = None  # one standard deviation as stated; None where it is to be estimated
-    lag: float | None = 0.0  # time constant of the sensor; None when it is free [s]
-    quantum: float = 0.0  # step of the recording; 0 where none can be seen
-    offset: float | None = None  # one standard deviation of the sensor's zero as stated; None where nobody says
+    noise: float | None = None  # stated standard deviation; None: to be estimated
+    lag: float | None = 0.0  # time constant of the sensor; None if free [s]
+    quantum: float = 0.0  # resolution of the recording; 0 if unknown
+    offset: float | None = None  # stated standard deviation of the sensor offset; None if not stated
 
 
 @dataclass(frozen=True, eq=False)
 class InputChannel:
-    """One measured signal that drives the model, in SI, pressures absolute."""
+    """Measured signal that drives the model, in SI units with absolute pressures."""
 
     address: str  # `inlet.mass_flow_rate`
-    # (n,), on the clock of the channels: what was recorded before their first used sample stays, at negative times [s]
+    # (n,), on the clock of the channels; samples before their first used sample have negative times [s]
     time: FloatArray
     values: FloatArray  # (n,), in `unit`
     unit: str
-    delay: float | None = 0.0  # what happened at t was recorded at t + delay; None when it is free [s]
-    lag: float | None = 0.0  # time constant of the sensor; None when it is free [s]
-    hold: bool = False  # until the next sample, as a computer writes a command; else straight between samples
+    delay: float | None = 0.0  # an event at t was recorded at t + delay; None if free [s]
+    lag: float | None = 0.0  # time constant of the sensor; None if free [s]
+    hold: bool = False  # True: constant until the next sample (a sampled command); False: linear interpolation
 
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """One recording of a bench under the name that the user gave it."""
+    """Recording of a test bench with its name in the file."""
 
     name: str
-    channels: tuple[Channel, ...]  # what a model is compared with
-    inputs: tuple[InputChannel, ...] = ()  # what drives it
-    # From the address of an initial value to `first`, `free`, or a value as it was written.
+    channels: tuple[Channel, ...]  # compared with the model
+    inputs: tuple[InputChannel, ...] = ()  # drive the model
+    # Map from the address of an initial value to `first`, `free`, or the value as written.
     start: Mapping[str, str | float] = field(default_factory=dict)
     ambient_pressure: float = 101325.0  # absolute, to which gauge values refer [Pa]
-    notes: tuple[Note, ...] = ()  # what was guessed, merged or left out
-    findings: tuple[Note, ...] = ()  # what looks wrong with it, with the evidence
+    notes: tuple[Note, ...] = ()  # guesses, merged and omitted samples
+    findings: tuple[Note, ...] = ()  # suspicions with their evidence
     duration: float = 0.0  # time of the last sample of a channel [s]

@@ -1,4 +1,4 @@
-"""How finely and how quietly a channel was recorded."""
+"""Resolution and noise of a measured channel."""
 
 from __future__ import annotations
 
@@ -8,18 +8,18 @@ import numpy as np
 
 from poppet.timeseries.checks import FloatArray
 
-_LEAST_LEVELS = 4  # different values from which a step can be told
-_REPEATED = 0.9  # of the samples may differ: an even ramp has even steps, too, but no value twice
+_MIN_LEVELS = 4  # distinct values needed to find a resolution
+_MAX_DISTINCT = 0.9  # limit of distinct values, relative to the samples: a ramp has equal steps but no repeated value
 _ROUNDS = 6
-_WITHIN = 3.0  # standard deviations that are noise; what goes beyond is a jump of the signal
-# Of a normal distribution cut at three standard deviations, the one that remains is 0.9866 of the whole.
+_WITHIN = 3.0  # limit of noise in standard deviations; larger deviations are jumps of the signal
+# A normal distribution truncated at three standard deviations has 0.9866 times the standard deviation.
 _CUT = math.sqrt(
     1.0 - 2.0 * _WITHIN * math.exp(-0.5 * _WITHIN**2) / math.sqrt(2.0 * math.pi) / math.erf(_WITHIN / 2**0.5)
 )
 
 
 def quantum_of(values: FloatArray) -> float:
-    """The step in which values were recorded.
+    """Return the resolution of the values, 0 if there is no common step.
 
     Examples
     --------
@@ -29,11 +29,11 @@ def quantum_of(values: FloatArray) -> float:
     0.0
     """
     levels = np.unique(values)
-    if levels.size < _LEAST_LEVELS or levels.size > _REPEATED * values.size:
+    if levels.size < _MIN_LEVELS or levels.size > _MAX_DISTINCT * values.size:
         return 0.0
     steps = np.diff(levels)
-    steps = steps[steps > 1e-9 * float(np.max(np.abs(levels)))]  # smaller ones are the rounding of a conversion
-    if steps.size < _LEAST_LEVELS - 1:
+    steps = steps[steps > 1e-9 * float(np.max(np.abs(levels)))]  # smaller steps are rounding errors of a conversion
+    if steps.size < _MIN_LEVELS - 1:
         return 0.0
     step = float(np.min(steps))
     counts = np.rint(steps / step)
@@ -43,15 +43,14 @@ def quantum_of(values: FloatArray) -> float:
 
 
 def noise_of(values: FloatArray, time: FloatArray | None = None) -> float:
-    r"""The standard deviation of the noise of a channel, from the scatter about its neighbours.
+    r"""Return the standard deviation of the noise, from deviations between neighbouring samples.
 
     .. math:: e_k = x_k - \frac{x_{k-1} + x_{k+1}}{2}, \qquad
         \sigma^2 = \tfrac{2}{3}\,\overline{e_k^2}
 
     Notes
     -----
-    Jumps are left out as far as they are rare. Noise that a filter has smoothed is underestimated, and a signal
-    that bends between three samples counts as noise.
+    Rare jumps are excluded. Filtered noise is underestimated, and curvature within three samples counts as noise.
 
     Examples
     --------
@@ -63,15 +62,15 @@ def noise_of(values: FloatArray, time: FloatArray | None = None) -> float:
     if values.size < 3:
         return floor
     base = np.arange(values.size, dtype=float) if time is None else time
-    # Weights of a straight line through the neighbours, wherever the sample stands between them.
-    before = (base[2:] - base[1:-1]) / (base[2:] - base[:-2])
-    scatter = values[1:-1] - before * values[:-2] - (1.0 - before) * values[2:]
-    scatter = np.abs(scatter) / np.sqrt(1.0 + before**2 + (1.0 - before) ** 2)
-    # The median to begin with, since jumps do not move it; for normal noise, sigma is 1.4826 of it.
+    # Weights of linear interpolation between the neighbours.
+    weight = (base[2:] - base[1:-1]) / (base[2:] - base[:-2])
+    scatter = values[1:-1] - weight * values[:-2] - (1.0 - weight) * values[2:]
+    scatter = np.abs(scatter) / np.sqrt(1.0 + weight**2 + (1.0 - weight) ** 2)
+    # Start with the median, which is robust to jumps; for normal noise, sigma is 1.4826 times the median.
     sigma = max(1.4826 * float(np.median(scatter)), floor)
     for _ in range(_ROUNDS):
-        kept = scatter[scatter <= _WITHIN * sigma]
-        if not kept.size:
+        inliers = scatter[scatter <= _WITHIN * sigma]
+        if not inliers.size:
             break
-        sigma = max(float(np.sqrt(np.mean(kept**2))) / _CUT, floor)
+        sigma = max(float(np.sqrt(np.mean(inliers**2))) / _CUT, floor)
     return sigma

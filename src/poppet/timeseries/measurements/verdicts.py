@@ -1,4 +1,4 @@
-"""What looks wrong with a recording, with the evidence: suspicions, to be checked at the bench."""
+"""Plausibility checks of a recording. Each suspicion has its evidence and must be checked at the bench."""
 
 from __future__ import annotations
 
@@ -13,47 +13,48 @@ from poppet.timeseries.measurements.delays import late_input, slow_sensor
 from poppet.timeseries.measurements.measurement import Channel, InputChannel
 from poppet.timeseries.measurements.noise import noise_of
 
-_LOW = 0.3  # of the ambient pressure: circuits for compressed air seldom rest below
-_HIGH = 16e5  # Pa: where the data sheets of components for compressed air end
-_COLDEST, _HOTTEST = 150.0, 800.0  # K
-_NEAR = 0.05  # of the ambient pressure
-_ZERO = 0.1  # of the ambient pressure: what a gauge shows of it; one on a real bench showed 8 kPa
-_LOWEST = 0.05  # share of the samples that make the lowest level
+# Limits relative to the ambient pressure: _LOW, _NEAR, _ZERO.
+_LOW = 0.3  # compressed-air circuits are rarely in steady state below this pressure
+_HIGH = 16e5  # upper limit in data sheets of compressed-air components [Pa]
+_COLDEST, _HOTTEST = 150.0, 800.0  # [K]
+_NEAR = 0.05
+_ZERO = 0.1  # largest offset of a gauge at ambient pressure; a gauge of a real bench showed 8 kPa
+_LOWEST = 0.05  # fraction of the samples in the lowest level
 _SHORTEST_RUN = 5  # samples at one extreme value
-_DITHER = 0.5  # steps: noise of so much lets a mean resolve what lies between two steps
-_GAP = 3.0  # steps
-_UNEVEN = 0.5  # spread of the steps over their median
-_LONG_STEP, _MANY_STAMPS = 5.0, 30  # s; whole seconds this far apart may be milliseconds
+_DITHER = 0.5  # noise in steps that lets a mean resolve values between two steps
+_GAP = 3.0  # in median steps
+_UNEVEN = 0.5  # spread of the steps, relative to their median
+_LONG_STEP, _MANY_STAMPS = 5.0, 30  # integer times with such steps [s] can be milliseconds
 
 
 def verdicts(
     channels: Sequence[Channel], inputs: Sequence[InputChannel], ambient_pressure: float, gauge: frozenset[str]
 ) -> list[Note]:
-    """All suspicions about a recording."""
-    found: list[Note] = []
+    """Return all suspicions about a recording."""
+    notes: list[Note] = []
     doubtful: set[str] = set()
     for channel in channels:
         if channel.unit == "Pa":
             suspicions = pressure_verdicts(channel, ambient_pressure, is_gauge=channel.address in gauge)
             doubtful |= {channel.address} if suspicions else set()
-            found += suspicions
+            notes += suspicions
         lowest, highest = float(np.min(channel.values)), float(np.max(channel.values))
         if channel.unit == "K" and not _COLDEST <= lowest <= highest <= _HOTTEST:
-            found.append(Note("suspicion.no_temperature", channel.address, lowest=lowest, highest=highest))
-        found += value_verdicts(channel)
-    found += time_verdicts(channels)
-    found += _coverage(channels, inputs)
-    # A pressure that was misread would make every flow late and every thermometer slow.
+            notes.append(Note("suspicion.no_temperature", channel.address, lowest=lowest, highest=highest))
+        notes += value_verdicts(channel)
+    notes += time_verdicts(channels)
+    notes += _coverage(channels, inputs)
+    # With a misread pressure, every flow looks late and every temperature sensor looks slow.
     sound = [channel for channel in channels if channel.address not in doubtful]
     for channel in channels:
-        found += slow_sensor(channel, sound)
+        notes += slow_sensor(channel, sound)
     for item in inputs:
-        found += late_input(item, sound)
-    return found
+        notes += late_input(item, sound)
+    return notes
 
 
 def heading_verdicts(address: str, name: str, heading: str, unit: str) -> list[Note]:
-    """A heading that states another unit than the one in which its column is read.
+    """Return a suspicion if the heading states another unit than the one in use.
 
     Examples
     --------
@@ -72,9 +73,9 @@ def _scale(first: str, second: str) -> float:
 
 
 def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[Note]:
-    """Gauge against absolute, and numbers that are no pressures."""
+    """Return suspicions on gauge versus absolute pressure and on implausible values."""
     lowest, highest, address = float(np.min(channel.values)), float(np.max(channel.values)), channel.address
-    # Median of the lowest samples: one that is struck by noise does not decide.
+    # The median of the lowest samples is robust to single noisy samples.
     level = float(np.median(np.sort(channel.values)[: max(3, int(_LOWEST * channel.values.size))]))
     if is_gauge and lowest < 0.0:
         return [Note("suspicion.below_vacuum", address, lowest=lowest)]
@@ -83,15 +84,19 @@ def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bo
         return [Note("suspicion.read_as_absolute", address, lowest=min(lowest, 0.0) or level, ambient=ambient_pressure)]
     if lowest > _HIGH:
         return [Note("suspicion.high_pressure", address, lowest=lowest, highest=highest)]
-    rest = level - ambient_pressure  # what was read as gauge; at rest it is an ambient pressure where it was absolute
+    rest_pressure = (
+        level - ambient_pressure
+    )  # an absolute pressure at rest that was read as gauge equals the ambient pressure
     moves = highest - level > 0.5 * ambient_pressure
-    if is_gauge and moves and abs(rest - ambient_pressure) < _NEAR * ambient_pressure:
-        return [Note("suspicion.read_as_gauge", address, lowest=rest, ambient=ambient_pressure)]
+    if is_gauge and moves and abs(rest_pressure - ambient_pressure) < _NEAR * ambient_pressure:
+        return [Note("suspicion.read_as_gauge", address, lowest=rest_pressure, ambient=ambient_pressure)]
     return []
 
 
 def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
-    """Whether a pressure rises from a vacuum: one that a gauge would not show as 0, or to no more than the ambient.
+    """Return True if a pressure rises from a vacuum.
+
+    Its first value is then too high for a gauge reading of 0, or its last value does not exceed the ambient pressure.
 
     Examples
     --------
@@ -106,26 +111,26 @@ def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
 
 
 def value_verdicts(channel: Channel) -> list[Note]:
-    """A channel that does not move, is clipped, or was recorded in coarse steps."""
+    """Return suspicions on constant, clipped or coarsely resolved values."""
     values, address, unit = channel.values, channel.address, channel.unit
     if float(np.ptp(values)) == 0.0:
         return [Note("suspicion.constant", address, value=float(values[0]), unit=unit, samples=values.size)]
     noise, range_ = noise_of(values, channel.time), float(np.ptp(values))
-    found = []
+    notes = []
     if channel.quantum > 0.0 and noise < _DITHER * channel.quantum and channel.quantum > 1e-3 * range_:
         facts = {"step": channel.quantum, "share": channel.quantum / range_, "noise": noise, "unit": unit}
-        found.append(Note("suspicion.coarse", address, **facts))
-    for level, which in ((float(np.max(values)), "highest"), (float(np.min(values)), "lowest")):
+        notes.append(Note("suspicion.coarse", address, **facts))
+    for level, extreme in ((float(np.max(values)), "highest"), (float(np.min(values)), "lowest")):
         count = _clipped(values, level, channel.quantum)
         if count:
-            found.append(Note("suspicion.clipped", address, which=which, value=level, unit=unit, samples=count))
-    return found
+            notes.append(Note("suspicion.clipped", address, which=extreme, value=level, unit=unit, samples=count))
+    return notes
 
 
 def _clipped(values: FloatArray, level: float, quantum: float) -> int:
-    """Length of the longest run at an extreme that is no rest there; 0 where there is none."""
+    """Return the length of the longest run of clipped samples at an extreme value, else 0."""
     runs = _runs(values, level)
-    if not runs or level == 0.0:  # nothing flows, or nothing is open: that is a rest
+    if not runs or level == 0.0:  # zero is a regular value: no flow, or closed
         return 0
     step = max(quantum, 1e-6 * float(np.ptp(values)))
     is_cut = stays_in_noise(values, level, quantum) or any(cuts_a_peak(values, run, step) for run in runs)
@@ -134,24 +139,24 @@ def _clipped(values: FloatArray, level: float, quantum: float) -> int:
 
 def _runs(values: FloatArray, level: float) -> list[tuple[int, int]]:
     edges = np.flatnonzero(np.diff(np.concatenate([[False], values == level, [False]]).astype(int)))
-    least = max(_SHORTEST_RUN, values.size // 200)
-    return [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= least]
+    shortest = max(_SHORTEST_RUN, values.size // 200)
+    return [(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= shortest]
 
 
 def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
-    """True where a series that is noisy elsewhere stays exactly at a level other than zero for long."""
+    """Return True if a noisy series stays exactly at a nonzero level for long."""
     runs = _runs(values, level)
     if not runs or level == 0.0:
         return False
     start, stop = max(runs, key=lambda run: run[1] - run[0])
     moving = np.concatenate([values[:start], values[stop:]])
     noise = noise_of(moving)
-    # Every second sample of noise is as noisy; of a smooth curve, it bends four times as much.
+    # Without every second sample, noise stays the same, but a smooth curve has four times the curvature.
     return noise > max(quantum, 1e-6 * float(np.ptp(values))) and noise_of(moving[::2]) < 2.0 * noise
 
 
 def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
-    """True for a run between two steep flanks: without noise, that is what remains of a peak."""
+    """Return True for a run between two steep flanks, the remains of a clipped peak."""
     start, stop = run
     if start == 0 or stop == values.size:
         return False
@@ -159,40 +164,40 @@ def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
 
 
 def time_verdicts(channels: Sequence[Channel]) -> list[Note]:
-    """Gaps, uneven stamps, and milliseconds read as seconds, each clock judged once."""
-    found, seen = [], set()
+    """Return suspicions on gaps, uneven stamps and milliseconds read as seconds, once per clock."""
+    notes, clocks = [], set()
     for channel in channels:
         clock = channel.time.tobytes()
-        if clock not in seen:
-            found += _clock(channel.address, channel.time)
-        seen.add(clock)
-    return found
+        if clock not in clocks:
+            notes += _clock(channel.address, channel.time)
+        clocks.add(clock)
+    return notes
 
 
 def _clock(address: str, time: FloatArray) -> list[Note]:
     steps = np.diff(time)
     median = float(np.median(steps))
-    found: list[Note] = []
+    notes: list[Note] = []
     gaps = np.flatnonzero(steps > _GAP * median)
     if gaps.size:
         k = int(gaps[np.argmax(steps[gaps])])
         facts = {"limit": _GAP, "median": median, "longest": float(steps[k]), "start": float(time[k])}
-        found.append(Note("suspicion.gaps", address, count=gaps.size, **facts))
+        notes.append(Note("suspicion.gaps", address, count=gaps.size, **facts))
     low, high = np.percentile(steps, [5.0, 95.0])
     if high - low > _UNEVEN * median:
-        found.append(Note("suspicion.uneven", address, shortest=float(low), longest=float(high), median=median))
+        notes.append(Note("suspicion.uneven", address, shortest=float(low), longest=float(high), median=median))
     jitter = float(np.ptp(steps)) > 0.0
     if median >= _LONG_STEP and time.size >= _MANY_STAMPS and jitter and bool(np.all(steps == np.rint(steps))):
-        found.append(Note("suspicion.milliseconds", address, step=median, total=float(time[-1])))
-    return found
+        notes.append(Note("suspicion.milliseconds", address, step=median, total=float(time[-1])))
+    return notes
 
 
 def _coverage(channels: Sequence[Channel], inputs: Sequence[InputChannel]) -> list[Note]:
     end = max(float(channel.time[-1]) for channel in channels)
-    found = []
+    notes = []
     for item in inputs:
         first, last = float(item.time[0]), float(item.time[-1])
         slack = _GAP * float(np.median(np.diff(item.time))) if item.time.size > 1 else 0.0
         if first > slack or last < end - slack:
-            found.append(Note("suspicion.coverage", item.address, start=first, stop=last, end=end))
-    return found
+            notes.append(Note("suspicion.coverage", item.address, start=first, stop=last, end=end))
+    return notes

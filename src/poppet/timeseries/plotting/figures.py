@@ -1,4 +1,4 @@
-"""What all figures share: the package that draws them, one style, files that always come out the same."""
+"""Common functions of all figures: import of Matplotlib, style, reproducible files."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ PALETTE = (
     *("#1f5fa8", "#c8452c", "#2e8b57", "#7d4fa3", "#c98a06", "#0f8b9d", "#a63a6f", "#6b6b1e", "#5c6b7a", "#8a5a3b"),
     *("#7fb0e6", "#f0a08f", "#8fd0ac", "#bfa0dc", "#f2cf6b", "#7ed3de", "#e29abf", "#bcbc62", "#a9b6c2", "#cfa78e"),
 )  # fmt: skip
-"""Ten dark colours that stay apart in print, and their light relatives."""
+"""Ten dark colours that differ in print, and their light variants."""
 
-# Sizes in points. Text in SVG files becomes paths, so that it looks the same wherever it is shown.
+# Sizes in points. Text in SVG files becomes paths, so it looks the same in all viewers.
 _STYLE: dict[str, Any] = {
     "font.family": "DejaVu Sans",
     **dict.fromkeys(("font.size", "axes.labelsize"), 9.0),
@@ -42,51 +42,51 @@ _STYLE: dict[str, Any] = {
     "svg.fonttype": "path",
     "pdf.fonttype": 42,
 }
-# Nothing that changes from day to day or from version to version: the same figure is the same file.
+# Dates and versions are omitted, so the same figure gives the same file.
 _METADATA: dict[str, dict[str, None]] = {
     "png": {"Software": None},
     "svg": {"Date": None, "Creator": None},
     "pdf": {"CreationDate": None, "Producer": None, "Creator": None},
 }
 _DOTS_PER_INCH = 150
-_HINTED = 1.05  # letters fitted to picture elements are this much wider than their outlines, at most
+_HINTED = 1.05  # maximum width of letters that are fitted to pixels, relative to their outlines
 
 
 def style(purpose: str) -> Any:
-    """The style of all figures, for a `with` statement around drawing."""
+    """Return the style of all figures, for a `with` statement around drawing."""
     with needed("matplotlib", purpose, "plot"):
         import matplotlib as mpl
     return mpl.rc_context(_STYLE)
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """An empty figure that belongs to no window and no global state."""
+    """Return an empty figure without a window and without global state."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    # Not through pyplot, which keeps its figures, and may ask for a window system.
+    # Not with pyplot, which keeps its figures and can require a window system.
     figure = Figure(figsize=(width, height))
     FigureCanvasAgg(figure)
     return figure
 
 
 def axes_in(figure: Figure, left: float, top: float, width: float, height: float, **options: Any) -> Any:
-    """Axes placed by inches from the upper left corner."""
-    across, up = figure.get_size_inches()
-    place = (left / across, 1.0 - (top + height) / up, width / across, height / up)
-    return figure.add_axes(place, **options)
+    """Add axes to a figure; positions in inches from the upper left corner."""
+    figure_width, figure_height = figure.get_size_inches()
+    box = (left / figure_width, 1.0 - (top + height) / figure_height, width / figure_width, height / figure_height)
+    return figure.add_axes(box, **options)
 
 
 @contextmanager
 def _boxes() -> Iterator[None]:
-    """Around drawing: a letter that the font lacks becomes a box, which says as much as a warning."""
+    """Suppress warnings on missing glyphs, which are drawn as boxes."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
         yield
 
 
 def text_width(text: str, size: float, *, bold: bool = False) -> float:
-    """How long a line of text will be [in]."""
+    """Return the width of a line of text [in]."""
     import numpy as np
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
@@ -96,29 +96,29 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
     font = FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal")
     with _boxes():
         outline = TextPath((0.0, 0.0), text.replace("$", r"\$"), size=size, prop=font)
-    # The outline's own `get_extents` takes a hundred times as long: it looks at each of a thousand curves by itself.
+    # `get_extents` of the outline takes 100 times longer, because it evaluates each curve separately.
     x, codes = outline.vertices[:, 0], outline.codes
-    middle = np.flatnonzero(codes == outline.CURVE3)[::2]  # all curves of this font are quadratic
+    middle = np.flatnonzero(codes == outline.CURVE3)[::2]  # this font has only quadratic curves
     a, b, c = x[middle - 1], x[middle], x[middle + 1]
     bend = a - 2.0 * b + c
-    turn = np.clip((a - b) / np.where(bend == 0.0, np.inf, bend), 0.0, 1.0)  # where a curve is farthest out
+    turn = np.clip((a - b) / np.where(bend == 0.0, np.inf, bend), 0.0, 1.0)  # parameter of the extreme point of a curve
     ends = np.delete(x, np.append(middle, np.flatnonzero(codes == outline.CLOSEPOLY)))
     reach = np.append(ends, a * (1.0 - turn) ** 2 + 2.0 * b * turn * (1.0 - turn) + c * turn**2)
     return _HINTED * float(np.ptp(reach)) / 72.0
 
 
 def widest(texts: Sequence[str], size: float) -> float:
-    """Width of the longest of some lines of text."""
+    """Return the width of the longest line of text [in]."""
     return max((text_width(text, size) for text in texts), default=0.0)
 
 
 def check_format(path: str | Path) -> None:
-    """Refuse a file whose suffix names no format of a figure, before anything is drawn."""
+    """Reject a file suffix that is not a figure format, before drawing starts."""
     by_suffix(Path(path), dict.fromkeys((f".{name}" for name in _METADATA), str))
 
 
 def save_figure(figure: Figure, path: str | Path) -> Path:
-    """Write a figure; the same figure gives the same bytes, and a file is replaced as a whole or not at all."""
+    """Write a figure, reproducible byte for byte; replace a file completely or not at all."""
     check_format(path)
     target = Path(path)
     content = figure_bytes(figure, target.suffix[1:].lower(), target.stem)
@@ -126,13 +126,13 @@ def save_figure(figure: Figure, path: str | Path) -> Path:
 
 
 def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
-    """A figure as the content of a file."""
+    """Return a figure as the content of a file."""
     import matplotlib as mpl
 
     stream = io.BytesIO()
-    # Names of SVG elements are hashes; the salt tells the figures of one page apart.
+    # Names of SVG elements are hashes; the salt makes them unique on a page.
     with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}), _boxes():
         figure.savefig(stream, format=file_format, dpi=_DOTS_PER_INCH, metadata=_METADATA[file_format])
     content = stream.getvalue()
-    # Texts stand in comments beside their outlines.
+    # The SVG file has the texts as comments next to their outlines.
     return printable(content.decode()).encode() if file_format == "svg" else content

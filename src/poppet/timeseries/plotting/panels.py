@@ -1,4 +1,4 @@
-"""Which series of a recording stand together in a figure, in which unit and under which name."""
+"""Grouping of the series of recordings into panels, with units and labels."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from poppet.core.units import check_unit, convert, same_dimension
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.columns import Columns
 
-# SI unit of the dimension, what it is called, its usual size in the unit it is shown in.
-# In this order they stand in a figure; what is not in the list comes last, under its own unit.
+# SI unit of the dimension, quantity, usual size in the drawing unit, in the order of the panels.
+# Other quantities come last, with their own unit.
 _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("Pa", "pressure", 1.0),
     ("K", "temperature", 300.0),
@@ -34,16 +34,16 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("m^3", "volume", 1.0),
 )
 _OF_LOADS = ("Pa", "N", "N m")
-"""What stands behind position and velocity where a load moves, in this order."""
+"""Units of the panels after position and velocity in figures with moving loads, in this order."""
 AFTER_LOADS = ("K", "W", "kg")
-"""And what is not drawn there unless it is asked for."""
+"""Units of the series that such figures omit by default."""
 STILL = 1e-6
-"""A series whose range is this part of its own or usual size shows nothing but the noise of a solver."""
+"""Range of a series, relative to its own or usual size, below which the series is solver noise."""
 
 
 @dataclass(frozen=True)
 class Series:
-    """One series of the recording number `source`, in the `unit` in which it is drawn; `rank` orders quantities."""
+    """Series of recording number `source` in its drawing `unit`; `rank` orders quantities."""
 
     name: str
     source: int
@@ -55,7 +55,7 @@ class Series:
 
     @property
     def is_still(self) -> bool:
-        """True when it shows nothing but one value."""
+        """True if the series is constant except for solver noise."""
         finite = self.values[np.isfinite(self.values)]
         if not finite.size:
             return True
@@ -64,9 +64,9 @@ class Series:
 
     @property
     def is_staircase(self) -> bool:
-        """True when it jumps and rests: every change stands alone."""
-        changed = np.diff(self.values) != 0.0
-        return bool(changed.any() and not np.any(changed[1:] & changed[:-1]) and changed.size > 1)
+        """True if the series jumps and is constant between jumps."""
+        is_change = np.diff(self.values) != 0.0
+        return bool(is_change.any() and not np.any(is_change[1:] & is_change[:-1]) and is_change.size > 1)
 
 
 @dataclass(frozen=True)
@@ -79,27 +79,27 @@ class Panel:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the series, each once."""
-        return tuple(dict.fromkeys(one.name for one in self.series))
+        """Names of the series, without duplicates."""
+        return tuple(dict.fromkeys(series.name for series in self.series))
 
     @property
     def labels(self) -> dict[str, str]:
-        """Name to what a legend says."""
+        """Legend labels by name."""
         return readable(self.names, self.quantity)
 
 
 def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
-    """Names that patterns choose."""
+    """Return the names that match the patterns, None without patterns."""
     if select is None:
         return None
     names = tuple(dict.fromkeys(name for recording in recordings for name in recording.names))
-    found: dict[str, None] = {}
+    selected: dict[str, None] = {}
     for pattern in [select] if isinstance(select, str) else select:
-        fitting = [name for name in names if name == pattern or fnmatchcase(name, pattern)]
-        if not fitting:
+        matches = [name for name in names if name == pattern or fnmatchcase(name, pattern)]
+        if not matches:
             raise InputError("drawing.unknown", name=pattern, near=NameSuggestion(pattern, names))
-        found.update(dict.fromkeys(fitting))
-    return tuple(found)
+        selected.update(dict.fromkeys(matches))
+    return tuple(selected)
 
 
 def shown_series(
@@ -107,52 +107,62 @@ def shown_series(
     names: tuple[str, ...] | None,
     units: Mapping[str, str] | Sequence[str] | str | None,
 ) -> list[Series]:
-    """Series of several recordings in the units a reader expects, or asked for."""
-    wanted = _wanted(units)
-    used: set[int] = set()
-    found = []
+    """Return the series of several recordings in usual or requested units."""
+    requests = _wanted(units)
+    applied: set[int] = set()
+    series = []
     for source, recording in enumerate(recordings):
-        own = recording.names if names is None else [name for name in names if name in recording]
-        found += [_series(recording, source, name, wanted, used) for name in own]
-    for place, (pattern, unit) in enumerate(wanted):
-        if place not in used:
-            known = {one.name if pattern else one.unit for one in found}
-            raise InputError("drawing.unused_unit", name=pattern or unit, near=NameSuggestion(pattern or unit, known))
-    return found
+        own_names = recording.names if names is None else [name for name in names if name in recording]
+        series += [_series(recording, source, name, requests, applied) for name in own_names]
+    for index, (pattern, unit) in enumerate(requests):
+        if index not in applied:
+            candidates = {item.name if pattern else item.unit for item in series}
+            raise InputError(
+                "drawing.unused_unit", name=pattern or unit, near=NameSuggestion(pattern or unit, candidates)
+            )
+    return series
 
 
 def bodies_of(recordings: Sequence[Columns]) -> set[str]:
-    """Names of the bodies that move in some recordings."""
-    found = {name.rpartition(".")[0] for each in recordings for name in each.names if name.endswith(".acceleration")}
-    return {body for body in found if any(f"{body}.position" in each for each in recordings)}
+    """Return the names of the moving bodies in recordings."""
+    bodies = {
+        name.rpartition(".")[0]
+        for recording in recordings
+        for name in recording.names
+        if name.endswith(".acceleration")
+    }
+    return {body for body in bodies if any(f"{body}.position" in recording for recording in recordings)}
 
 
 def panels_of(
     series: Sequence[Series], *, keep_still: bool = False, bodies: Collection[str] = ()
 ) -> tuple[list[Panel], list[Series]]:
-    """Series by quantity and unit, those of bodies first, and those left out because nothing happens in them."""
-    moving = {one.name for one in series if keep_still or not one.is_still}
-    moving = moving or {one.name for one in series}  # where all rest, that is what there is to see
-    left_out = {one.name: one for one in reversed(series) if one.name not in moving}
+    """Group series by quantity and unit; return the panels and the omitted constant series.
+
+    Panels of bodies come first.
+    """
+    moving = {item.name for item in series if keep_still or not item.is_still}
+    moving = moving or {item.name for item in series}  # if all series are constant, all are drawn
+    omitted = {item.name: item for item in reversed(series) if item.name not in moving}
     groups: dict[tuple[int, str, str], list[Series]] = {}
-    for one in series:
-        if one.name in moving:
-            groups.setdefault((one.rank, one.quantity, one.unit), []).append(one)
+    for item in series:
+        if item.name in moving:
+            groups.setdefault((item.rank, item.quantity, item.unit), []).append(item)
     ordered = sorted(groups.items(), key=lambda item: (_place(item[1], bodies) if bodies else 0, item[0][0]))
     panels = [Panel(_title(quantity, members), unit, tuple(members)) for (_, quantity, unit), members in ordered]
-    return panels, list(reversed(left_out.values()))
+    return panels, list(reversed(omitted.values()))
 
 
 def _place(members: Sequence[Series], bodies: Collection[str]) -> int:
-    """Where a panel stands where bodies move."""
-    names = {one.name for one in members}
-    motions = [any(f"{body}.{each}" in names for body in bodies) for each in ("position", "velocity")]
+    """Return the position of a panel in figures with moving bodies."""
+    names = {item.name for item in members}
+    motions = [any(f"{body}.{quantity}" in names for body in bodies) for quantity in ("position", "velocity")]
     unit = _QUANTITIES[members[0].rank][0] if members[0].rank < len(_QUANTITIES) else ""
-    return [*motions, *(unit == each for each in _OF_LOADS), True].index(True)
+    return [*motions, *(unit == quantity for quantity in _OF_LOADS), True].index(True)
 
 
 def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.int64]:
-    """Which samples to draw so that nothing visible is lost: first, last, lowest and highest of each column.
+    """Return the indices of the samples to draw: first, last, lowest and highest of each pixel column.
 
     Examples
     --------
@@ -164,33 +174,33 @@ def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.in
     """
     if len(time) <= 5 * columns:
         return np.arange(len(time))
-    # By time and not by count: where samples lie close, a column holds many of them.
+    # Columns of equal time, not of equal count: a column can contain many samples.
     edges = np.unique(np.searchsorted(time, np.linspace(time[0], time[-1], columns + 1)[:-1]))
-    lost = np.isnan(values)
-    low, high = np.where(lost, np.inf, values), np.where(lost, -np.inf, values)
-    kept = [edges, np.append(edges[1:], len(time)) - 1]
+    is_nan = np.isnan(values)
+    low, high = np.where(is_nan, np.inf, values), np.where(is_nan, -np.inf, values)
+    parts = [edges, np.append(edges[1:], len(time)) - 1]
     for start, end in zip(edges, np.append(edges[1:], len(time)), strict=True):
-        # The first lost sample of a column keeps the gap in its line.
-        places = low[start:end].argmin(), high[start:end].argmax(), lost[start:end].argmax()
-        kept.append(start + np.array(places))
-    return np.unique(np.concatenate(kept))
+        # The first NaN of a column preserves the gap in the line.
+        offsets = low[start:end].argmin(), high[start:end].argmax(), is_nan[start:end].argmax()
+        parts.append(start + np.array(offsets))
+    return np.unique(np.concatenate(parts))
 
 
-def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, kept: NDArray[np.int64], **look: Any) -> None:
-    """Draw a line of the samples `kept`; the whole of it stays with it for plots that are zoomed."""
-    (line,) = axes.plot(x[kept], y[kept], **look)
-    if len(kept) < len(x):
+def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, indices: NDArray[np.int64], **options: Any) -> None:
+    """Draw a line of the samples `indices`; store all samples for plots that can be zoomed."""
+    (line,) = axes.plot(x[indices], y[indices], **options)
+    if len(indices) < len(x):
         line.whole = x, y
 
 
 def whole_of(line: Any) -> tuple[FloatArray, FloatArray]:
-    """All samples of a line, those among them that its picture leaves out."""
-    whole: tuple[FloatArray, FloatArray] = getattr(line, "whole", None) or line.get_data()
-    return whole
+    """Return all samples of a line, including those that the figure omits."""
+    samples: tuple[FloatArray, FloatArray] = getattr(line, "whole", None) or line.get_data()
+    return samples
 
 
 def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
-    """What a legend says: the part, and of the rest what the axis does not say already.
+    """Return legend labels: the part and the words that the axis label does not contain.
 
     Examples
     --------
@@ -199,24 +209,24 @@ def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
     """
     labels = {}
     for name in names:
-        part, _, rest = name.partition(".")
-        words = rest.replace("_", " ").replace(".", " ")
-        labels[name] = f"{part}: {words.removesuffix(f' {quantity}')}" if rest and words != quantity else part
+        part, _, output = name.partition(".")
+        phrase = output.replace("_", " ").replace(".", " ")
+        labels[name] = f"{part}: {phrase.removesuffix(f' {quantity}')}" if output and phrase != quantity else part
     texts = list(labels.values())
-    # Two series of one label are told apart by their whole names.
+    # Series with equal labels have their full names.
     return {name: label if texts.count(label) == 1 else name for name, label in labels.items()}
 
 
 def _title(quantity: str, members: Sequence[Series]) -> str:
-    """The quantity; what has no name of its own takes that of its series when they agree."""
-    own = {one.name.rpartition(".")[2].replace("_", " ") for one in members}
-    if quantity == "stroke" and "position" in own:
+    """Return the quantity, or the common name of the series if the quantity is unspecific."""
+    phrases = {item.name.rpartition(".")[2].replace("_", " ") for item in members}
+    if quantity == "stroke" and "position" in phrases:
         return "position"
-    return own.pop() if len(own) == 1 and quantity in ("ratio", "stroke", "angle", "") else quantity
+    return phrases.pop() if len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", "") else quantity
 
 
 def _wanted(units: Mapping[str, str] | Sequence[str] | str | None) -> list[tuple[str, str]]:
-    """Pairs of a pattern, empty for all series of the quantity, and the unit asked for."""
+    """Return pairs of a pattern and its requested unit; an empty pattern matches the whole quantity."""
     if units is None:
         return []
     if isinstance(units, Mapping):
@@ -228,25 +238,27 @@ def _wanted(units: Mapping[str, str] | Sequence[str] | str | None) -> list[tuple
     return pairs
 
 
-def _series(recording: Columns, source: int, name: str, wanted: Sequence[tuple[str, str]], used: set[int]) -> Series:
-    given = recording.unit(name) or "1"
-    rank, quantity, unit = _usual(given)
-    for place, (pattern, asked) in enumerate(wanted):
+def _series(
+    recording: Columns, source: int, name: str, requests: Sequence[tuple[str, str]], applied: set[int]
+) -> Series:
+    recorded_unit = recording.unit(name) or "1"
+    rank, quantity, unit = _usual(recorded_unit)
+    for index, (pattern, requested) in enumerate(requests):
         if pattern and (pattern == name or fnmatchcase(name, pattern)):
-            if not same_dimension(given, asked):
-                raise UnitError("series.other_quantity", name=name, unit=given, asked=asked)
-        elif pattern or not same_dimension(given, asked):
+            if not same_dimension(recorded_unit, requested):
+                raise UnitError("series.other_quantity", name=name, unit=recorded_unit, asked=requested)
+        elif pattern or not same_dimension(recorded_unit, requested):
             continue
-        unit = asked
-        used.add(place)
+        unit = requested
+        applied.add(index)
     values = recording[name]
-    if unit != given:
-        values = convert(values, given, unit, ambient_pressure=recording.ambient_pressure)
+    if unit != recorded_unit:
+        values = convert(values, recorded_unit, unit, ambient_pressure=recording.ambient_pressure)
     return Series(name, source, recording.time, values, unit, quantity, rank)
 
 
 def _usual(unit: str) -> tuple[int, str, str]:
-    """Place, name and usual unit of a quantity."""
+    """Return rank, name and usual unit of a quantity."""
     for rank, (reference, quantity, _) in enumerate(_QUANTITIES):
         if same_dimension(unit, reference):
             return rank, quantity, USUAL.get(reference, reference)

@@ -1,4 +1,4 @@
-"""Recordings as a figure: panels by quantity over one time axis, and a timeline of the flow regimes."""
+"""Figure of recordings: panels by quantity over one time axis, and a timeline of flow regimes."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST_RECORDINGS = 8
-"""More line styles than these cannot be told apart."""
+"""Number of distinguishable line styles."""
 
 
 def plot_recordings(
@@ -26,17 +26,17 @@ def plot_recordings(
     title: str = "",
     inner: bool = False,
 ) -> Figure:
-    """Draw recordings over one time axis: a panel for each quantity, and a timeline of regimes and contacts.
+    """Draw recordings over one time axis: one panel per quantity, and a timeline of regimes.
 
     Notes
     -----
-    Series that jump and rest are drawn as steps, all others straight between samples. Where there are more
-    samples than picture elements, each element shows the range of its samples: no peak is lost. Constant
-    series are left out and named below, unless they are selected; so are those that a part calls inner, which are drawn
-    when they are selected, or all with `inner`. Where bodies move, their positions and speeds come first, then
-    pressures and forces, on the timeline where they stick and slip; temperatures, heat flows and masses are left out as
-    inner ones are. The second axis of mass flow, l/min ANR, is
-    of air and left out where the gas is another one.
+    Staircase series are drawn as steps, all others with straight lines. If there are more samples than pixels, each
+    pixel column shows the range of its samples, so no peak is lost. The figure omits constant series and names them
+    below, unless they are selected. It also omits internal outputs; `inner` draws them.
+
+    With moving bodies, the order is positions, velocities, pressures, forces. The timeline then shows sticking and
+    slipping, and temperatures, heat flows and masses are omitted in the same way as internal outputs.
+    Mass flows of air have a second axis in l/min ANR.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""A figure of recordings on its way: what is in it, where it goes, how it is drawn from top to bottom."""
+"""Layout and drawing of a figure of recordings, from top to bottom."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ LINE_STYLES: tuple[Any, ...] = (
     *((0, (3, 1, 1, 1, 1, 1)), (0, (2, 3)), (0, (8, 2, 2, 2, 2, 2))),
 )
 COLUMNS = 1400
-"""Picture elements across a panel: finer detail is drawn as the range it covers."""
+"""Pixel columns of a panel; each column shows the range of its samples."""
 
 # Sizes in inches, text in points.
 _WIDTH, _LEFT, _GAP, _BAND, _ROW, _NOTE_ROW = 10.0, 1.0, 0.16, 0.2, 0.17, 0.15
@@ -49,7 +49,10 @@ _TIME_UNITS = ((1.0, "ms", 1e-3), (1800.0, "s", 1.0), (14400.0, "min", 60.0), (f
 
 
 class Sheet:
-    """What goes into one figure; names or patterns of series select, `units` are by name or pattern, or alone."""
+    """Content of one figure.
+
+    Names or patterns select series. `units` maps names or patterns to units, or lists units alone.
+    """
 
     def __init__(
         self,
@@ -59,31 +62,35 @@ class Sheet:
         title: str,
         inner: bool = False,
     ) -> None:
-        self.keys, shown = list(recordings), list(recordings.values())
-        self.title = title or (shown[0].title if len(shown) == 1 else "")
-        names = chosen_names(shown, select)
-        self.bands = bands_of(shown, names, COLUMNS)
+        self.keys, items = list(recordings), list(recordings.values())
+        self.title = title or (items[0].title if len(items) == 1 else "")
+        names = chosen_names(items, select)
+        self.bands = bands_of(items, names, COLUMNS)
         coded = {band.name for band in self.bands}
-        series = [one for one in shown_series(shown, names, units) if one.name not in coded]
-        # What nobody asked for by name and no reader needs first; where there is nothing else, it is shown.
-        hidden = set() if inner or names is not None else {n for each in shown for n in each.inner if n in each}
-        bodies = bodies_of(shown)
+        series = [item for item in shown_series(items, names, units) if item.name not in coded]
+        # Internal outputs are hidden unless they are selected or nothing else remains.
+        hidden = (
+            set()
+            if inner or names is not None
+            else {n for recording in items for n in recording.inner if n in recording}
+        )
+        bodies = bodies_of(items)
         if bodies and not inner and names is None:
-            hidden |= {one.name for one in series if any(same_dimension(one.unit, unit) for unit in AFTER_LOADS)}
+            hidden |= {item.name for item in series if any(same_dimension(item.unit, unit) for unit in AFTER_LOADS)}
         self.bands = [band for band in self.bands if band.name not in hidden]
-        hidden = hidden if self.bands or any(one.name not in hidden for one in series) else set()
+        hidden = hidden if self.bands or any(item.name not in hidden for item in series) else set()
         self.inner = sorted(hidden)
-        series = [one for one in series if one.name not in hidden]
+        series = [item for item in series if item.name not in hidden]
         self.panels, self.left_out = panels_of(series, keep_still=names is not None, bodies=bodies)
         homes = home_colours(self.panels)
         self.colours = [panel_colours(panel, homes) for panel in self.panels]
-        self.is_air = not any(note.address == "gas" for one in shown for note in one.remarks)
-        start, end = min(float(one.time[0]) for one in shown), max(float(one.time[-1]) for one in shown)
+        self.is_air = not any(note.address == "gas" for item in items for note in item.remarks)
+        start, end = min(float(item.time[0]) for item in items), max(float(item.time[-1]) for item in items)
         self.time_name, self.time_size = time_unit(end - start)
         self.limits = start / self.time_size, end / self.time_size
 
     def draw(self) -> Figure:
-        """Make the figure."""
+        """Draw the figure."""
         heights = [self._height(panel) for panel in self.panels] + [_BAND * len(self.bands)] * bool(self.bands)
         notes, keys = self._notes(), self._keys()
         margin = self._margin()
@@ -96,16 +103,16 @@ class Sheet:
         self._head(rows)
         axes: Any = None
         top = head
-        for place, height in enumerate(heights):
+        for index, height in enumerate(heights):
             if axes is not None:
                 axes.tick_params(labelbottom=False)
             axes = axes_in(self.figure, _LEFT, top, self.width, height, sharex=axes)
-            if place < len(self.panels):
-                self._panel(axes, place)
+            if index < len(self.panels):
+                self._panel(axes, index)
             else:
                 self._timeline(axes)
             top += height + _GAP
-        if self.limits[0] < self.limits[1]:  # a single sample has no span, and matplotlib would warn
+        if self.limits[0] < self.limits[1]:  # a single sample has no span, for which Matplotlib warns
             axes.set_xlim(*self.limits)
         axes.set_xlabel(f"time [{self.time_name}]")
         self._foot(top - _GAP + _TIME_AXIS, keys, notes)
@@ -122,7 +129,7 @@ class Sheet:
         return max(usual, _ROW * len(panel.names) + 0.1)
 
     def _margin(self) -> float:
-        """Room on the right: the second axis of flows and the longest label."""
+        """Return the width of the right margin, for the second axis of flows and the longest label."""
         labels = [label for panel in self.panels for label in panel.labels.values()]
         return self._legend_gap() + 0.45 + widest(labels + self._band_labels(), _TEXT)
 
@@ -135,62 +142,62 @@ class Sheet:
     # Head and foot ------------------------------------------------------------------------------------------
 
     def _recording_rows(self) -> list[list[int]]:
-        """Recordings of an overlay, as many in a line as there is room for."""
+        """Return the recordings of an overlay in rows that fit the width."""
         rows: list[list[int]] = []
-        left = 0.0
+        free_width = 0.0
         for source, key in enumerate(self.keys if self._is_overlay else []):
-            wide = _KEY + widest([key], _TEXT)
-            if not rows or left < wide:
+            width = _KEY + widest([key], _TEXT)
+            if not rows or free_width < width:
                 rows.append([])
-                left = self.across - _LEFT
+                free_width = self.across - _LEFT
             rows[-1].append(source)
-            left -= wide
+            free_width -= width
         return rows
 
     def _head(self, rows: Sequence[Sequence[int]]) -> None:
         from matplotlib.lines import Line2D
 
-        top, up = 0.12, self.figure.get_size_inches()[1]
+        top, height = 0.12, self.figure.get_size_inches()[1]
         if self.title:
-            look: dict[str, Any] = {"fontsize": 11, "fontweight": "bold", "va": "top", "parse_math": False}
+            options: dict[str, Any] = {"fontsize": 11, "fontweight": "bold", "va": "top", "parse_math": False}
             title = textwrap.shorten(self.title, 100, placeholder=" ...")
-            self.figure.text(_LEFT / self.across, 1.0 - top / up, title, **look)
+            self.figure.text(_LEFT / self.across, 1.0 - top / height, title, **options)
             top += 0.28
         for row in rows:
             lines = [Line2D([], [], color=INK, linestyle=LINE_STYLES[source]) for source in row]
-            self._row(lines, [self.keys[source] for source in row], 1.0 - top / up, handlelength=3.2)
+            self._row(lines, [self.keys[source] for source in row], 1.0 - top / height, handlelength=3.2)
             top += _KEY_ROW
 
-    def _row(self, handles: Sequence[Any], texts: Sequence[str], up: float, handlelength: float) -> None:
-        """A legend in one line under or over the axes."""
-        place = {"bbox_to_anchor": (_LEFT / self.across, up), "handlelength": handlelength}
-        _legend(self.figure, handles, texts, **place, ncols=len(texts), columnspacing=1.4)
+    def _row(self, handles: Sequence[Any], texts: Sequence[str], y: float, handlelength: float) -> None:
+        """Draw a legend in one line below or above the axes."""
+        options = {"bbox_to_anchor": (_LEFT / self.across, y), "handlelength": handlelength}
+        _legend(self.figure, handles, texts, **options, ncols=len(texts), columnspacing=1.4)
 
     def _foot(self, top: float, keys: Sequence[Sequence[CodeStyle]], notes: Sequence[str]) -> None:
         from matplotlib.patches import Patch
 
-        up = self.figure.get_size_inches()[1]
-        for looks in keys:
-            patches = [Patch(**_fill(look)) for look in looks]
-            self._row(patches, [look.text for look in looks], 1.0 - top / up, handlelength=1.6)
+        height = self.figure.get_size_inches()[1]
+        for styles in keys:
+            patches = [Patch(**_fill(style)) for style in styles]
+            self._row(patches, [style.text for style in styles], 1.0 - top / height, handlelength=1.6)
             top += _KEY_ROW
         for note in notes:
-            place = {"x": _LEFT / self.across, "y": 1.0 - top / up, "va": "top"}
-            self.figure.text(**place, s=note, fontsize=_SMALL_TEXT, color=GREY, parse_math=False)
+            options = {"x": _LEFT / self.across, "y": 1.0 - top / height, "va": "top"}
+            self.figure.text(**options, s=note, fontsize=_SMALL_TEXT, color=GREY, parse_math=False)
             top += _NOTE_ROW
 
     def _keys(self) -> list[list[CodeStyle]]:
-        """What the colours of the timeline mean, in a row for each kind."""
+        """Return the colour keys of the timeline, one row per kind."""
         rows = []
-        for _, looks in BANDS:
-            used = {span.code for band in self.bands if band.looks is looks for span in band.spans}
-            rows.append([look for code, look in looks.items() if code in used])
+        for _, styles in BANDS:
+            codes = {span.code for band in self.bands if band.looks is styles for span in band.spans}
+            rows.append([style for code, style in styles.items() if code in codes])
         return [row for row in rows if row]
 
     def _notes(self) -> list[str]:
         notes = []
         if self.left_out:
-            values = {one.name: with_unit(f"{one.values[0]:z.6g}", one.unit) for one in self.left_out}
+            values = {series.name: with_unit(f"{series.values[0]:z.6g}", series.unit) for series in self.left_out}
             notes.append(str(Note("drawing.left_out", values=values)))
         if self.inner:
             notes.append(str(Note("drawing.inner", count=len(self.inner), first=self.inner[:2])))
@@ -200,19 +207,22 @@ class Sheet:
 
     # Panels -------------------------------------------------------------------------------------------------
 
-    def _panel(self, axes: Any, place: int) -> None:
+    def _panel(self, axes: Any, index: int) -> None:
         from matplotlib.lines import Line2D
 
-        panel, colours = self.panels[place], self.colours[place]
-        for one in panel.series:
-            label = panel.labels[one.name]
+        panel, colours = self.panels[index], self.colours[index]
+        for series in panel.series:
+            label = panel.labels[series.name]
             self._line(
-                axes, one, colours[one.name], f"{label} ({self.keys[one.source]})" if self._is_overlay else label
+                axes,
+                series,
+                colours[series.name],
+                f"{label} ({self.keys[series.source]})" if self._is_overlay else label,
             )
         axes.set_ylabel(f"{panel.quantity}\n{axis_unit(panel)}", linespacing=1.3, parse_math=False)
         axes.yaxis.set_label_coords(-_LABEL / self.width, 0.5)
         axes.margins(y=0.06)
-        # Fewer ticks in a low panel, where their numbers would touch.
+        # Low panels have fewer ticks, so that the labels do not overlap.
         axes.locator_params(axis="y", nbins=5 if axes.bbox.height < 250 else 8)
         handles = [Line2D([], [], color=colours[name], linewidth=2.0) for name in panel.names]
         corner = (1.0 + self._legend_gap() / self.width, 1.0)
@@ -223,20 +233,20 @@ class Sheet:
             second = axes.secondary_yaxis("right", functions=(lambda q: q * factor, lambda q: q / factor))
             second.set_ylabel("l/min ANR")
 
-    def _line(self, axes: Any, one: Series, colour: str, label: str) -> None:
-        kept = thinned(one.time, one.values, COLUMNS)
+    def _line(self, axes: Any, series: Series, colour: str, label: str) -> None:
+        indices = thinned(series.time, series.values, COLUMNS)
         draw_thinned(
             axes,
-            one.time / self.time_size,
-            one.values,
-            kept,
+            series.time / self.time_size,
+            series.values,
+            indices,
             color=colour,
             label=label,
-            # Thinner where a line shows the range of its samples, which would fill up else.
-            linewidth=1.4 if len(kept) == len(one.time) else 1.0,
-            linestyle=LINE_STYLES[one.source],
-            drawstyle="steps-post" if one.is_staircase else "default",
-            marker="o" if len(one.time) == 1 else None,
+            # A thinner line if it shows ranges of samples, which would otherwise fill the area.
+            linewidth=1.4 if len(indices) == len(series.time) else 1.0,
+            linestyle=LINE_STYLES[series.source],
+            drawstyle="steps-post" if series.is_staircase else "default",
+            marker="o" if len(series.time) == 1 else None,
             markersize=4,
         )
 
@@ -247,70 +257,70 @@ class Sheet:
 
     def _timeline(self, axes: Any) -> None:
         for row, (band, label) in enumerate(zip(self.bands, self._band_labels(), strict=True)):
-            for code, look in band.looks.items():
-                spans = [each for each in band.spans if each.code == code]
-                times = [(each.start / self.time_size, each.width / self.time_size) for each in spans]
+            for code, style in band.looks.items():
+                spans = [span for span in band.spans if span.code == code]
+                times = [(span.start / self.time_size, span.width / self.time_size) for span in spans]
                 if times:
-                    axes.broken_barh(times, (row - 0.36, 0.72), label=look.text, **_fill(look))
+                    axes.broken_barh(times, (row - 0.36, 0.72), label=style.text, **_fill(style))
             right = 1.0 + self._legend_gap() / self.width
-            place = {"x": right, "y": row, "transform": axes.get_yaxis_transform()}
-            axes.text(**place, s=label, va="center", fontsize=_TEXT, parse_math=False)
+            options = {"x": right, "y": row, "transform": axes.get_yaxis_transform()}
+            axes.text(**options, s=label, va="center", fontsize=_TEXT, parse_math=False)
         axes.set_ylim(len(self.bands) - 0.5, -0.5)
         axes.set_yticks([])
         axes.grid(visible=False)
         axes.spines["left"].set_visible(False)
-        for text, looks in BANDS:
-            rows = [row for row, band in enumerate(self.bands) if band.looks is looks]
+        for text, styles in BANDS:
+            rows = [row for row, band in enumerate(self.bands) if band.looks is styles]
             if rows:
                 text = text if len(rows) > 1 else text.replace("\n", " ")
-                place = {"x": -0.1 / self.width, "y": sum(rows) / len(rows), "transform": axes.get_yaxis_transform()}
-                axes.text(**place, s=text, ha="right", va="center")
+                options = {"x": -0.1 / self.width, "y": sum(rows) / len(rows), "transform": axes.get_yaxis_transform()}
+                axes.text(**options, s=text, ha="right", va="center")
 
 
 def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
-    """A colour for each part: it keeps it from panel to panel, and parts of one panel differ."""
+    """Assign each part a colour that it keeps in all panels; parts of a panel differ."""
     together = [dict.fromkeys(name.partition(".")[0] for name in panel.names) for panel in panels]
     homes: dict[str, str] = {}
     for part in dict.fromkeys(part for parts in together for part in parts):
-        taken = {homes.get(other) for parts in together if part in parts for other in parts}
-        free = (colour for colour in PALETTE if colour not in taken)
+        neighbour_colours = {homes.get(neighbour) for parts in together if part in parts for neighbour in parts}
+        free = (colour for colour in PALETTE if colour not in neighbour_colours)
         homes[part] = next(free, PALETTE[len(homes) % len(PALETTE)])
     return homes
 
 
 def panel_colours(panel: Panel, homes: Mapping[str, str]) -> dict[str, str]:
-    """Colours of the series of a panel: its part's own for the first of a part, a free one for any other."""
+    """Return colours by series: the first series of a part has its colour, others a free one."""
     colours: dict[str, str] = {}
-    others = []
+    remaining = []
     for name in panel.names:
-        home = homes[name.partition(".")[0]]
-        if home in colours.values():
-            others.append(name)
+        colour = homes[name.partition(".")[0]]
+        if colour in colours.values():
+            remaining.append(name)
         else:
-            colours[name] = home
+            colours[name] = colour
     free = [colour for colour in PALETTE if colour not in colours.values()] or list(PALETTE)
-    return colours | {name: free[k % len(free)] for k, name in enumerate(others)}
+    return colours | {name: free[k % len(free)] for k, name in enumerate(remaining)}
 
 
 def _legend(owner: Any, handles: Sequence[Any], texts: Sequence[str], **options: Any) -> None:
     for text in owner.legend(handles, texts, **_LEGEND, **options).get_texts():
-        text.set_parse_math(False)  # a name may hold dollars
+        text.set_parse_math(False)  # a name can contain dollar signs
 
 
-def _fill(look: CodeStyle) -> dict[str, Any]:
-    """How a patch of the timeline is drawn."""
-    if look.is_hatched:
-        return {"facecolor": look.colour, "edgecolor": "white", "linewidth": 0.0, "hatch": "////"}
-    return {"facecolor": look.colour, "edgecolor": "none", "linewidth": 0.0}
+def _fill(style: CodeStyle) -> dict[str, Any]:
+    """Return the patch options of a code of the timeline."""
+    if style.is_hatched:
+        return {"facecolor": style.colour, "edgecolor": "white", "linewidth": 0.0, "hatch": "////"}
+    return {"facecolor": style.colour, "edgecolor": "none", "linewidth": 0.0}
 
 
 def time_unit(span: float) -> tuple[str, float]:
-    """Unit in which a time axis so long [s] is read, and its size [s]."""
+    """Return the unit of a time axis of this span [s], and its size [s]."""
     return next((name, size) for longest, name, size in _TIME_UNITS if span < longest)
 
 
 def axis_unit(panel: Panel) -> str:
-    """Unit of an axis in brackets, with the reference of pressures."""
+    """Return the unit of an axis in brackets, with the pressure reference."""
     if panel.unit in ("1", ""):
         return "[1]"
     is_pressure = panel.quantity == "pressure" and not panel.unit.endswith("g")

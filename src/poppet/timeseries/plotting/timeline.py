@@ -1,4 +1,4 @@
-"""What codes over time mean: the regime of every flow, where the plate of a valve is, whether a body sticks."""
+"""Codes over time: flow regimes, position of a valve plate, sticking of bodies."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CONTACTS: dict[int, str] = {
     1: "supply open",
     2: "upper stop",
 }
-"""What the codes of a main stage's `contact` mean."""
+"""Meanings of the codes of `contact` of a main stage."""
 
 _REGIME_COLOURS = {0: "#dfe2e7", 1: "#f3c76b", 2: "#5b9bd5", 3: "#1f4e87"}
 _CONTACT_COLOURS = {-2: "#7a4b1e", -1: "#d9822b", 0: "#dfe2e7", 1: "#3d9a5f", 2: "#14532d"}
@@ -29,7 +29,7 @@ _CONTACT_COLOURS = {-2: "#7a4b1e", -1: "#d9822b", 0: "#dfe2e7", 1: "#3d9a5f", 2:
 
 @dataclass(frozen=True)
 class CodeStyle:
-    """How a code is drawn: its meaning, its colour, and whether it is hatched."""
+    """Meaning, colour and hatching of a code."""
 
     text: str
     colour: str
@@ -47,12 +47,12 @@ FRICTION_LOOKS = {
     -1: CodeStyle("slips back", "#3d9a5f", True),
 }
 BANDS = (("friction", FRICTION_LOOKS), ("flow\nregime", REGIME_LOOKS), ("contact", CONTACT_LOOKS))
-"""What the rows of a timeline show, from top to bottom."""
+"""Rows of a timeline, from top to bottom."""
 
 
 @dataclass(frozen=True)
 class Span:
-    """A time over which a code holds: from `start`, `width` long [s]."""
+    """Time span of a code: start and width [s]."""
 
     start: float
     width: float
@@ -61,7 +61,7 @@ class Span:
 
 @dataclass(frozen=True)
 class Band:
-    """One row of the timeline; `is_thinned` where codes change faster than the picture can show."""
+    """Row of the timeline; `is_thinned` if codes change faster than the figure can resolve."""
 
     name: str
     label: str
@@ -72,34 +72,34 @@ class Band:
 
 
 def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] | None:
-    """How the codes of a series are drawn."""
+    """Return the styles of the codes of a series, None if the series has no codes."""
     last = name.rpartition(".")[2]
-    looks = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
-    looks = FRICTION_LOOKS if last == "friction_state" else looks
-    if looks is None or unit not in ("", "1"):
+    styles = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
+    styles = FRICTION_LOOKS if last == "friction_state" else styles
+    if styles is None or unit not in ("", "1"):
         return None
     finite = values[np.isfinite(values)]
-    return looks if np.isin(finite, list(looks)).all() else None
+    return styles if np.isin(finite, list(styles)).all() else None
 
 
 def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
-    """Rows of the timeline in the order of `BANDS`, recordings side by side."""
-    found = []
+    """Return the rows of the timeline in the order of `BANDS`, recordings side by side."""
+    bands = []
     for source, recording in enumerate(recordings):
         for name in recording.names if names is None else names:
             if name not in recording:
                 continue
-            looks = looks_of(name, recording.unit(name), recording[name])
-            if looks is not None:
+            styles = looks_of(name, recording.unit(name), recording[name])
+            if styles is not None:
                 spans, is_thinned = spans_of(recording.time, at_rest(recording, name), columns)
-                found.append(Band(name, _label(name), source, looks, spans, is_thinned))
-    order = list(dict.fromkeys(band.name for band in found))
-    ranks = [id(looks) for _, looks in BANDS]
-    return sorted(found, key=lambda band: (ranks.index(id(band.looks)), order.index(band.name), band.source))
+                bands.append(Band(name, _label(name), source, styles, spans, is_thinned))
+    order = list(dict.fromkeys(band.name for band in bands))
+    ranks = [id(styles) for _, styles in BANDS]
+    return sorted(bands, key=lambda band: (ranks.index(id(band.looks)), order.index(band.name), band.source))
 
 
 def at_rest(recording: Columns, name: str) -> FloatArray:
-    """Codes of a series, those of a regime as no flow where what flows is the noise of a solver about equal pressures.
+    """Return the codes of a series; regimes of solver noise near equal pressures become no flow.
 
     Examples
     --------
@@ -112,12 +112,12 @@ def at_rest(recording: Columns, name: str) -> FloatArray:
     if not name.endswith("regime") or flow not in recording or not same_dimension(recording.unit(flow), "kg/s"):
         return codes
     size = np.abs(convert(recording[flow], recording.unit(flow), "kg/s"))
-    least = STILL * max(float(np.max(size[np.isfinite(size)], initial=0.0)), _USUAL_FLOW)
-    return np.where((size <= least) & (np.abs(codes) <= 1.0), 0.0, codes)
+    limit = STILL * max(float(np.max(size[np.isfinite(size)], initial=0.0)), _USUAL_FLOW)
+    return np.where((size <= limit) & (np.abs(codes) <= 1.0), 0.0, codes)
 
 
 def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[Span, ...], bool]:
-    """Codes as spans of time; a code holds from its row to the next.
+    """Return codes as time spans; a code is valid from its row to the next.
 
     Examples
     --------
@@ -127,32 +127,32 @@ def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[S
     """
     if len(time) < 2:
         return (), False
-    held, edges = codes[:-1], time
-    is_thinned = bool(np.count_nonzero(np.diff(held)) > columns)
+    values, edges = codes[:-1], time
+    is_thinned = bool(np.count_nonzero(np.diff(values)) > columns)
     if is_thinned:
         edges = np.linspace(time[0], time[-1], columns + 1)
-        held = _most_frequent(time, held, edges)
-    first = np.flatnonzero(np.diff(held, prepend=np.nan) != 0.0)
+        values = _most_frequent(time, values, edges)
+    first = np.flatnonzero(np.diff(values, prepend=np.nan) != 0.0)
     ends = np.append(edges[first[1:]], edges[-1])
     spans = (
-        Span(float(edges[k]), float(end - edges[k]), int(held[k]))
+        Span(float(edges[k]), float(end - edges[k]), int(values[k]))
         for k, end in zip(first, ends, strict=True)
-        if np.isfinite(held[k])
+        if np.isfinite(values[k])
     )
     return tuple(spans), is_thinned
 
 
-def _most_frequent(time: FloatArray, held: FloatArray, edges: FloatArray) -> FloatArray:
-    """The code that holds longest between each two edges."""
-    kinds = np.unique(held[np.isfinite(held)])
+def _most_frequent(time: FloatArray, codes: FloatArray, edges: FloatArray) -> FloatArray:
+    """Return the code with the longest total duration between adjacent edges."""
+    kinds = np.unique(codes[np.isfinite(codes)])
     if not kinds.size:
         return np.full(len(edges) - 1, np.nan)
-    lasting = np.empty((kinds.size, len(edges) - 1))
-    for row, kind in zip(lasting, kinds, strict=True):
-        # How long it has held so far, a straight line between samples: its difference is exact between any two edges.
-        total = np.concatenate(([0.0], np.cumsum(np.where(held == kind, np.diff(time), 0.0))))
+    durations = np.empty((kinds.size, len(edges) - 1))
+    for row, kind in zip(durations, kinds, strict=True):
+        # Total duration so far, linear between samples, so differences between edges are exact.
+        total = np.concatenate(([0.0], np.cumsum(np.where(codes == kind, np.diff(time), 0.0))))
         row[:] = np.diff(np.interp(edges, time, total))
-    return np.asarray(kinds[lasting.argmax(axis=0)])
+    return np.asarray(kinds[durations.argmax(axis=0)])
 
 
 def _label(name: str) -> str:

@@ -1,1 +1,1 @@
-"""Tables of numbers in files of many formats, as they are: names, units, columns, and no interpretation."""
+"""Tables of numbers in files of many formats: names, units and columns, without interpretation."""

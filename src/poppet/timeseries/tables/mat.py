@@ -1,4 +1,4 @@
-"""Tables in MAT files: vectors of MATLAB, those of recordings among them."""
+"""Tables in MAT files: vectors of MATLAB and recordings of poppet."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from poppet.timeseries.tables.table import Table, table_of
 
 
 def known(metadata: Any) -> dict[str, Any]:
-    """What a recording wrote beside its numbers; empty in files of others."""
+    """Return the metadata of a recording, empty for files of other programs."""
     try:
-        found = json.loads(metadata) if isinstance(metadata, str) else {}
+        content = json.loads(metadata) if isinstance(metadata, str) else {}
     except ValueError:
-        found = {}
-    return found if isinstance(found, dict) and "columns" in found and "units" in found else {}
+        content = {}
+    return content if isinstance(content, dict) and "columns" in content and "units" in content else {}
 
 
 def read(path: Path) -> Table:
@@ -29,14 +29,14 @@ def read(path: Path) -> Table:
     from scipy.io.matlab import matfile_version
 
     with path.open("rb") as stream:
-        is_hdf5 = matfile_version(stream)[0] == 2  # MATLAB's -v7.3, which SciPy does not read
+        is_hdf5 = matfile_version(stream)[0] == 2  # format -v7.3, which SciPy cannot read
         content = {} if is_hdf5 else loadmat(stream, squeeze_me=True, simplify_cells=True)
     if is_hdf5:
         content = _hdf5(path)
     meta = known(content.pop(METADATA, ""))
     columns = dict(_vectors(content))
     if any(values.size > 1 for values in columns.values()):
-        # Beside vectors, single numbers are settings.
+        # Single numbers in a file with vectors are settings.
         columns = {name: values for name, values in columns.items() if values.size > 1}
     return table_of(columns, {}, meta=meta)
 
@@ -53,7 +53,7 @@ def _hdf5_item(item: Any) -> Any:
         return {name: _hdf5_item(inner) for name, inner in item.items()}
     if item.dtype.kind not in "iufb" or item.attrs.get("MATLAB_class", b"") in (b"char", b"cell"):
         return None
-    return np.squeeze(np.asarray(item).T)  # MATLAB counts its axes the other way round
+    return np.squeeze(np.asarray(item).T)  # MATLAB stores axes in reverse order
 
 
 def _vectors(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, FloatArray]]:

@@ -1,4 +1,4 @@
-"""Tables in MDF files (ASAM), as measuring computers and calibration tools write them."""
+"""Tables in ASAM MDF files of measuring computers and calibration tools."""
 
 from __future__ import annotations
 
@@ -17,37 +17,37 @@ def read(path: Path, *, group: str | int | None = None) -> Table:
     """Read the channels of an MDF file."""
     with needed("asammdf", "An MDF file", "measured"):
         from asammdf import MDF
-    path.open("rb").close()  # a missing file is named like any other
+    path.open("rb").close()  # gives the usual error for a missing file
     with MDF(path) as file:
-        found, units, notes = _groups(file)
-    chosen = groups_of(found, group) if found else {}
-    stamps = {name: "s" for name in chosen if name.rpartition("/")[2] == "time"}
-    return table_of(chosen, units | stamps, notes)
+        groups, units, notes = _groups(file)
+    columns = groups_of(groups, group) if groups else {}
+    stamps = {name: "s" for name in columns if name.rpartition("/")[2] == "time"}
+    return table_of(columns, units | stamps, notes)
 
 
 def _groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, str], list[Note]]:
-    found: dict[str, dict[str, FloatArray]] = {}
+    groups: dict[str, dict[str, FloatArray]] = {}
     units: dict[str, str] = {}
     notes: list[Note] = []
     for k in range(len(file.groups)):
         name = str(getattr(file.groups[k].channel_group, "acq_name", "") or "")
-        name = name if name and name not in found else f"group {k}"
+        name = name if name and name not in groups else f"group {k}"
         columns: dict[str, FloatArray] = {}
         for signal in _signals(file, k):
             if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
                 notes.append(Note("table.channel_without_numbers", channel=signal.name, group=name))
                 continue
-            # All channels of a group have its clock.
+            # All channels of a group share its clock.
             columns.setdefault("time", np.asarray(signal.timestamps, dtype=float))
             columns[signal.name] = signal.samples.astype(float)
             units[signal.name] = units[f"{name}/{signal.name}"] = signal.unit or ""
         if columns.get("time", np.empty(0)).size:
-            found[name] = columns
-    return found, units, notes
+            groups[name] = columns
+    return groups, units, notes
 
 
 def _signals(file: Any, group: int) -> list[Any]:
-    """The channels of a group without its master, which carries the time."""
+    """Return the channels of a group without its master channel, the time."""
     master = file.masters_db.get(group)
-    places = [(None, group, k) for k in range(len(file.groups[group].channels)) if k != master]
-    return list(file.select(places)) if places else []
+    channels = [(None, group, k) for k in range(len(file.groups[group].channels)) if k != master]
+    return list(file.select(channels)) if channels else []

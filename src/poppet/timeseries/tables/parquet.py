@@ -1,4 +1,4 @@
-"""Tables in Parquet files, those of recordings among them."""
+"""Tables in Parquet files, including recordings of poppet."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from poppet.timeseries.tables.table import Table, seconds, table_of
 
 
 def arrow() -> Any:
-    """The package that reads and writes them."""
+    """Return the package pyarrow."""
     with needed("pyarrow", "A Parquet file", "data"):
         import pyarrow
         import pyarrow.parquet
@@ -23,11 +23,11 @@ def arrow() -> Any:
 
 
 def table_in(path: Path, columns: list[str] | None = None) -> Any:
-    """The table in a file, or some of its columns."""
+    """Return the table of a file, or selected columns of it."""
     package = arrow()
-    path.open("rb").close()  # a file that is not there is refused in the words of all files
-    # Arrow opens the file itself: a stream of Python is called from its threads, and one of them that is left when
-    # the interpreter ends aborts the process.
+    path.open("rb").close()  # gives the usual error for a missing file
+    # Arrow must open the file itself: its threads would call a Python stream, and a thread that still runs at the end
+    # of the interpreter aborts the process.
     with package.OSFile(str(path)) as source:
         return package.parquet.ParquetFile(source).read(columns)
 

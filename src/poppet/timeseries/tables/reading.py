@@ -1,4 +1,4 @@
-"""One door for all files of columns; each format has a file of its own."""
+"""Reader of column files; each format has its own module."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from poppet.core.errors import InputError
 from poppet.core.files import by_suffix
+from poppet.core.plugins import Registry
 from poppet.core.units import LARGEST
 from poppet.timeseries.tables import mat, mdf, parquet, tdms, text
 from poppet.timeseries.tables.table import Table
@@ -19,14 +20,19 @@ __all__ = ["Table", "read_table", "read_with"]
 
 Found = TypeVar("Found")
 
-READERS: dict[str, Callable[..., Table]] = {
-    **dict.fromkeys((".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm", ".log"), text.read),
-    ".tdms": tdms.read,
-    **dict.fromkeys((".mf4", ".mdf"), mdf.read),
-    ".mat": mat.read,
-    ".parquet": parquet.read,
-}
-"""By suffix; a new format is one line here. A reader takes a path, and those options that its format needs."""
+READERS: Registry[Callable[..., Table]] = Registry(
+    "poppet.readers",
+    {
+        **dict.fromkeys((".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm", ".log"), text.read),
+        ".tdms": tdms.read,
+        **dict.fromkeys((".mf4", ".mdf"), mdf.read),
+        ".mat": mat.read,
+        ".parquet": parquet.read,
+    },
+    lambda suffix, reader: callable(reader),
+    prefix=".",
+)
+"""Suffix to reader. A reader takes a path and those options that its format needs."""
 
 
 def read_table(
@@ -50,17 +56,17 @@ def read_table(
     (('t', 'p'), ('s', 'bar'), [1.5, 1.25])
     """
     options = {"separator": separator, "decimal": decimal, "header_rows": header_rows, "group": group}
-    given = {name: value for name, value in options.items() if value is not None}
+    selected = {name: value for name, value in options.items() if value is not None}
     reader = by_suffix(path, READERS)
-    for name in given.keys() - inspect.signature(reader).parameters:
-        raise InputError("table.no_such_option", name, value=given[name], suffix=path.suffix)
+    for name in selected.keys() - inspect.signature(reader).parameters:
+        raise InputError("table.no_such_option", name, value=selected[name], suffix=path.suffix)
 
     def plausible(path: Path) -> Table:
-        table = reader(path, **given)
+        table = reader(path, **selected)
         for name, column in zip(table.names, table.columns, strict=True):
-            bad = np.flatnonzero(np.isfinite(column) & (np.abs(column) > LARGEST))
-            if bad.size:
-                k = int(bad[0])
+            implausible = np.flatnonzero(np.isfinite(column) & (np.abs(column) > LARGEST))
+            if implausible.size:
+                k = int(implausible[0])
                 line = table.lines[k] if len(table.lines) else None
                 raise InputError("table.huge", column=name, value=float(column[k]), most=LARGEST, line=line)
         return table
@@ -69,7 +75,7 @@ def read_table(
 
 
 def read_with(reader: Callable[[Path], Found], path: Path) -> Found:
-    """What one reader finds in a file, every mistake with the file's name."""
+    """Return the result of a reader; every error contains the name of the file."""
     try:
         return reader(path)
     except OSError as problem:
@@ -77,6 +83,6 @@ def read_with(reader: Callable[[Path], Found], path: Path) -> Found:
     except InputError as problem:
         raise problem.located(file=str(path)) from problem.__cause__
     except Exception as problem:
-        # Readers of binary formats end in errors of any kind when a file is damaged or of another format.
+        # Readers of binary formats raise errors of many types for a damaged file or another format.
         why = f"{type(problem).__name__}: {problem}"
         raise InputError("table.unsound", file=str(path), suffix=path.suffix, why=why) from problem

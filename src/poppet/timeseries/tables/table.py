@@ -1,4 +1,4 @@
-"""A table of columns, whatever file it came from, and how instruments write their headings."""
+"""Table of columns from a file of any format, with the unit spellings of instruments."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from poppet.timeseries.checks import FloatArray
 
 _TRAILING_UNIT = re.compile(r"\s*(?P<name>.*?\S)\s*(?:\[(?P<square>[^\[\]]*)\]|\((?P<round>[^()]*)\))\s*")
 
-# How instruments and loggers spell units, in lower case; everything else is read as the house writes it.
+# Unit spellings of instruments and loggers, in lower case. Other spellings must be those of poppet.
 _SPELLINGS = {
     **dict.fromkeys(("sec", "secs", "second", "seconds"), "s"),
     **dict.fromkeys(("msec", "milliseconds"), "ms"),
@@ -37,7 +37,7 @@ _SPELLINGS = {
 
 
 def unit_of(spelling: str) -> str:
-    """The unit that an instrument's spelling stands for; empty where it is none.
+    """Return the unit for an instrument's spelling, empty if it is not a unit.
 
     Examples
     --------
@@ -45,27 +45,27 @@ def unit_of(spelling: str) -> str:
     ('psi', 'degC', 'g/min', '')
     """
     text = spelling.strip()
-    known = _SPELLINGS.get(" ".join(text.lower().replace("°", "deg ").split()))
-    if known:
-        return known
+    unit = _SPELLINGS.get(" ".join(text.lower().replace("°", "deg ").split()))
+    if unit:
+        return unit
     return text if text and is_known(text) else ""
 
 
 def heading_of(text: str) -> tuple[str, str]:
-    """Name and unit of a column heading.
+    """Return the name and the unit of a column heading.
 
     Examples
     --------
     >>> heading_of("P1(PSI)"), heading_of("flow (filtered)")
     (('P1', 'psi'), ('flow (filtered)', ''))
     """
-    found = _TRAILING_UNIT.fullmatch(text)
-    if found:
-        written = found["square"] if found["square"] is not None else found["round"]
-        # `(1)` counts sensors; `[1]` is how a recording writes a number without dimension.
-        unit = unit_of(written) if found["square"] is not None or not written.strip().isdigit() else ""
+    match = _TRAILING_UNIT.fullmatch(text)
+    if match:
+        written = match["square"] if match["square"] is not None else match["round"]
+        # `(1)` is a sensor number; `[1]` is the unit of a dimensionless series in a recording.
+        unit = unit_of(written) if match["square"] is not None or not written.strip().isdigit() else ""
         if unit or not written.strip():
-            return found["name"], unit
+            return match["name"], unit
     return text.strip(), ""
 
 
@@ -73,28 +73,30 @@ def heading_of(text: str) -> tuple[str, str]:
 class Table:
     """Columns of numbers with names and units."""
 
-    names: tuple[str, ...]  # without units; `column 0` and so on where the file names none
-    columns: tuple[FloatArray, ...]  # each (n,), in its unit; NaN where a cell is empty
-    units: tuple[str, ...]  # from the heading; empty where it states none
-    notes: tuple[Note, ...] = ()  # what was guessed and what was left out
-    meta: Mapping[str, Any] = field(default_factory=dict)  # what a recording of the house wrote beside its numbers
-    lines: Sequence[int] = ()  # in a text, the line of each sample, counted from 1
+    names: tuple[str, ...]  # without units; `column 0` and so on if the file has no names
+    columns: tuple[FloatArray, ...]  # each (n,), in its unit; NaN for an empty cell
+    units: tuple[str, ...]  # from the heading; empty if it has no unit
+    notes: tuple[Note, ...] = ()  # guesses and omitted content
+    meta: Mapping[str, Any] = field(default_factory=dict)  # metadata of a poppet recording
+    lines: Sequence[int] = ()  # of a text file: line of each sample, counted from 1
 
-    def index(self, wanted: str | int) -> int:
-        """Where a column stands, named as in the heading or by its place."""
-        if isinstance(wanted, int):
-            if 0 <= wanted < len(self.names):
-                return wanted
-            raise InputError("table.no_place", place=wanted, names=self.names, count=len(self.names))
-        places = [k for k, name in enumerate(self.names) if name == wanted.strip()]
-        places = places or [k for k, name in enumerate(self.names) if name == heading_of(wanted)[0]]
-        if len(places) == 1:
-            return places[0]
-        if places:
-            raise InputError("table.ambiguous", column=wanted, places=tuple(places))
-        near = NameSuggestion(wanted, self.names)
-        code = "table.misspelt" if near.names else "table.unknown"  # where none is near, `near` lists them all
-        raise InputError(code, column=wanted, near=near, names=self.names)
+    def index(self, column: str | int) -> int:
+        """Return the index of a column from its heading or its index."""
+        if isinstance(column, int):
+            if 0 <= column < len(self.names):
+                return column
+            raise InputError("table.no_place", place=column, names=self.names, count=len(self.names))
+        indices = [k for k, name in enumerate(self.names) if name == column.strip()]
+        indices = indices or [k for k, name in enumerate(self.names) if name == heading_of(column)[0]]
+        if len(indices) == 1:
+            return indices[0]
+        if indices:
+            raise InputError("table.ambiguous", column=column, places=tuple(indices))
+        suggestion = NameSuggestion(column, self.names)
+        code = (
+            "table.misspelt" if suggestion.names else "table.unknown"
+        )  # without similar names, `near` lists all names
+        raise InputError(code, column=column, near=suggestion, names=self.names)
 
 
 def table_of(
@@ -103,19 +105,26 @@ def table_of(
     notes: Sequence[Note] = (),
     meta: Mapping[str, Any] | None = None,
 ) -> Table:
-    """A table of named columns, the short ones filled up with NaN; `units` from name, as the file spells them."""
+    """Return a table of named columns, padded with NaN to equal length.
+
+    `units` maps names to units in the spelling of the file.
+    """
     longest = max((column.size for column in columns.values()), default=0)
     if not longest:
         raise InputError("table.no_columns")
     filled = tuple(
         np.concatenate([column, np.full(longest - column.size, np.nan)]).astype(float) for column in columns.values()
     )
-    if meta:  # the names and units of a recording are exact: nothing is read into them
-        # A series named as the time stays under the name of its column, so that there is one time.
+    if meta:  # names and units of a recording are exact
+        # A series with the name `time` keeps its column name, so there is one time column.
         names = {column: column if name == "time" else name for column, name in meta["columns"].items()}
-        said = {column: meta["units"].get(name, "") for column, name in meta["columns"].items()} | {"time": "s"}
-        shown = tuple(names.get(column, column) for column in columns)
-        return Table(shown, filled, tuple(said.get(column, "") for column in columns), tuple(notes), meta)
+        unit_by_column = {column: meta["units"].get(name, "") for column, name in meta["columns"].items()} | {
+            "time": "s"
+        }
+        column_names = tuple(names.get(column, column) for column in columns)
+        return Table(
+            column_names, filled, tuple(unit_by_column.get(column, "") for column in columns), tuple(notes), meta
+        )
     headings = [heading_of(key) for key in columns]
     return Table(
         tuple(name for name, _ in headings),
@@ -126,7 +135,7 @@ def table_of(
 
 
 def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> FloatArray:
-    """Stamps of a calendar as seconds since the first.
+    """Return calendar times as seconds since the first one.
 
     Examples
     --------
@@ -134,27 +143,27 @@ def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> Flo
     [0.0, 1.5]
     """
     fine = column.astype("datetime64[ns]")
-    there = ~np.isnat(fine)
+    is_time = ~np.isnat(fine)
     result = np.full(fine.shape, np.nan)
-    if there.any():
-        # The difference first: nanoseconds since 1970 do not fit a float.
-        result[there] = (fine[there] - fine[there][0]).astype(float) * 1e-9
+    if is_time.any():
+        # The difference comes first: a float cannot represent nanoseconds since 1970.
+        result[is_time] = (fine[is_time] - fine[is_time][0]).astype(float) * 1e-9
     return result
 
 
-def groups_of(found: Mapping[str, Mapping[str, FloatArray]], group: str | int | None) -> dict[str, FloatArray]:
-    """The columns of one group of a file, or of all, each then named after its group.
+def groups_of(groups: Mapping[str, Mapping[str, FloatArray]], group: str | int | None) -> dict[str, FloatArray]:
+    """Return the columns of one group, or of all groups with the group in each name.
 
     Examples
     --------
     >>> sorted(groups_of({"fast": {"p": np.zeros(2)}, "slow": {"T": np.zeros(1)}}, None))
     ['fast/p', 'slow/T']
     """
-    names = list(found)
+    names = list(groups)
     if isinstance(group, int) and 0 <= group < len(names):
         group = names[group]
-    if group is not None and group not in found:
+    if group is not None and group not in groups:
         raise InputError("table.no_group", "group", group=group, near=NameSuggestion(str(group), names))
     if isinstance(group, str) or len(names) == 1:
-        return dict(found[group if isinstance(group, str) else names[0]])
-    return {f"{name}/{column}": values for name in names for column, values in found[name].items()}
+        return dict(groups[group if isinstance(group, str) else names[0]])
+    return {f"{name}/{column}": values for name in names for column, values in groups[name].items()}

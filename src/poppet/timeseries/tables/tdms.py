@@ -1,4 +1,4 @@
-"""Tables in TDMS files, as LabVIEW writes them."""
+"""Tables in TDMS files of LabVIEW."""
 
 from __future__ import annotations
 
@@ -20,24 +20,24 @@ def read(path: Path, *, group: str | int | None = None) -> Table:
     with needed("npTDMS", "A TDMS file", "measured"):
         from nptdms import TdmsFile
     file = TdmsFile.read(path)
-    found: dict[str, dict[str, FloatArray]] = {}
+    groups: dict[str, dict[str, FloatArray]] = {}
     units: dict[str, str] = {}
     notes: list[Note] = []
-    for each in file.groups():
-        columns, missing = _columns(each.channels())
-        notes += [Note("table.channel_without_numbers", channel=name, group=each.name) for name in missing]
+    for channel_group in file.groups():
+        columns, missing = _columns(channel_group.channels())
+        notes += [Note("table.channel_without_numbers", channel=name, group=channel_group.name) for name in missing]
         if columns:
-            found[each.name] = columns
-        for channel in each.channels():
+            groups[channel_group.name] = columns
+        for channel in channel_group.channels():
             unit = next((str(channel.properties[key]) for key in _UNIT_PROPERTIES if key in channel.properties), "")
-            units[channel.name] = units[f"{each.name}/{channel.name}"] = unit
-    chosen = groups_of(found, group) if found else {}
-    stamps = {name: "s" for name in chosen if name.rpartition("/")[2].rpartition(" ")[2] == "time"}
-    return table_of(chosen, stamps | {name: unit for name, unit in units.items() if unit}, notes)
+            units[channel.name] = units[f"{channel_group.name}/{channel.name}"] = unit
+    columns_of_file = groups_of(groups, group) if groups else {}
+    stamps = {name: "s" for name in columns_of_file if name.rpartition("/")[2].rpartition(" ")[2] == "time"}
+    return table_of(columns_of_file, stamps | {name: unit for name, unit in units.items() if unit}, notes)
 
 
 def _columns(channels: list[Any]) -> tuple[dict[str, FloatArray], list[str]]:
-    """The numbers of one group with its time bases, and the names of what holds none."""
+    """Return the columns of a group with their times, and the names of channels without numbers."""
     columns, missing = {}, []
     bases: dict[str, tuple[float, float, int]] = {}
     for channel in channels:
@@ -47,10 +47,10 @@ def _columns(channels: list[Any]) -> tuple[dict[str, FloatArray], list[str]]:
             continue
         columns[channel.name] = seconds(values) if values.dtype.kind == "M" else values.astype(float)
         if "wf_increment" in channel.properties:
-            # The offset may be left out, which the package's own time_track() does not forgive.
+            # The offset can be absent; time_track() of the package raises an error in this case.
             offset = float(channel.properties.get("wf_start_offset", 0.0))
             bases[channel.name] = (offset, float(channel.properties["wf_increment"]), values.size)
-    # Waveforms carry a clock each; where all are the same, it is the time of the group.
+    # Each waveform has a clock; if all clocks are equal, they are the time of the group.
     common = len(set(bases.values())) == 1 and "time" not in columns
     for name, (offset, increment, count) in bases.items():
         base = offset + increment * np.arange(count)

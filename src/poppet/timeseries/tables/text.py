@@ -1,4 +1,7 @@
-"""Tables in text files: what separates the columns, where the numbers begin, and what stands above them.
+"""Tables in text files: separators, first line of numbers, header lines.
+
+`read` accepts files of other programs and notes what it guessed. `read_exact` accepts the format of recordings and
+rejects other input with the line number.
 
 `read` takes files of others as they come and notes what it guessed; `read_exact` takes what recordings write, and
 refuses everything else by its line.
@@ -23,19 +26,19 @@ _NUMBER = {
     ".": re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?|[+-]?inf(?:inity)?", re.IGNORECASE),
     ",": re.compile(r"[+-]?(?:\d+(?:,\d+)?|,\d+)(?:[eEdD][+-]?\d+)?|[+-]?inf(?:inity)?", re.IGNORECASE),
 }
-# The infinite may stand in a table, as recordings write it; NaN is an empty cell.
+# Recordings can contain infinite values; NaN is an empty cell.
 _EMPTY = frozenset({"", "nan", "na", "n/a", "null", "none", "-", "--", "---"})
 _SEPARATORS = ("\t", ";", ",", " ")
 _WORDS = {"tab": "\t", "\\t": "\t", "space": " ", "spaces": " ", "comma": ",", "semicolon": ";"}
 _SAID = {"\t": "tabs", " ": "spaces", ",": "commas", ";": "semicolons"}
-# Lines by which the layout is guessed: the last ones, where numbers stand whatever is above them, and some in between.
+# Numbers of lines for guessing the layout: the last ones, which contain samples, and some before them.
 _LAST, _BETWEEN = 60, 200
 
 LARGEST_TEXT = 256 * 2**20
-"""Bytes of a file of numbers in text, which takes ten times as much memory."""
+"""Limit of the size of a text file [bytes]; reading needs ten times as much memory."""
 
 Line = tuple[int, str]
-"""Number of a line in the file, counted from 1, and its text."""
+"""Line number in the file, counted from 1, and text of the line."""
 
 
 @dataclass(frozen=True)
@@ -54,7 +57,9 @@ class _Layout:
         return _NUMBER[self.decimal].fullmatch(cell) is not None
 
     def is_sample(self, text: str) -> bool:
-        """True when the line has a number first, or numbers wherever the table has them.
+        """Return True for a line with a number first, or with numbers in all numeric columns.
+
+        A line that begins with a number and continues with text is an invalid sample, not a heading.
 
         A line that begins like a sample and goes on with text is a sample with a mistake, not a heading.
         """
@@ -71,31 +76,33 @@ class _Layout:
 def read(
     path: Path, *, separator: str | None = None, decimal: str | None = None, header_rows: int | None = None
 ) -> Table:
-    """Read the columns of a text file; what is not stated is guessed, and noted."""
+    """Read the columns of a text file; guess the unspecified options and note them."""
     text, bad_line = _text(path)
     notes = [Note("table.latin_1")] if bad_line else []
     lines = _lines(text)
     comments = [line for line in lines if line[1].lstrip().startswith("#")]
-    kept = [line for line in lines if not line[1].lstrip().startswith("#")]
-    if not kept:
+    rest_lines = [line for line in lines if not line[1].lstrip().startswith("#")]
+    if not rest_lines:
         raise InputError("table.empty")
-    layout = _guess(kept, _separators(separator), _decimals(decimal))
-    head, body = _parted(kept, layout, header_rows)
+    layout = _guess(rest_lines, _separators(separator), _decimals(decimal))
+    head, body = _parted(rest_lines, layout, header_rows)
     names, units, heading_notes = _headings(head, comments, layout, body)
     if separator is None or decimal is None:
-        said = _SAID.get(layout.separator, repr(layout.separator))
-        notes.append(Note("table.guessed", separator=said, decimal=layout.decimal))
+        separator_name = _SAID.get(layout.separator, repr(layout.separator))
+        notes.append(Note("table.guessed", separator=separator_name, decimal=layout.decimal))
     notes += heading_notes + [Note("table.comment", text=comment.lstrip("# \t")) for _, comment in comments]
     columns, cell_notes = _columns(body, layout, names)
     if len(names) > 1 and names[-1] == "" and not np.isfinite(columns[-1]).any():
-        names, units, columns = names[:-1], units[:-1], columns[:-1]  # a separator at the end of every line
+        names, units, columns = names[:-1], units[:-1], columns[:-1]  # each line ends with a separator
     names = [name or f"column {k}" for k, name in enumerate(names)]
     numbered = [number for number, _ in body]
     return Table(tuple(names), tuple(columns), tuple(units), (*notes, *cell_notes), lines=numbered)
 
 
 def read_exact(path: Path) -> Table:
-    """Read a CSV file as recordings are written: UTF-8, a heading line, then a number in every cell.
+    """Read a CSV file of a recording: UTF-8, a heading line, a number in every cell.
+
+    The complete headings are the names. Nothing is omitted or guessed.
 
     Headings are kept whole, as names; nothing is left out and nothing is guessed.
     """
@@ -116,7 +123,7 @@ def read_exact(path: Path) -> Table:
         _refuse_widths(rows, len(names))
         for number, cells in rows:
             for name, cell in zip(names, cells, strict=True):
-                # Fortran's 1.5d3 is no number here.
+                # The Fortran form 1.5d3 is not valid here.
                 if "d" in cell.lower() or not (layout.is_number(cell) or cell.lower() == "nan"):
                     raise InputError("table.cell_of_recording", cell=cell, column=name, line=number)
         raise InputError("table.not_numbers")
@@ -124,9 +131,9 @@ def read_exact(path: Path) -> Table:
 
 
 def _text(path: Path) -> tuple[str, int]:
-    """The content, and the first line that is not UTF-8, 0 where all are."""
+    """Return the content, and the number of the first line that is not UTF-8 (0 if none)."""
     with path.open("rb") as file:
-        content = file.read(LARGEST_TEXT + 1)  # devices have no size, and no end
+        content = file.read(LARGEST_TEXT + 1)  # a device has no size and can be endless
     if len(content) > LARGEST_TEXT:
         raise InputError("table.too_large", most=LARGEST_TEXT // 2**20)
     if content[:2] in (b"\xff\xfe", b"\xfe\xff"):
@@ -136,7 +143,7 @@ def _text(path: Path) -> tuple[str, int]:
     try:
         return content.decode("utf-8-sig"), 0
     except UnicodeDecodeError as problem:
-        # Latin-1 gives a letter to every byte, so that the degree signs of older instruments come out right.
+        # Latin-1 decodes every byte, including the degree signs of older instruments.
         return content.decode("latin-1"), content.count(b"\n", 0, problem.start) + 1
 
 
@@ -145,29 +152,29 @@ def _lines(text: str) -> list[Line]:
     return [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
 
 
-def _separators(given: str | None) -> Sequence[str]:
-    if given is None:
+def _separators(separator: str | None) -> Sequence[str]:
+    if separator is None:
         return _SEPARATORS
-    word = _WORDS.get(given.strip().lower(), given)
-    if len(word) != 1:
-        raise InputError("table.separator", "separator", value=given)
-    return (word,)
+    character = _WORDS.get(separator.strip().lower(), separator)
+    if len(character) != 1:
+        raise InputError("table.separator", "separator", value=separator)
+    return (character,)
 
 
-def _decimals(given: str | None) -> Sequence[str]:
-    if given not in (None, ".", ","):
-        raise InputError("table.decimal", "decimal", value=given)
-    return (".", ",") if given is None else (given,)
+def _decimals(decimal: str | None) -> Sequence[str]:
+    if decimal not in (None, ".", ","):
+        raise InputError("table.decimal", "decimal", value=decimal)
+    return (".", ",") if decimal is None else (decimal,)
 
 
 def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _Layout:
-    """The layout that reads most of the lines as numbers, then the one with more columns."""
+    """Return the layout that reads most lines as numbers; on a tie, the one with more columns."""
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
     if not choices:
         raise InputError("table.same_sign", "separator", sign=separators[0])
     scored = [_scored(sample, _Layout(*choice)) for choice in choices]
-    score, layout = max(scored, key=lambda each: each[0])
+    score, layout = max(scored, key=lambda pair: pair[0])
     if score[1] == 0.0:
         raise InputError("table.no_lines_of_numbers")
     return layout
@@ -185,30 +192,32 @@ def _scored(sample: Sequence[str], layout: _Layout) -> tuple[tuple[bool, float, 
     empty = [sum(row[k].lower() in _EMPTY for row in fitting) for k in range(width)]
     is_numeric = tuple(n >= 0.5 * (len(fitting) - e) for n, e in zip(numbers, empty, strict=True))
     share = (sum(numbers) + sum(empty)) / (width * len(fitting)) * len(fitting) / len(rows)
-    # One column alone, which has no time, is the last resort; shares differ by the odd cell, which decides nothing.
+    # A single column, which has no time, is the last choice. Rounding ignores differences of a few cells.
     score = (width > 1 and share >= 0.5, round(share, 2), width)
     return score, _Layout(layout.separator, layout.decimal, width, is_numeric)
 
 
 def _parted(lines: list[Line], layout: _Layout, header_rows: int | None) -> tuple[list[Line], list[Line]]:
-    """Header and samples; a stated count that ends above the headings is mended."""
+    """Return header and samples. A `header_rows` that ends above the headings is extended."""
     if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
         raise InputError("table.header_rows", "header_rows", value=header_rows)
     if header_rows is None:
-        at = next((k for k, (_, text) in enumerate(lines) if layout.is_sample(text)), None)
+        first = next((k for k, (_, text) in enumerate(lines) if layout.is_sample(text)), None)
     else:
-        at = next((k for k, (number, _) in enumerate(lines) if number > header_rows), None)
-        while at is not None and at < len(lines) and not any(map(layout.is_number, layout.cells(lines[at][1]))):
-            at += 1
-    if at is None or at == len(lines):
+        first = next((k for k, (number, _) in enumerate(lines) if number > header_rows), None)
+        while (
+            first is not None and first < len(lines) and not any(map(layout.is_number, layout.cells(lines[first][1])))
+        ):
+            first += 1
+    if first is None or first == len(lines):
         raise InputError("table.no_samples")
-    return lines[:at], lines[at:]
+    return lines[:first], lines[first:]
 
 
 def _headings(
     head: list[Line], comments: list[Line], layout: _Layout, body: list[Line]
 ) -> tuple[list[str], list[str], list[Note]]:
-    """Names and units: the last header line, with a line of units below it where there is one."""
+    """Return names and units from the last header line, or from it and a line of units below."""
     rows = [layout.cells(text) for _, text in head]
     units = [unit_of(cell.strip("[]()")) for cell in rows[-1]] if len(rows) > 1 else []
     guessed = []
@@ -217,18 +226,18 @@ def _headings(
     ):
         cells, head = rows[-2], head[:-2]
     elif rows and (len(rows[-1]) == layout.width or len(rows[-1]) == layout.width - 1 > 1):
-        # One heading less than columns: every line of numbers ends in a separator.
+        # With one heading less than columns, each line of numbers ends with a separator.
         cells, head, units = rows[-1] + [""] * (layout.width - len(rows[-1])), head[:-1], []
     else:
-        above = [text for number, text in comments if number < body[0][0]]
-        cells, units = layout.cells(above[-1].lstrip("# \t")) if above else [], []
+        comments_above = [text for number, text in comments if number < body[0][0]]
+        cells, units = layout.cells(comments_above[-1].lstrip("# \t")) if comments_above else [], []
         guessed = [Note("table.headings_of_comment")]
         if len(cells) != layout.width:
             cells = [f"column {k}" for k in range(layout.width)]
             guessed = [Note("table.no_headings", last=layout.width - 1)]
-    named = [heading_of(cell) for cell in cells]
-    others = [Note("table.header_line", number=number, text=text.strip()) for number, text in head]
-    return [name for name, _ in named], units or [unit for _, unit in named], others + guessed
+    headings = [heading_of(cell) for cell in cells]
+    notes = [Note("table.header_line", number=number, text=text.strip()) for number, text in head]
+    return [name for name, _ in headings], units or [unit for _, unit in headings], notes + guessed
 
 
 def _columns(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[FloatArray], list[Note]]:
@@ -250,7 +259,10 @@ def _columns(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[
 
 
 def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatArray | None:
-    """Columns of lines that hold nothing but numbers, shape (width, n); the fast way, which knows no empty cells."""
+    """Return the columns of lines without empty cells, shape (width, n), None if there are others.
+
+    This is the fast path of the readers.
+    """
     try:
         table = np.loadtxt(texts, delimiter=delimiter, comments=None, quotechar='"', ndmin=2)
     except ValueError:
@@ -265,13 +277,13 @@ def _refuse_widths(rows: list[tuple[int, list[str]]], width: int) -> None:
 
 
 def _column(cells: list[Line], layout: _Layout, name: str, notes: list[Note]) -> FloatArray:
-    bad = [line for line in cells if not layout.is_number(line[1]) and line[1].lower() not in _EMPTY]
-    if len(bad) > 0.5 * len(cells):
-        notes.append(Note("table.column_of_text", column=name, cell=bad[0][1]))
+    invalid = [line for line in cells if not layout.is_number(line[1]) and line[1].lower() not in _EMPTY]
+    if len(invalid) > 0.5 * len(cells):
+        notes.append(Note("table.column_of_text", column=name, cell=invalid[0][1]))
         return np.full(len(cells), np.nan)
-    if bad:
-        number, cell = bad[0]
+    if invalid:
+        number, cell = invalid[0]
         raise InputError("table.cell", cell=cell, column=name, line=number)
-    # Fortran writes 1.5d3.
-    plain = str.maketrans({",": ".", "d": "e", "D": "e"})
-    return np.array([float(text.translate(plain)) if layout.is_number(text) else np.nan for _, text in cells])
+    # Fortran can write 1.5d3.
+    translation = str.maketrans({",": ".", "d": "e", "D": "e"})
+    return np.array([float(text.translate(translation)) if layout.is_number(text) else np.nan for _, text in cells])

@@ -1,0 +1,412 @@
+"""Public circuit class, which joins the packages below, and its readers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal, Self, overload
+
+from poppet.circuit.circuit import BaseCircuit
+from poppet.circuit.file import read_circuit
+from poppet.core.toml_file import TomlFile
+
+if TYPE_CHECKING:
+    from poppet.circuit.linear_model import ControlStateSpace, ControlSystem
+    from poppet.deploy.casadi_export import CasadiModel
+    from poppet.deploy.ode import Ode
+    from poppet.ensemble.ensemble_result import Ensemble
+    from poppet.identify.fit.fit_circuit import Data as RecordedData
+    from poppet.identify.fit.fit_result import FitResult
+
+LISTED = (
+    *("parts", "signals", "connections", "run", "ambient", "gas", "title"),
+    *("numbers", "inputs", "parameters", "static_notes", "model"),
+    *("with_values", "with_signals", "resumed", "simulate", "steady_state", "linearise", "fit", "ensemble"),
+    *("to_ode", "to_casadi", "to_control"),
+)
+"""Names of a circuit that editors list: fields, contents, variants, analyses, conversions."""
+
+
+class _ListedNames(type):
+    """Metaclass that lists only the names in `LISTED`: editors inspect the class as well as its objects."""
+
+    def __dir__(cls) -> list[str]:
+        return sorted(LISTED)
+
+
+class Circuit(BaseCircuit, metaclass=_ListedNames):
+    """Parts joined into a network, ready to run.
+
+    Parameters
+    ----------
+    parts : mapping
+        Name to part. Ports contain names of gas nodes, or `ambient` for the ambient air.
+    signals : mapping, optional
+        Address of an input, `valve.pilot_pressure`, to its signal in SI units.
+    run : Run, optional
+        Duration, output step, tolerance, stop conditions.
+    ambient : Ambient, optional
+        Pressure and temperature of the surroundings.
+    gas : GasChoice or Gas, optional
+        Gas constant and isentropic exponent, or a gas from `poppet.library.gas`.
+    title : str, optional
+        Title of all results.
+    connections : mapping, optional
+        Address of an input to the connected output: ``{"main.pilot_pressure": "pilot.pressure"}``.
+    origin : Origin, optional
+        Tables and folder of the circuit file.
+    like : Circuit, optional
+        A similar circuit, already checked. Unchanged parts are reused and not checked again.
+
+    Raises
+    ------
+    InputErrors
+        With all wiring errors.
+
+    Examples
+    --------
+    >>> from poppet import Chamber, Circuit, Orifice, Reservoir
+    >>> circuit = Circuit({
+    ...     "supply": Reservoir(pressure="7 bar"),
+    ...     "fill": Orifice(from_="supply", to="tank", sonic_conductance=1e-8, critical_ratio=0.3),
+    ...     "tank": Chamber(volume="10 l"),
+    ... })
+    >>> recording = circuit.simulate(duration="20 s")
+    >>> round(float(recording["tank.pressure"][-1]))
+    700000
+    """
+
+    def __dir__(self) -> list[str]:
+        return sorted(LISTED)
+
+    def fit(
+        self,
+        recordings: RecordedData | Mapping[str, RecordedData],
+        free: Sequence[str] | Mapping[str, Any],
+        *,
+        outputs: Sequence[str] | None = None,
+        bounds: Mapping[str, Sequence[Any]] | None = None,
+        priors: Mapping[str, Sequence[Any]] | None = None,
+        start: Mapping[str, Any] | None = None,
+        noise: Mapping[str, str | float] | None = None,
+        offsets: Mapping[str, Any] | None = None,
+        hold: bool = True,
+        validation: Sequence[str] = (),
+        loss: Literal["linear", "soft_l1", "huber", "cauchy"] = "linear",
+        starts: int = 1,
+        seed: int = 0,
+        kicks: int | None = None,
+        profile: Sequence[str] = (),
+        bootstrap: int = 0,
+        contour: bool = False,
+        title: str | None = None,
+        progress: Callable[[int, float], Any] | None = None,
+        stages: Callable[[str, int, int], Any] | None = None,
+    ) -> FitResult[Self]:
+        """Fit parameters of the circuit to recordings.
+
+        Parameters
+        ----------
+        recordings : Recording, DataFrame or mapping
+            One recording, or name to recording. A `Recording` is measured or simulated. A `pandas.DataFrame` has
+            addresses as column labels, with or without a unit: ``"tank.pressure [bar g]"``. A column without a unit is
+            in SI units. The time is the column ``time [s]`` or the index.
+        free : sequence of str or mapping
+            Addresses of the free parameters, or address to start value of the search. A start value is a number, a text
+            with a unit, or a table with `start`, `min`, `max`. The default start is the value in the circuit.
+        outputs : sequence of str, optional
+            Addresses of the series that are compared with the model. By default these are all series that are outputs
+            of the circuit and change. Other series are then errors.
+        bounds : mapping, optional
+            Address of a free parameter to ``(min, max)``. None is the physical limit.
+        priors : mapping, optional
+            Address of a free parameter to ``(mean, standard deviation)`` of its normal prior distribution.
+        start : mapping, optional
+            Address of an initial value to its value in the recordings: a value, ``"first"`` (first value of the series)
+            or ``"free"`` (fitted for each recording). ``{name: {address: value}}`` applies to one recording.
+        noise : mapping, optional
+            Address of an output to the standard deviation of its noise. By default it is estimated from the residuals.
+        offsets : mapping, optional
+            Address of an output to the prior of its free sensor offset: a standard deviation, ``(mean, standard
+            deviation)``, or ``"free"`` for no prior.
+        hold : bool, optional
+            Keep each value of a recorded input until the next row. If False, interpolate linearly between rows.
+        validation : sequence of str, optional
+            Names of recordings that are compared with the model, but not fitted.
+        loss : str, optional
+            `linear`, or a robust loss: `soft_l1`, `huber`, `cauchy`.
+        starts : int, optional
+            Number of start points of the search.
+        seed : int, optional
+            Seed of the random numbers for start points and bootstrap.
+        kicks : int, optional
+            Maximum number of rounds of restarts near the optimum. The default is 3, or 0 for sampled circuits.
+        profile : sequence of str, optional
+            Names of parameters whose intervals are computed by profile likelihood.
+        bootstrap : int, optional
+            Number of bootstrap fits.
+        contour : bool, optional
+            Compute the chi-square contour over conductance and wall conductance.
+        title : str, optional
+            Title of the result; default the title of the circuit.
+        progress : callable, optional
+            Called with the number of evaluations and the lowest cost.
+        stages : callable, optional
+            Called during profiles and bootstrap with the stage, the number of completed steps and their total.
+
+        Returns
+        -------
+        FitResult
+            Estimates with 95 % confidence intervals and verdicts, findings, and the fitted circuit.
+
+        Raises
+        ------
+        InputErrors
+            If an address or a unit is invalid, a recording has no usable samples, an input is missing, input and
+            outputs do not overlap in time, or a free parameter changes no compared output.
+
+        Notes
+        -----
+        A recorded input drives the model; an input without a series keeps the signal of the circuit. The first used
+        row of a recording is t = 0 of its run.
+
+        Examples
+        --------
+        >>> import numpy as np
+        >>> from poppet import Chamber, Circuit, Orifice, Recording
+        >>> valve = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> tank = Chamber(volume="20 l", initial_pressure="7 bar", wall_conductance="5 W/K")
+        >>> circuit = Circuit({"tank": tank, "valve": valve})
+        >>> run = circuit.simulate("40 s", "0.1 s")
+        >>> pressure = run["tank.pressure"] + np.random.default_rng(1).normal(0.0, 500.0, run.time.size)
+        >>> measured = Recording.from_series(run.time, {"tank.pressure [Pa]": pressure})
+        >>> result = circuit.fit(measured, {"valve.sonic_conductance": 2e-8, "valve.critical_ratio": 0.2})
+        >>> round(1e8 * result["valve.sonic_conductance"].value, 2), result["valve.critical_ratio"].verdict
+        (1.0, 'determined')
+        >>> fitted = result.circuit.simulate("40 s")
+        """
+        from poppet.identify.fit.fit_circuit import fit_circuit
+
+        return fit_circuit(
+            self, recordings, free, outputs=outputs, bounds=bounds, priors=priors, start=start, noise=noise,
+            offsets=offsets, hold=hold, validation=validation, loss=loss, starts=starts, seed=seed, kicks=kicks,
+            profile=profile, bootstrap=bootstrap, contour=contour, title=title, progress=progress, stages=stages,
+        )  # fmt: skip
+
+    def ensemble(
+        self,
+        output: str | Path | None = None,
+        *,
+        executor: Any = "threads",
+        workers: int | None = None,
+        progress: Callable[[int, int, str], Any] | None = None,
+        requirements: Mapping[str, str] | None = None,
+        **fields: Any,
+    ) -> Ensemble:
+        """Run the circuit many times with uncertain parameters.
+
+        Parameters
+        ----------
+        output : str or Path, optional
+            Folder of the dataset; default a temporary folder. An incomplete dataset in the folder is completed.
+        executor : str or object, optional
+            `threads`, `processes`, the address of a Dask scheduler, a `distributed.Client`, or any
+            `concurrent.futures.Executor`. The results are identical for all executors.
+        workers : int, optional
+            Number of threads or processes; default one per processor.
+        progress : callable, optional
+            Called with the number of completed runs, the total, and the kind of run: `runs`, `tornado` or `indices`.
+        requirements : mapping, optional
+            Name to requirement, `fill_time < 12 s`; default the table `requirements` of the circuit file.
+        **fields
+            Fields of the table `ensemble` of a circuit file: `runs`, `seed`, `sampling`, `numbers`, `metrics`, `keep`,
+            `curves`, `indices`, `levels`, `file`. They override the fields of the circuit file.
+
+        Returns
+        -------
+        Ensemble
+            Dataset, yield, bands, influence of each parameter, worst cases.
+
+        Raises
+        ------
+        InputErrors
+            With all errors of the tables; or if the folder contains other data.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", wall_conductance=1.0)
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> ensemble = Circuit({"tank": tank, "vent": vent}).with_values({"run.duration": "1 s"}).ensemble(
+        ...     runs=200,
+        ...     numbers={"tank.volume": {"distribution": "uniform", "relative_range": 0.1}},
+        ...     metrics={"end": {"of": "tank.pressure", "metric": "final", "unit": "bar"}},
+        ...     requirements={"low": "end < 1.4 bar"},
+        ... )
+        >>> ensemble.yields()[0].good, ensemble.yields()[0].runs
+        (200, 200)
+        """
+        from poppet.ensemble.ensemble_result import run_ensemble
+
+        return run_ensemble(
+            self, output, executor=executor, workers=workers, progress=progress, requirements=requirements, **fields
+        )
+
+    def to_ode(self, duration: Any = None) -> Ode:
+        r"""Return the circuit with its signals as plain functions, :math:`\dot x = f(t, x)`, for any solver.
+
+        Parameters
+        ----------
+        duration : float or str, optional
+            Time range of the signals [s]; default that of `run`.
+
+        Returns
+        -------
+        Ode
+            `f(t, x)`, `jac(t, x)`, `outputs(t, x)`, `x0`, names and tolerances; `stretch` for sampled circuits.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", initial_pressure="3 bar", thermal="isothermal")
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> ode = Circuit({"tank": tank, "vent": vent}).to_ode("1 s")
+        >>> ode.states, bool(ode.f(0.0, ode.x0)[0] < 0.0)
+        (('tank.mass',), True)
+        """
+        from poppet.deploy.ode import to_ode
+
+        return to_ode(self, duration)
+
+    def to_casadi(
+        self,
+        *,
+        inputs: Sequence[str] | None = None,
+        numbers: Sequence[str] = (),
+        without: str | Sequence[str] = (),
+    ) -> CasadiModel:
+        r"""Return the circuit as CasADi functions, :math:`\dot x = f(x, u, p)`, :math:`y = g(x, u, p)`.
+
+        Parameters
+        ----------
+        inputs : sequence of str, optional
+            Addresses of the inputs in u; default all. Other inputs are constant at their values at the start of a run.
+        numbers : sequence of str, optional
+            Addresses of the parameters in p. Other parameters keep their values.
+        without : str or sequence of str, optional
+            Controllers to omit. Inputs that they set become free.
+
+        Returns
+        -------
+        CasadiModel
+            `f`, `g`, `start`, names, units, values at the start.
+
+        Raises
+        ------
+        InputErrors
+            If an address is unknown, other parameters depend on one in p, or the circuit is sampled or switched.
+
+        Examples
+        --------
+        >>> from poppet import Chamber, Circuit, Orifice
+        >>> tank = Chamber(volume="1 l", thermal="isothermal")
+        >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+        >>> model = Circuit({"tank": tank, "vent": vent}).to_casadi(numbers=["tank.volume"])
+        >>> print(model.f)
+        f:(x,u,p)->(rates) SXFunction
+        """
+        from poppet.deploy.casadi_export import to_casadi
+
+        return to_casadi(self, inputs=inputs, numbers=numbers, without=without)
+
+    @overload
+    def to_control(
+        self,
+        *,
+        linear: Literal[False] = False,
+        inputs: Sequence[str] | None = None,
+        numbers: Sequence[str] = (),
+        without: str | Sequence[str] = (),
+    ) -> ControlSystem: ...
+    @overload
+    def to_control(self, *, linear: Literal[True], without: str | Sequence[str] = ()) -> ControlStateSpace: ...
+    @overload
+    def to_control(
+        self,
+        *,
+        linear: bool,
+        inputs: Sequence[str] | None = None,
+        numbers: Sequence[str] = (),
+        without: str | Sequence[str] = (),
+    ) -> ControlSystem: ...
+    def to_control(
+        self,
+        *,
+        linear: bool = False,
+        inputs: Sequence[str] | None = None,
+        numbers: Sequence[str] = (),
+        without: str | Sequence[str] = (),
+    ) -> ControlSystem:
+        """Return the circuit as a system of python-control.
+
+        Parameters
+        ----------
+        linear : bool, optional
+            Return the linear model at the steady state; in discrete time if the circuit is sampled.
+        inputs, numbers, without : optional
+            See `to_casadi`; numbers become `params`.
+
+        Returns
+        -------
+        control.NonlinearIOSystem or control.StateSpace
+            Names contain a double underscore for each dot.
+
+        Raises
+        ------
+        InputErrors
+            See `to_casadi`.
+        """
+        from poppet.deploy.casadi_export import to_control
+
+        return to_control(self, linear=linear, inputs=inputs, numbers=numbers, without=without)
+
+
+def load(path: str | Path) -> Circuit:
+    """Read a circuit file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; see `docs/circuit_file.md`.
+
+    Returns
+    -------
+    Circuit
+        Checked and ready to run.
+
+    Raises
+    ------
+    InputErrors
+        With all errors of the file and their line numbers, if available.
+    """
+    return read_circuit(TomlFile.read(path, "parts"), Circuit)
+
+
+def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Circuit:
+    """Read a circuit from text.
+
+    Parameters
+    ----------
+    text : str
+        Content of a circuit file.
+    name : str, optional
+        File name in error messages.
+    folder : Path, optional
+        Folder for relative paths; default the working directory.
+
+    Returns
+    -------
+    Circuit
+        Checked and ready to run.
+    """
+    return read_circuit(TomlFile(text, name, folder or Path()), Circuit)

@@ -1,0 +1,366 @@
+"""Fit of a circuit in one call, with recordings in memory."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any, Protocol, TypeAlias, TypeVar
+
+import numpy as np
+
+from poppet.circuit.circuit import BaseCircuit
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.tables import Field
+from poppet.core.units import convert
+from poppet.identify.fit.fit_plan import ROLES, offset_parameter, plan_fit, recording_parameters
+from poppet.identify.fit.fit_result import FitResult
+from poppet.identify.fit.identify_fit import Progress, run_fit
+from poppet.identify.fit.intervals import Stages
+from poppet.identify.fit.search import SearchSettings
+from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
+from poppet.timeseries.checks import FloatArray, split_heading
+from poppet.timeseries.measurements import Channel, Measurement, read_measurement
+from poppet.timeseries.measurements.mapping import DIFFERENCE_KINDS
+from poppet.timeseries.recording import Recording
+from poppet.timeseries.tables.table import Table, seconds
+
+DISCRETE = ("regime", "contact", "friction")
+"""Last words of outputs that are codes of a state. They are compared only if `outputs` contains them."""
+CARRIED = ("table", "measured", "doubt", "series")
+"""First parts of the codes of notes on how a recording was read."""
+
+
+class DataFrame(Protocol):
+    """Table with labelled columns and an index, such as `pandas.DataFrame`."""
+
+    @property
+    def columns(self) -> Any:
+        """Labels of the columns."""
+
+    @property
+    def index(self) -> Any:
+        """Labels of the rows."""
+
+    def __getitem__(self, key: Any, /) -> Any: ...
+
+
+Data: TypeAlias = Recording | DataFrame
+CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
+
+
+def fit_circuit(
+    circuit: CircuitT,
+    recordings: Data | Mapping[str, Data],
+    free: Sequence[str] | Mapping[str, Any],
+    *,
+    outputs: Sequence[str] | None = None,
+    bounds: Mapping[str, Sequence[Any]] | None = None,
+    priors: Mapping[str, Sequence[Any]] | None = None,
+    start: Mapping[str, Any] | None = None,
+    noise: Mapping[str, Any] | None = None,
+    offsets: Mapping[str, Any] | None = None,
+    hold: bool = True,
+    validation: Sequence[str] = (),
+    loss: str = "linear",
+    starts: int = 1,
+    seed: int = 0,
+    kicks: int | None = None,
+    profile: Sequence[str] = (),
+    bootstrap: int = 0,
+    contour: bool = False,
+    title: str | None = None,
+    progress: Progress | None = None,
+    stages: Stages | None = None,
+) -> FitResult[CircuitT]:
+    """Fit parameters of a circuit to recordings; `Circuit.fit` describes the arguments."""
+    tables = _free_tables(free)
+    reader = _RecordingReader(circuit, outputs, start or {}, noise or {}, offsets or {}, hold)
+    measurements = reader.read_all(_by_name(recordings, circuit))
+    names = [measurement.name for measurement in measurements]
+    for name in (name for name in validation if name not in names):
+        raise InputError("fit.unknown_recording", "validation", value=name, near=NameSuggestion(name, names))
+    roles = [ROLES[name in validation] for name in names]
+    free_starts = {address for m in measurements for address, value in m.start.items() if value == "free"}
+    limits: dict[str, dict[str, Any]] = {address: {} for address in free_starts} | tables
+    parameters: list[FreeParameter] = []
+    with ErrorCollector() as errors:
+        _add_limits(errors, limits, bounds or {}, priors or {})
+        for address in (address for address in tables if address not in free_starts):
+            with errors.collecting():
+                parameters.append(read_free(address, limits[address], circuit, where=address))
+    circuits = [circuit] * len(measurements)
+    parameters += recording_parameters(measurements, circuits, roles, limits)
+    parameters += reader.offset_parameters(measurements, roles)
+    if not parameters:
+        raise InputError("fit.nothing_free", "free")
+    settings = SearchSettings(loss, starts, seed, kicks)
+    plan = plan_fit(
+        circuits, measurements, roles, parameters, settings=settings, title=circuit.title if title is None else title
+    )
+    result = run_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
+    return FitResult.of(result, circuit, plan)
+
+
+def _free_tables(free: Sequence[str] | Mapping[str, Any]) -> dict[str, dict[str, Any]]:
+    """Return a table of `start`, `min` and `max` by the address of each free parameter."""
+    if isinstance(free, Mapping):
+        return {
+            address: dict(value) if isinstance(value, Mapping) else {"start": value} for address, value in free.items()
+        }
+    return {address: {} for address in ([free] if isinstance(free, str) else free)}
+
+
+def _add_limits(
+    errors: ErrorCollector,
+    tables: Mapping[str, dict[str, Any]],
+    bounds: Mapping[str, Sequence[Any]],
+    priors: Mapping[str, Any],
+) -> None:
+    """Add bounds and priors to the tables of the free parameters."""
+    for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
+        for address, pair in pairs.items():
+            if address not in tables:
+                errors.add("fit.not_free", f"{argument}.{address}", near=NameSuggestion(address, tables))
+                continue
+            if not isinstance(pair, Mapping) and (isinstance(pair, str) or not isinstance(pair, Sequence)):
+                errors.add("fit.no_pair", f"{argument}.{address}", value=pair, first=keys[0], second=keys[1])
+                continue
+            table = pair if isinstance(pair, Mapping) else dict(zip(keys, pair, strict=False))
+            fields = {key: value for key, value in table.items() if value is not None}
+            tables[address].update(fields if argument == "bounds" else {"prior": fields})
+
+
+def _by_name(recordings: Data | Mapping[str, Data], circuit: BaseCircuit) -> dict[str, Data]:
+    """Return the recordings by name; a single one is called `recording`."""
+    if not isinstance(recordings, Mapping):
+        return {"recording" if "recording" not in circuit.parts else "measured": recordings}
+    if not recordings:
+        raise InputError("fit.no_recordings", "recordings")
+    for name in recordings:
+        if not isinstance(name, str) or name in circuit.parts or "." in name:
+            raise InputError("fit.recording_name", f"recordings.{name}", name=name)
+    return dict(recordings)
+
+
+class _RecordingReader:
+    """Reader of recordings in memory: assigns their series to the inputs and outputs of a circuit."""
+
+    def __init__(
+        self,
+        circuit: BaseCircuit,
+        selected: Sequence[str] | None,
+        start: Mapping[str, Any],
+        noise: Mapping[str, Any],
+        offsets: Mapping[str, Any],
+        hold: bool,
+    ) -> None:
+        self.circuit, self.selected = circuit, [selected] if isinstance(selected, str) else selected
+        self.start, self.noise, self.offsets, self.hold = start, noise, offsets, hold
+        self.outputs = dict(circuit.model.outputs)
+        self.inputs = {a: item for a, item in circuit.inputs.items() if a in circuit.instance.input_names}
+        self.inputs = {address: item for address, item in self.inputs.items() if not item.slope_of}
+
+    def read_all(self, recordings: Mapping[str, Data]) -> list[Measurement]:
+        """Return all recordings, and check the addresses of the arguments.
+
+        Raises
+        ------
+        InputErrors
+            With all errors of all recordings.
+        """
+        measurements: list[Measurement] = []
+        with ErrorCollector() as errors:
+            for address in self.selected or ():
+                if address in self.inputs:
+                    errors.add("fit.input_selected", f"outputs.{address}")
+                elif address not in self.outputs:
+                    errors.add("fit.no_output", f"outputs.{address}", near=NameSuggestion(address, self.outputs))
+        with ErrorCollector() as errors:
+            for name, data in recordings.items():
+                with errors.collecting():
+                    measurements.append(self._read(name, data, recordings))
+        compared = {channel.address for measurement in measurements for channel in measurement.channels}
+        driving = {item.address for measurement in measurements for item in measurement.inputs}
+        with ErrorCollector() as errors:
+            for argument, keys in (("outputs", self.selected or ()), ("noise", self.noise), ("offsets", self.offsets)):
+                for address in (address for address in keys if address not in compared):
+                    errors.add("fit.not_recorded", f"{argument}.{address}", near=NameSuggestion(address, compared))
+            for measurement in measurements:
+                recorded = {item.address for item in measurement.inputs} | self.circuit.signals.keys()
+                for address in sorted(driving - recorded):
+                    errors.add("fit.missing_input", f"recordings.{measurement.name}.{address}")
+                for item in measurement.inputs:
+                    if item.time[0] > measurement.duration or item.time[-1] < min(0.0, item.time[0] + 1e-9):
+                        span = float(item.time[0]), float(item.time[-1])
+                        errors.add(
+                            "fit.no_overlap", f"recordings.{measurement.name}.{item.address}",
+                            first=span[0], last=span[1], end=measurement.duration,
+                        )  # fmt: skip
+        return measurements
+
+    def offset_parameters(self, measurements: Sequence[Measurement], roles: Sequence[str]) -> list[FreeParameter]:
+        """Return the free sensor offsets of the fitted recordings."""
+        return [
+            offset_parameter(measurement.name, channel, self._offset_prior(channel))
+            for measurement, role in zip(measurements, roles, strict=True)
+            for channel in measurement.channels
+            if role == "fit" and channel.address in self.offsets
+        ]
+
+    def _offset_prior(self, channel: Channel) -> NormalPrior | None:
+        prior = self.offsets[channel.address]
+        if prior == "free":
+            return None
+        pair = (0.0, prior) if isinstance(prior, str | int | float) else tuple(prior)
+        kind = DIFFERENCE_KINDS.get(channel.unit, "plain")
+        mean = Field(unit=channel.unit, kind=kind, meaning="mean of the offset")
+        sd = Field(unit=channel.unit, kind=kind, above=0.0, meaning="standard deviation of the offset")
+        return NormalPrior(
+            *(field.read(v, f"offsets.{channel.address}") for field, v in zip((mean, sd), pair, strict=True))
+        )
+
+    def _read(self, name: str, data: Data, names: Iterable[str]) -> Measurement:
+        """Return one recording in SI units."""
+        place = f"recordings.{name}"
+        if isinstance(data, Recording):
+            table, ambient_pressure = _recording_table(data), data.ambient_pressure
+            internal: Iterable[str] = data.inner
+        else:
+            table, ambient_pressure, internal = _frame_table(data, place), self.circuit.surroundings.pressure, ()
+        if not table.columns[0].size:
+            raise InputError("fit.no_rows", place)
+        compared, omitted = self._compared(table, set(internal), place)
+        fields: dict[str, Any] = {"time": {"column": 0, "unit": table.units[0]}}
+        with ErrorCollector() as errors:
+            for address in compared:
+                with errors.collecting():
+                    unit = self._unit(table, address, self.outputs[address], place)
+                    fields[address] = {"column": table.names.index(address), "unit": unit}
+                if address in self.noise:
+                    fields[address]["noise"] = self.noise[address]
+            inputs = {}
+            for address in self._driving(table):
+                with errors.collecting():
+                    unit = self._unit(table, address, self.inputs[address].unit, place)
+                    inputs[address] = {"column": table.names.index(address), "unit": unit, "hold": self.hold}
+        shared = {address: value for address, value in self.start.items() if address not in names}
+        fields |= {"inputs": inputs, "start": shared | dict(self.start.get(name, {}))}
+        measurement = read_measurement(name, fields, Path(), ambient_pressure=ambient_pressure, source=table)
+        channels = []
+        for channel in measurement.channels:
+            prior = self._offset_prior(channel) if channel.address in self.offsets else None
+            channels.append(dataclasses.replace(channel, offset=prior.sd) if prior else channel)
+        notes = [note for note in table.notes if note.code.partition(".")[0] in CARRIED]
+        notes += [Note("fit.not_compared", names=tuple(omitted))] if omitted else []
+        doubts = [note for note in table.notes if note.code.startswith("suspicion.")]
+        return dataclasses.replace(
+            measurement,
+            channels=tuple(channels),
+            notes=(*notes, *measurement.notes),
+            findings=(*doubts, *measurement.findings),
+        )
+
+    def _compared(self, table: Table, internal: set[str], place: str) -> tuple[list[str], list[str]]:
+        """Return the addresses that are compared, and those that are omitted from a default selection."""
+        recorded = dict(zip(table.names[1:], table.columns[1:], strict=True))
+        if self.selected is not None:
+            compared = [address for address in self.selected if address in recorded]
+            if not compared:
+                raise InputError("fit.no_series", place, near=NameSuggestion(self.selected[0], recorded))
+            return compared, []
+        known = (*self.outputs, *self.inputs)
+        with ErrorCollector() as errors:
+            for address in recorded:
+                if address not in known:
+                    errors.add("fit.unknown_series", f"{place}.{address}", near=NameSuggestion(address, known))
+        candidates = [address for address in recorded if address not in self.inputs]
+        varying = [address for address in candidates if address not in internal and _varies(recorded[address])]
+        compared = [a for a in varying if a.rpartition(".")[2].rpartition("_")[2] not in DISCRETE] or candidates
+        if not compared:
+            raise InputError("fit.no_series", place, near=NameSuggestion("", self.outputs))
+        return compared, [address for address in candidates if address not in compared]
+
+    def _driving(self, table: Table) -> list[str]:
+        """Return the recorded inputs, but for those that equal their constant value in the circuit."""
+        driving = []
+        for address, column, unit in zip(table.names[1:], table.columns[1:], table.units[1:], strict=True):
+            if address not in self.inputs:
+                continue
+            default = self.inputs[address].default
+            if isinstance(default, str):
+                default = self.circuit.parameters[f"{address.partition('.')[0]}.{default}"]
+            is_si = unit in ("", self.inputs[address].unit)
+            if address in self.circuit.signals or not is_si or not np.all(column == default):
+                driving.append(address)
+        return driving
+
+    def _unit(self, table: Table, address: str, unit: str, place: str) -> str:
+        """Return the unit of a column; the SI unit of the circuit if the column has none."""
+        written = table.units[table.names.index(address)] or unit
+        try:
+            convert(1.0, written, unit)
+        except InputError as error:
+            raise error.at(f"{place}.{address}") from None
+        return written
+
+
+def _varies(column: FloatArray) -> bool:
+    finite = column[np.isfinite(column)]
+    return bool(finite.size == 0 or np.ptp(finite) > 0.0)
+
+
+def _recording_table(recording: Recording) -> Table:
+    return Table(
+        ("time", *recording.names),
+        (recording.time, *recording.values),
+        ("s", *recording.units),
+        recording.remarks,
+    )
+
+
+def _frame_table(frame: DataFrame, place: str) -> Table:
+    """Return the columns of a data frame, the time first.
+
+    Raises
+    ------
+    InputError
+        If a column occurs twice, if there is no time, or if the object is not a data frame.
+    """
+    if not hasattr(frame, "columns") or not hasattr(frame, "index"):
+        raise InputError("fit.no_recording", place, value=type(frame).__name__)
+    labels = list(frame.columns)
+    headings = [split_heading(str(label)) for label in labels]
+    names = [name for name, _ in headings]
+    stated: Mapping[str, str] = getattr(frame, "attrs", {}).get("units", {})
+    with ErrorCollector() as errors:
+        for name in dict.fromkeys(name for name in names if names.count(name) > 1):
+            errors.add("fit.column_twice", f"{place}.{name}")
+    if "time" in names:
+        time, unit = frame[labels[names.index("time")]], headings[names.index("time")][1]
+    elif type(frame.index).__name__ == "RangeIndex":
+        raise InputError("fit.no_time", place)
+    else:
+        label = getattr(frame.index, "name", None)
+        time, unit = frame.index, split_heading(str(label))[1] if label else ""
+    series = {name: (_numbers(frame[label]), u) for label, (name, u) in zip(labels, headings, strict=True)}
+    series.pop("time", None)
+    return Table(
+        ("time", *series),
+        (_numbers(time), *(column for column, _ in series.values())),
+        (unit or "s", *(u or stated.get(name, "") for name, (_, u) in series.items())),
+    )
+
+
+def _numbers(column: Any) -> FloatArray:
+    """Return a column as floats; dates as seconds since the first, text as NaN."""
+    values = np.asarray(column)
+    if values.dtype.kind == "M":
+        return seconds(values)
+    if values.dtype.kind == "m":
+        return np.asarray(values / np.timedelta64(1, "s"), dtype=np.float64)
+    try:
+        return np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        return np.full(values.shape, np.nan)

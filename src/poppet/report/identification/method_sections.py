@@ -1,0 +1,158 @@
+"""Parts of an identification report that depend on the method.
+
+A method adds an entry to `METHOD_REPORTS`. Its functions return sections; empty tables are omitted.
+"""
+
+from __future__ import annotations
+
+import html
+import math
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from poppet.core.number_format import number, readable_unit, scaled, with_unit
+from poppet.identify import Result
+from poppet.identify.friction.coordinate import COORDINATES
+from poppet.report.html_page import Section
+from poppet.report.identification.identification_tables import error_text, estimate_text, plain_text
+from poppet.report.tables import Table, code, numeric
+
+_CONDUCTANCE = "m^3/(s Pa)"
+_STANDARD_UNITS = {
+    "sonic_conductance": _CONDUCTANCE,
+    "critical_ratio": "1",
+    "subsonic_index": "1",
+    "cracking_pressure": "Pa",
+}
+
+
+class MethodReport(NamedTuple):
+    """Sections, sources and summary of a method."""
+
+    models: Callable[[Result], Sequence[Section]] = lambda result: ()  # before the section of the fit
+    evidence: Callable[[Result], Sequence[Section]] = lambda result: ()  # after the tests of the fit
+    references: tuple[str, ...] = ("runs", "aicc")  # codes of `identification.reference`
+    has_bands: bool = True  # the summary shows the band of a curve instead of parameters
+
+
+def _steady_sections(result: Result) -> list[Section]:
+    """Return the tests of a flow bench or a characteristic."""
+    return [
+        Section("Tests at the strokes", _stroke_table(result)),
+        Section("Formulas of the standard", _standard_content(result)),
+        Section("Uncertainty budget", _budget_table(result)),
+    ]
+
+
+def _standard_content(result: Result) -> list[Table | str]:
+    """Return the results of the formulas in ISO 6358-1 and of the direct fit."""
+    formulas, rows = result.comparison.get("standard_formulas") or {}, []
+    for name, si_unit in _STANDARD_UNITS.items():
+        if name not in formulas:
+            continue
+        value, error = float(formulas[name]), float(formulas.get(f"u_{name}", math.nan))
+        fit = next((e for key, e in result.parameters.items() if key.rpartition(".")[2] == name), None)
+        fixed = number(float(result.conditions.get("fixed", {}).get(name, math.nan)))
+        text = error_text(value, error, si_unit) if error > 0.0 else number(value)
+        rows.append((code(name), text, estimate_text(fit) if fit else f"{fixed}, fixed"))
+    note = "<p>The errors are standard uncertainties.</p>\n" if rows else ""
+    return [Table(("parameter", "formulas of the standard", "direct fit"), rows), note]
+
+
+def _budget_table(result: Result) -> Table:
+    """Return the contributions to the standard errors."""
+    rows = []
+    for name, budget in result.comparison.get("uncertainty", {}).items():
+        si_unit = result.parameters[name].unit if name in result.parameters else "1"
+        total = math.hypot(*budget["sources"].values())
+        unit = readable_unit(si_unit, total)
+        for source, size in sorted(budget["sources"].items(), key=lambda pair: -pair[1]):
+            fraction = f"{100.0 * (size / total) ** 2:.0f} %" if 0.0 < total < math.inf else "-"
+            text = with_unit(f"{scaled(size, si_unit, unit):.2g}", unit) if math.isfinite(size) else number(size)
+            rows.append((code(name), source, text, fraction))
+    return Table(("parameter", "source", *numeric("standard uncertainty", "fraction of the variance")), rows)
+
+
+def _stroke_table(result: Result) -> Table:
+    """Return stroke, C and b of each test."""
+    rows = [
+        (str(name), plain_text(stroke, "m"), error_text(c, u_c, _CONDUCTANCE), error_text(b, u_b, "1"))
+        for name, (stroke, c, b, u_c, u_b) in result.conditions.get("tests", {}).items()
+    ]
+    return Table(("test", *numeric("stroke", "C ± error", "b ± error")), rows)
+
+
+def _force_sections(result: Result) -> list[Section]:
+    """Return the laws of the force of a muscle, the best first."""
+    axes = result.comparison.get("held_out_by", ())
+    rows = [
+        (
+            code(law["law"]),
+            f"{law['held_out']:.3g} N",
+            f"{100.0 * law['held_out_of_largest']:.2g} %",
+            *(f"{law[f'held_out_by_{axis}']:.3g} N" for axis in axes),
+            f"{law['rms']:.3g} N",
+            f"{100.0 * law['rms_of_largest']:.2g} %",
+            f"{law['worst']:.3g} N",
+            str(law["numbers"]),
+        )
+        for law in result.comparison.get("forces", ())
+    ]
+    relative = "relative to the largest force"
+    headings = "rms of the validation", relative, *(f"validation by {axis}" for axis in axes)
+    return [
+        Section(
+            "Force laws",
+            Table(("law", *numeric(*headings, "rms of the fit", relative, "maximum error", "parameters")), rows),
+        )
+    ]
+
+
+def _friction_sections(result: Result) -> list[Section]:
+    """Return the friction laws, the recordings and the part for a circuit file."""
+    c = result.comparison
+    coordinate = COORDINATES[c["body"]]
+    unit, effort = coordinate.effort_unit, coordinate.effort
+    laws = [
+        (
+            code(law["law"]),
+            f"{law['held_out']:.3g} {unit}",
+            f"{law['rms']:.3g} {unit}",
+            str(law["numbers"]),
+            "supported" if law["law"] == c["supported"] else "not distinguishable" if law["alike"] else "worse",
+        )
+        for law in c["laws"]
+    ]
+    recordings = [
+        (
+            recording["name"],
+            plain_text(float(f"{recording['pressure']:.3g}"), "Pa") if recording["pressure"] else "-",
+            " / ".join(plain_text(float(f"{speed:.3g}"), coordinate.speed) for speed in recording["speeds"]),
+            *(
+                f"{recording[key]:.3g} {unit}" if key in recording else "-"
+                for key in ("level", "line", "offset", "half_of_force")
+            ),
+        )
+        for recording in c["recordings"]
+    ]
+    headings = f"validation by {c['held_out_by']}", "rms of the fit", "parameters"
+    efforts = f"offset of the {effort}", f"half of the {effort}s"
+    content: list[str | Table] = [
+        Table(("law", *numeric(*headings), ""), laws),
+        Table(("recording", *numeric("pressure", "mean speeds", "friction", "by the law", *efforts)), recordings),
+        f"<p>In a circuit file:</p>\n<pre>{html.escape(c['ready'])}</pre>\n",
+    ]
+    return [Section("Friction laws", content)]
+
+
+METHOD_REPORTS = {
+    "fit": MethodReport(),
+    "tank": MethodReport(references=("iso6358_2", "runs", "aicc")),
+    "flow": MethodReport(evidence=_steady_sections, references=("iso6358_1", "gum", "aicc")),
+    "characteristic": MethodReport(evidence=_steady_sections, references=("varga2012", "runs", "aicc")),
+    "muscle": MethodReport(_force_sections, references=("muscle_laws", "jackknife")),
+    "friction": MethodReport(
+        _friction_sections, references=("friction_laws", "clusters", "one_error"), has_bands=False
+    ),
+}
+"""Method to its part of the report; a method without an entry has the report of a fit."""

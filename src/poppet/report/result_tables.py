@@ -1,0 +1,105 @@
+"""Tables of runs and of linear models, for terminals, pages and notebooks."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from poppet.circuit.linear_model import LinearModel
+from poppet.circuit.load_metrics import LoadMetrics
+from poppet.core.number_format import USUAL, digits_of, pretty
+from poppet.report.tables import Column, Table, numeric
+from poppet.timeseries.recording import Recording
+
+MAX_STROKES = 12
+ROUNDING = 1e-13
+"""Fraction of the largest eigenvalue below which a real eigenvalue is zero."""
+STROKES = "Strokes; the time is from 2 % to 98 % of the travel."
+ENERGY = "Air, work and efficiency: work of the actuators divided by the exergy of the supplied air."
+_UNITS = {"m": ("mm", 1e3), "rad": ("deg", 180.0 / math.pi), "m/s": ("mm/s", 1e3), "rad/s": ("deg/s", 180.0 / math.pi)}
+_CODES = "regime", "contact", "friction_state"
+"""Last words of the names of codes, for which extremes have no meaning."""
+
+
+def stroke_table(metrics: LoadMetrics) -> Table:
+    """Return a row for each of the first strokes."""
+    rows = []
+    for stroke in metrics.strokes[:MAX_STROKES]:
+        speed_unit, arrival = f"{stroke.unit}/s", metrics.met(stroke)
+        end = _motion_text(abs(arrival.velocity), arrival.unit) if arrival else "none met"
+        travel = _motion_text(stroke.travel, stroke.unit)
+        speeds = (_motion_text(speed, speed_unit) for speed in (stroke.mean_speed, stroke.peak_speed))
+        rows.append([stroke.body, f"{stroke.start:.4g}", travel, f"{stroke.duration:.4g}", *speeds, end])
+    n_omitted = len(metrics.strokes) - len(rows)
+    rows += [[f"and {n_omitted} more", *[""] * 6]] if n_omitted > 0 else []
+    headings = "begins [s]", "travel", "time [s]", "mean speed", "peak speed", "at the end stop"
+    return Table(("body", *numeric(*headings)), rows)
+
+
+def _motion_text(value: float, unit: str) -> str:
+    usual_unit, factor = _UNITS[unit]
+    return f"{value * factor:.4g} {usual_unit}"
+
+
+def energy_table(metrics: LoadMetrics) -> Table:
+    """Return air, work and efficiency; values that are not available are omitted."""
+    rows = [
+        ("air used", f"{metrics.air_used * 1e3:.4g}", "l ANR"),
+        ("exergy of the supplied air", f"{metrics.exergy:.4g}", "J"),
+        ("work of the actuators", f"{metrics.work:.4g}", "J"),
+        ("efficiency", f"{100.0 * metrics.efficiency:.3g}", "%"),
+    ]
+    rows = [row for row in rows if row[1] != "nan"]
+    for work in metrics.works:
+        terms = {"on the load": work.on_load, "lost in friction and end stops": work.lost, "given back": work.returned}
+        threshold = 1e-6 * (metrics.work + abs(work.on_load))
+        rows += [(f"{work.body}: {name}", f"{v:.4g}", "J") for name, v in terms.items() if abs(v) > threshold]
+    if not math.isnan(metrics.stored):
+        rows.append(("increase in the exergy of the volumes", f"{metrics.stored:.4g}", "J"))
+    return Table(("", Column("", "s"), ""), rows)
+
+
+def mode_table(linear: LinearModel) -> Table:
+    """Return a row for each real eigenvalue or conjugate pair; a sampled model has poles in continuous time."""
+    is_sampled = bool(getattr(linear, "sample_time", 0.0))
+    modes = [complex(value) for value in linear.poles()]
+    threshold = ROUNDING * max(map(abs, modes), default=0.0)
+    columns = Column("pole [1/s]" if is_sampled else "eigenvalue [1/s]"), *numeric("time constant [s]",
+                     "frequency [Hz]", "damping")  # fmt: skip
+    # One row for each conjugate pair.
+    return Table(columns, [_mode_row(value, threshold) for value in modes if value.imag >= 0.0])
+
+
+def _mode_row(value: complex, threshold: float) -> list[str]:
+    size = abs(value)
+    time_constant = -1.0 / value.real if value.real else math.inf
+    if value.imag != 0.0:
+        text = f"{time_constant:.5g}" if value.real < 0.0 else "unstable"
+        pair = f"{value.real:.6g} +- {value.imag:.6g}i"
+        return [pair, text, f"{size / (2.0 * math.pi):.5g}", f"{-value.real / size:.4g}"]
+    if size <= threshold:
+        return ["0", "integrates", "", ""]
+    text = f"{time_constant:.5g}" if value.real < 0.0 else f"unstable, {-time_constant:.5g}"
+    return [f"{value.real:.6g}", text, "", ""]
+
+
+def extreme_table(recording: Recording) -> Table:
+    """Return first, last, lowest and highest value of every series except codes; internal outputs come last."""
+    units = {
+        name: USUAL.get(unit, unit)
+        for name, unit in zip(recording.names, recording.units, strict=True)
+        if not name.endswith(_CODES)
+    }
+    series = recording.select(list(units)).converted(units)
+    rows = []
+    for name, unit in sorted(zip(series.names, series.units, strict=True), key=lambda pair: pair[0] in series.inner):
+        values = series[name]
+        low, high = int(np.argmin(values)), int(np.argmax(values))
+        size = float(np.max(np.abs(values)))
+        first, last, minimum, maximum = (digits_of(float(values[k]), size) for k in (0, -1, low, high))
+        low_time, high_time = (f"{series.time[k]:.5g}" for k in (low, high))
+        rows.append((name, pretty(unit) if unit != "1" else "", first, last, minimum, low_time, maximum, high_time))
+    return Table(
+        ("series", "unit", *numeric("first", "last", "lowest", "at [s]", "highest", "at [s]")), rows, name="values"
+    )
