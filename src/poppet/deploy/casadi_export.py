@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.control.extraction import freed
+from poppet.control.extraction import release_command
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, needed
 from poppet.deploy.export_model import build_export_model
 from poppet.engine.model_evaluation import Evaluation
@@ -152,7 +152,7 @@ def _without_controllers(circuit: Circuit, controllers: str | Sequence[str]) -> 
     for name in (controllers,) if isinstance(controllers, str) else controllers:
         if name not in available:
             raise InputError("tools.no_controller", name, near=NameSuggestion(name, available))
-        circuit = freed(circuit, name, keeps=False)
+        circuit = release_command(circuit, name, keeps=False)
     return circuit
 
 

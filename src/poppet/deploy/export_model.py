@@ -160,7 +160,7 @@ def _export_parameters(circuit: Circuit, instance: Instance, problem: Problem) -
             fixed = "tied" if address in tied else ""
         low, high = max(spec.ends[0], _next_float(spec.above, 1.0)), min(spec.ends[1], _next_float(spec.below, -1.0))
         unit = number.unit if number else spec.unit
-        parameters.append(ExportParameter(address, name, unit, float(value), low, high, spec.doc, fixed))
+        parameters.append(ExportParameter(address, name, unit, float(value), low, high, spec.meaning, fixed))
     return tuple(parameters)
 
 

@@ -10,7 +10,7 @@ from poppet.core.number_format import USUAL, pretty
 from poppet.core.units import convert
 from poppet.deploy.export_model import ExportModel
 from poppet.deploy.live.page_inputs import Slider, affine
-from poppet.report.circuit.schematic import Room, draw_with_room
+from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import inline_svg
 from poppet.timeseries.plotting.figures import figure_bytes
 from poppet.timeseries.plotting.panels import STILL
@@ -119,10 +119,12 @@ def _drawing(export_model: ExportModel, circuit: Circuit) -> dict[str, Any]:
     movers = {part: mover for part in values_of if (mover := _mover(export_model, part))}
     n_lines = {part: len(values) + 2 * (part in movers) for part, values in values_of.items()}
     # The page has the title.
-    figure, rooms = draw_with_room(replace(circuit, title="", like=circuit), n_lines, _MIN_WIDTH)
+    figure, empty_lines = draw_with_empty_lines(replace(circuit, title="", like=circuit), n_lines, _MIN_WIDTH)
     title = f"The circuit {export_model.title}"
     svg = inline_svg(figure_bytes(figure, "svg", "circuit").decode("utf-8"), "circuit", title)
-    lines_of: dict[str, list[Room]] = {part: [room for room in rooms if room.part == part] for part in n_lines}
+    lines_of: dict[str, list[EmptyLine]] = {
+        part: [line for line in empty_lines if line.part == part] for part in n_lines
+    }
     placed_values = []
     for part, values in values_of.items():
         lines = lines_of[part]
