@@ -287,7 +287,8 @@ class TestLinearModel:
         for kind, names in wrong.items():
             with pytest.raises(InputError) as caught:
                 model.frequency_response(1.0, *names)
-            assert (caught.value.code, caught.value.facts["kind"]) == ("names.unknown", kind)
+            assert caught.value.code == "names.unknown"
+            assert kind in caught.value.facts["meaning"]
             assert caught.value.facts["near"].names
 
     @pytest.mark.parametrize("suffix", [".json", ".mat", ".npz"])

@@ -466,12 +466,12 @@ def test_read_table_with_options():
         (
             CONSTANT,
             {"sonic_conductanse": 1.0},
-            "is not a field of a characteristic of kind constant. Did you mean",
+            "is not a valid field of a characteristic of kind constant. Did you mean",
         ),
         (
             CONSTANT,
             {"edge": "extrapolate"},
-            "edge = 'extrapolate' is not an edge policy; curves are not extrapolated.",
+            "edge = 'extrapolate' is not a valid edge policy.",
         ),
         (CONSTANT, {"sonic_conductance": "1.2 kg"}, 'sonic_conductance = "1.2 kg"'),
         (CONSTANT, {"sonic_conductance": [1e-8]}, "sonic_conductance = [1e-08] must be a number"),
@@ -492,7 +492,7 @@ def test_read_table_with_options():
         (TABLE, {"stroke": ["0 mm", "x", "1 mm"]}, 'stroke[1] = "x"'),
         (TABLE, {"stroke": [], "sonic_conductance": []}, "stroke has 0 points: a table must have at least two points."),
         (TABLE, {"sonic_conductance": [1e-8, 1e-8]}, "2 values for 3 strokes do not match."),
-        (TABLE, {"domain": ["0 mm", "1 mm"]}, "domain is not a field of a characteristic of kind table."),
+        (TABLE, {"domain": ["0 mm", "1 mm"]}, "domain is not a valid field of a characteristic of kind table."),
     ],
 )
 def test_mistakes_in_a_table(table, changes, message):

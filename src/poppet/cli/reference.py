@@ -1,18 +1,32 @@
-"""Command `poppet explain`: cause, example and remedy of a message code."""
+"""`poppet library`, `explain` and `paper`: published data, codes, and the published figures."""
 
 from __future__ import annotations
 
 import argparse
+import sys
+from pathlib import Path
 
-from poppet.cli.parser import Option
-
-EXAMPLES = ("poppet explain fields.out_of_range", "poppet explain finding.capped run.stalled", "poppet explain wiring")
-OPTIONS = (Option("[CODE] ...", "codes or their first parts; if omitted, lists all first parts"),)
+from poppet.core.errors import InputError, NameSuggestion
 
 
-def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
-    from poppet.core.errors import InputError, NameSuggestion
+def show_library(options: argparse.Namespace) -> None:
+    """List the sets, characteristics and gases of the library, or describe one."""
+    from poppet import library
+
+    if options.name is not None:
+        print(library.describe(options.name))
+        return
+    groups = {
+        "sets": library.sets(),
+        "characteristics": library.characteristics(),
+        "gases": library.gas_names(),
+    }
+    for heading, names in groups.items():
+        print(f"{heading + ':':<17}{', '.join(names)}")
+
+
+def explain_codes(options: argparse.Namespace) -> None:
+    """Print cause, example and remedy of codes, or list the codes with a common first part."""
     from poppet.core.message_format import every_code, renamed_codes, topics
 
     codes, titles = every_code(), topics()
@@ -31,7 +45,6 @@ def execute(options: argparse.Namespace) -> int:
         width = max(map(len, titles))
         blocks = ["\n".join(f"{topic:<{width}}  {title}" for topic, title in titles.items())]
     print("\n\n".join(blocks))
-    return 0
 
 
 def _explanation(code: str) -> str:
@@ -47,3 +60,13 @@ def _explanation(code: str) -> str:
     if "hint" in parts:
         lines.append(f"  remedy:   {plain(parts['hint']).replace('<near>', 'Use one of the suggested names.')}")
     return "\n".join([code, *lines])
+
+
+def reproduce_paper(options: argparse.Namespace) -> None:
+    """Reproduce the figures and statements of Varga & Keski-Honkola 2012."""
+    folder = Path(options.output)
+    if folder.exists() and not folder.is_dir():
+        raise InputError("paper.folder_is_file", path=str(folder))
+    from poppet.report.varga2012.paper import write_paper
+
+    print(write_paper(folder, lambda step: None if options.quiet else print(step, file=sys.stderr)).table())
