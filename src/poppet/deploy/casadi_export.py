@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from poppet.control.extraction import freed
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, needed
 from poppet.deploy.export_model import build_export_model
-from poppet.engine.model_evaluation import Evaluation
+from poppet.engine.model_evaluation import ArrayFunction
 from poppet.parts.part import Controller
 
 if TYPE_CHECKING:
@@ -122,11 +122,11 @@ def to_control(
             raise InputError("tools.of_nonlinear", "inputs" if inputs is not None else "numbers")
         return _without(circuit, (without,) if isinstance(without, str) else without).linearise().to_control()
     model = to_casadi(circuit, inputs=inputs, numbers=numbers, without=without)
-    f, g = Evaluation(model.f), Evaluation(model.g)
+    f, g = ArrayFunction(model.f), ArrayFunction(model.g)
     # python-control takes a dot for the border between system and signal.
     names = {name: name.replace(".", "__") for name in (*model.states, *model.inputs, *model.numbers, *model.outputs)}
 
-    def of(function: Evaluation) -> Any:
+    def of(function: ArrayFunction) -> Any:
         def evaluated(t: float, x: Array, u: Array, params: Mapping[str, float]) -> Array:
             p = np.array([params[names[each]] for each in model.numbers])
             return function(np.asarray(x), np.asarray(u), p)[0].ravel()

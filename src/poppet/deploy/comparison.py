@@ -77,7 +77,7 @@ def separate(problem: Problem) -> Problem:
 
 def beside(problem: Problem, rows: int) -> ReferenceRun:
     """The kernel's run of a problem, of whose grid so many rows count."""
-    run = Call(problem).made()
+    run = Call(problem).run()
     model = problem.kernel.model
     nominal = {state.name: state.nominal for state in model.states}
     greatest = np.abs(run.values).max(axis=1, initial=0.0)
@@ -99,7 +99,7 @@ def grown(of: ReferenceRun, problems: Iterable[Problem]) -> Array:
     """What the kernel has made of small changes of its problem up to each row, (n_outputs, n_times)."""
     found = np.zeros(of.values.shape)
     for problem in problems:
-        run = Call(problem).made()
+        run = Call(problem).run()
         if run.outcome.is_success:
             moved = apart(run.values, of)
             found[:, : moved.shape[1]] = np.maximum(found[:, : moved.shape[1]], moved)

@@ -16,7 +16,7 @@ from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, Quantity, build_export_model
-from poppet.engine.model_evaluation import Array, Evaluation
+from poppet.engine.model_evaluation import Array, ArrayFunction
 from poppet.parts.compound import Compound
 from poppet.parts.part import NEVER, Controller, Part
 
@@ -82,7 +82,7 @@ class ControllerProgram:
         (n_calls, n_outputs) array
         """
         p = np.array([each.value for each in self.numbers]) if numbers is None else numbers
-        start, update, outputs = (Evaluation(self.functions[name]) for name in SIGNATURES)
+        start, update, outputs = (ArrayFunction(self.functions[name]) for name in SIGNATURES)
         z = start(p)[0].ravel()
         rows = []
         for count, u in enumerate(inputs):
@@ -183,7 +183,7 @@ def _program(of: ExportModel, circuit: Circuit, title: str) -> ControllerProgram
     # What nothing depends on is left out: numbers of the sensors, inputs that are only recorded.
     numbers = _needed([(functions[name], k) for name, k in (("start", 0), ("update", 2), ("outputs", 1))])
     inputs = _needed([(functions["update"], 1), (functions["outputs"], 0)])
-    start, update, _ = (Evaluation(functions[name]) for name in SIGNATURES)
+    start, update, _ = (ArrayFunction(functions[name]) for name in SIGNATURES)
     p, u = np.array([each.value for each in of.numbers]), np.array([each.value for each in of.inputs])
     z = start(p)[0].ravel()
     timers = slice(0, model.n_timers)

@@ -12,7 +12,7 @@ import numpy as np
 
 from poppet.core.errors import InputError
 from poppet.deploy.export_files import identifier, identifiers
-from poppet.engine.printers.instructions import traced_functions
+from poppet.engine.printers.instructions import trace_functions
 from poppet.identify.free_parameter import number_specs
 from poppet.parts.fields import NumberSpec, flatten
 
@@ -94,7 +94,7 @@ class ExportModel:
     @cached_property
     def functions(self) -> dict[str, Any]:
         """The traced functions, to be read by a printer."""
-        return traced_functions(self.model)
+        return trace_functions(self.model)
 
 
 def build_export_model(circuit: Circuit, name: str = "") -> ExportModel:

@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.core.errors import InputError
-from poppet.engine.batch import Rows, run_batch
+from poppet.engine.batch import BatchRows, run_batch
 from poppet.engine.lane_kernel import kernel_of_this_machine
-from poppet.engine.members import Batch, Ends
+from poppet.engine.members import Batch, RunEnds
 from poppet.engine.problem import Outcome, Problem
 from poppet.ensemble.bands import Bands, edges
 from poppet.ensemble.designs import design_of
@@ -144,7 +144,7 @@ class PreparedPlan:
         metrics = np.full((m, len(plan.metrics)), np.nan)
         curves = np.full((m, len(plan.curves), problem.grid.size), np.nan) if plan.curves else None
 
-        def keep(rows: Rows) -> Array:
+        def keep(rows: BatchRows) -> Array:
             # Into arrays of this shard: every run has a row of its own.
             metrics[rows.runs] = self._metrics(rows)
             if curves is not None:
@@ -162,7 +162,7 @@ class PreparedPlan:
         metrics[~is_done] = np.nan
         return ShardResults(numbers, metrics, codes, notes, is_done, balance, curves)
 
-    def _metrics(self, rows: Rows) -> Array:
+    def _metrics(self, rows: BatchRows) -> Array:
         """Metrics of some runs: at once of those that have all rows of the grid, of the others one by one."""
         n = rows.time.size
         found = np.full((len(rows.runs), len(self.plan.metrics)), np.nan)
@@ -181,7 +181,7 @@ class PreparedPlan:
         return found
 
 
-def _endings(problem: Problem, ends: Ends) -> tuple[NDArray[np.bool_], Codes]:
+def _endings(problem: Problem, ends: RunEnds) -> tuple[NDArray[np.bool_], Codes]:
     """Which runs came to their end, and how each of them ended, as codes."""
     # By tables, for a run takes little longer than a look at one outcome.
     every, places = tuple(Outcome), ends.counts[:, 5]

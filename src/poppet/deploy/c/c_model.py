@@ -11,7 +11,7 @@ from poppet.deploy.export_files import plain
 from poppet.deploy.export_model import ExportModel
 from poppet.engine.model import Model
 from poppet.engine.printers.c import print_function, print_step, used_prelude
-from poppet.engine.printers.instructions import SIGNATURES, traced_functions
+from poppet.engine.printers.instructions import SIGNATURES, trace_functions
 
 
 @cache
@@ -73,6 +73,6 @@ def without_integrals(model: Model) -> Model:
 def lean_functions(model: Model) -> dict[str, Any]:
     """The functions that a fixed step needs, of the states alone."""
     wanted = ("rates", "jacobian", "factor", "solve", "outputs", "start", "update")
-    functions = traced_functions(without_integrals(model))
+    functions = trace_functions(without_integrals(model))
     names = wanted if model.states else ("outputs", "start", "update")
     return {name: functions[name] for name in names if name in functions and name in SIGNATURES}

@@ -7,7 +7,7 @@ from typing import Any
 from poppet.deploy.live.linker import LinkError, Module, link
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.model import Model
-from poppet.engine.printers.instructions import traced_functions
+from poppet.engine.printers.instructions import trace_functions
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, print_function
 from poppet.engine.printers.llvm_step import print_step
 
@@ -23,7 +23,7 @@ def live_module(model: Model) -> Module:
     """The module of a model, which exports `integrate`, `start` and its memory."""
     import llvmlite.binding as llvm
 
-    functions = traced_functions(model)
+    functions = trace_functions(model)
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items())
     if model.size:
         text += print_step(model.size, len(model.states), len(model.inputs))

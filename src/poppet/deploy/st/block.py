@@ -12,7 +12,7 @@ from poppet.core.version import __version__
 from poppet.deploy.controller import SIGNATURES, ControllerProgram, controller_program
 from poppet.deploy.export_files import identifier, plain
 from poppet.engine.printers.instructions import instructions
-from poppet.engine.printers.st import FUNCTIONS, Statements, Unprintable, literal
+from poppet.engine.printers.st import FUNCTIONS, Statements, UnsupportedOperationError, literal
 from poppet.parts.part import NEVER
 from poppet.timeseries.signals import SampledSignal
 
@@ -140,7 +140,7 @@ def function_block(program: ControllerProgram) -> str:
         statements = Statements(given, [found], count + 1, frozenset(fired), {NEVER: "never"})
         try:
             statements.read(instructions(program.functions[name]))
-        except Unprintable as problem:
+        except UnsupportedOperationError as problem:
             raise InputError("deploy.no_structured_text", program.parts[0], what=str(problem)) from problem
         printed[name], count = statements, statements.count
     body = _body(printed, memory[: program.n_timers], fired)
