@@ -179,7 +179,7 @@ def test_help_and_version_import_nothing_heavy(tmp_path, arguments):
 def test_a_cold_process_simulates(tmp_path, tanks):
     done = cold("simulate", tanks.name, "-o", "out.csv", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert done.stdout == "out.csv: 11 rows, 11 series, 0 ... 5 s. The run reached its end.\n"
+    assert done.stdout == "out.csv: 11 rows, 11 series, 0 ... 5 s. The run is complete.\n"
     assert (tmp_path / "out.csv").read_text().startswith("time [s],high.pressure [Pa],")
 
 
@@ -188,6 +188,6 @@ def test_a_cold_process_refuses_bad_input(tmp_path):
     assert (done.returncode, done.stdout) == (2, "")
     assert (
         done.stderr
-        == "error: missing.toml does not exist. Check the path. `poppet new` writes a circuit to start from.\n"
+        == "error: missing.toml does not exist. Check the path. `poppet new` writes a circuit as a starting point.\n"
         "more: poppet explain toml.no_file\n"
     )

@@ -27,7 +27,7 @@ def test_a_template_is_written_checks_and_runs(poppet, tmp_path, name):
     assert poppet("check", f"{name}.toml").code == 0
     code, out, _ = poppet("simulate", f"{name}.toml", "-o", "out.csv")
     assert code == 0
-    assert "The run reached its end" in out.partition("\n")[0] or name == "emptying"
+    assert "The run is complete" in out.partition("\n")[0] or name == "emptying"
     recording = house.Recording.read("out.csv")
     assert np.all(np.isfinite(recording.values))
     assert not any("not conserved" in note for note in recording.notes)
@@ -44,7 +44,7 @@ def test_the_regulator_template_regulates(poppet):
 def test_the_emptying_template_ends_when_the_tank_is_empty(poppet):
     poppet("new", "emptying")
     _, out, _ = poppet("simulate", "emptying.toml")
-    assert "A stop condition was met. tank.pressure < 0.02 bar g" in out
+    assert "A stop condition was met: tank.pressure < 0.02 bar g" in out
 
 
 def test_an_existing_file_is_kept_unless_forced(poppet, tmp_path):

@@ -43,7 +43,7 @@ def drain(tmp_path):
 def test_the_summary_tells_outcome_series_balances_and_steps(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml")
     assert (code, err) == (0, "")
-    assert out.startswith("Two tanks\nThe run reached its end.\n\n11 rows, 11 series, 0 ... 5 s\nseries ")
+    assert out.startswith("Two tanks\nThe run is complete.\n\n11 rows, 11 series, 0 ... 5 s\nseries ")
     assert "4 checked, all kept" in out
     assert "Steps: " in out
     rows = [line.split() for line in out.splitlines()]
@@ -52,7 +52,7 @@ def test_the_summary_tells_outcome_series_balances_and_steps(poppet, tanks):
 
 def test_an_output_file_holds_what_the_circuit_gives(poppet, tanks, tmp_path):
     code, out, _ = poppet("simulate", "tanks.toml", "-o", "out.csv")
-    assert (code, out) == (0, "out.csv: 11 rows, 11 series, 0 ... 5 s. The run reached its end.\n")
+    assert (code, out) == (0, "out.csv: 11 rows, 11 series, 0 ... 5 s. The run is complete.\n")
     read, run = house.Recording.read("out.csv"), house.load(tanks).simulate()
     assert read.names == run.names
     assert np.array_equal(read.values, run.values)
@@ -100,7 +100,7 @@ def test_a_picture_that_cannot_be_drawn_is_told_before_the_run(poppet, tanks, mo
 
 def test_set_on_a_driven_input_replaces_its_signal_and_says_so(poppet, tanks):
     code, _, err = poppet("simulate", "tanks.toml", "--set", "hole.opening=0.5", "-o", "out.csv")
-    assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is left out.\n")
+    assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is ignored.\n")
     assert set(house.Recording.read("out.csv")["hole.opening"]) == {0.5}
 
 
@@ -129,16 +129,16 @@ def test_stop_conditions_add_up(poppet, tanks):
     late, early = "low.pressure > 9 bar", "high.pressure < 6 bar g"
     code, out, _ = poppet("simulate", "tanks.toml", "--stop-when", late, "--stop-when", "high.pressure < 6 bar")
     assert code == 0
-    assert "A stop condition was met. high.pressure < 6 bar at t = " in out
+    assert "A stop condition was met: high.pressure < 6 bar at t = " in out
     tanks.write_text(tanks.read_text() + f'stop_when = "{early}"\n')
     _, out, _ = poppet("simulate", "tanks.toml", "--stop-when", late)
-    assert f"A stop condition was met. {early} at t = 1" in out
+    assert f"A stop condition was met: {early} at t = 1" in out
 
 
 def test_notes_go_to_stderr(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml", "--duration", "0.5 s", "--quiet")
     assert (code, out) == (0, "")
-    assert err == "note: hole.opening: 1 of 2 steps lie at or after the run's end, t = 0.5 s.\n"
+    assert err == "note: hole.opening: 1 of 2 steps are at or after the end of the run, t = 0.5 s.\n"
 
 
 MISSING = """

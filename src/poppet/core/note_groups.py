@@ -40,7 +40,7 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
     Examples
     --------
     >>> print(*grouped([Note("signals.held_after", each, source="", value=1.0, time=2.0) for each in "abcdefg"]))
-    a is held at its last value, 1, after t = 2 s. And 6 more like it: b, c, d and 3 others.
+    a is kept at its last value, 1, after t = 2 s. 6 similar notes: b, c, d and 3 others.
     """
     said = list(dict.fromkeys(notes_of(notes)))
     kinds: dict[str, list[Note]] = {}

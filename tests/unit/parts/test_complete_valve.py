@@ -90,10 +90,10 @@ def test_mistakes_of_all_members_come_at_once():
             pilot={"volume": -1.0, "volmue": 1.0}, electronics={"inner": {"sample_time": 0.0}}, main_stage={"mode": "x"}
         )
     text = str(caught.value)
-    assert "pilot.volmue is not a field of this part. Did you mean volume?" in text
+    assert "pilot.volmue is not a valid field. Did you mean volume?" in text
     assert "pilot.volume = -1 m^3 is out of range" in text
     assert "electronics.inner.sample_time = 0 s is out of range" in text
-    assert "main_stage.mode is not a field of this part" in text
+    assert "main_stage.mode is not a valid field" in text
 
 
 def test_a_missing_port_is_one_mistake():
@@ -467,7 +467,7 @@ def test_a_signal_of_the_setpoint_may_act_later():
 def test_a_target_above_the_supply_is_said():
     whole = circuit({"valve.setpoint": Steps([0.0, 1.0], [3e5, 6e5])}).with_values({"supply.pressure": "5 bar"})
     notes = whole.simulate(4.0, 0.01).notes
-    assert "valve: the target of 6 bar at t = 1 s is out of reach: the supply has 5 bar." in notes
+    assert "valve: the target of 6 bar at t = 1 s cannot be reached: the supply pressure is 5 bar." in notes
     assert any(note.startswith("valve: the target of 6 bar was not reached by t = 4 s") for note in notes)
 
 
@@ -478,7 +478,7 @@ def test_a_target_that_is_reached_is_not_mentioned():
 def test_an_unstable_tuning_is_reported():
     wild = {"outer": {"gain": 20.0}, "inner": {"gain": 1e-3}}
     notes = circuit({"valve.setpoint": Steps([0.0], [3e5])}, "0.1 l", electronics=wild).simulate(2.0, 1e-3).notes
-    assert any("is not held at t = 2 s: the outlet swings by" in note for note in notes)
+    assert any("is not maintained at t = 2 s: the outlet keeps oscillating by" in note for note in notes)
 
 
 # --- Connections ---
