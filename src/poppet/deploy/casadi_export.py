@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.control.extraction import freed
+from poppet.control.extraction import release_command
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, needed
 from poppet.deploy.export_model import build_export_model
 from poppet.engine.model_evaluation import ArrayFunction
@@ -148,7 +148,7 @@ def _without(circuit: Circuit, controllers: Sequence[str]) -> Circuit:
     for name in controllers:
         if name not in known:
             raise InputError("tools.no_controller", name, near=NameSuggestion(name, known))
-        circuit = freed(circuit, name, keeps=False)
+        circuit = release_command(circuit, name, keeps=False)
     return circuit
 
 
