@@ -11,8 +11,7 @@ import pytest
 from circuits_of_exports import TEN
 from javascript import needs_node, unfused, with_functions_of_this_machine
 from poppet.deploy.live.linker import LinkError, Module, link
-from poppet.deploy.live.module import live_module, wasm_object
-from poppet.deploy.live.node_runner import run_in_node
+from poppet.deploy.live.page_kernel import compile_wasm_object, live_module, run_in_node
 from poppet.engine.call import Call
 
 SMALL = """
@@ -35,7 +34,9 @@ SENSITIVE = ("staircase", "regulator", "switched", "cylinder", "muscle joint")
 
 
 def small(text: str = SMALL, **given) -> Module:
-    return link(wasm_object(llvm.parse_assembly(text)), ("second", "wave"), ("wave",), **{"stack": 100, **given})
+    return link(
+        compile_wasm_object(llvm.parse_assembly(text)), ("second", "wave"), ("wave",), **{"stack": 100, **given}
+    )
 
 
 def sections(code: bytes) -> list[int]:
