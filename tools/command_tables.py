@@ -37,8 +37,11 @@ def with_tables(text: str) -> str:
         if match is None:
             raise SystemExit(f"docs/cli.md has no section for {name}")
         section, table = match[0], option_table(command)
-        if HEAD in section:
-            section = re.sub(re.escape(HEAD) + r"(?:\|.*\n)*", lambda _, table=table: table, section, count=1)
+        begin = section.find(HEAD)
+        if begin >= 0:
+            rest = section[begin:].splitlines(keepends=True)
+            end = next((k for k, line in enumerate(rest) if not line.startswith("|")), len(rest))
+            section = section[:begin] + table + "".join(rest[end:])
         elif table:
             section = f"{section.rstrip()}\n\n{table}\n"
         text = text[: match.start()] + section + text[match.end() :]
