@@ -90,7 +90,7 @@ def main(size: float = 1.0) -> None:
     for _ in range(max(1, round(5 * size))):
         for _ in range(count):
             begin = time.perf_counter()
-            call.again()
+            call.repeat()
             native.append(1e3 * (time.perf_counter() - begin))
         told = subprocess.run(["node", "-e", script], input=data, capture_output=True, text=True, check=True)
         browser.append(float(told.stdout))

@@ -47,7 +47,7 @@ def unfused(circuit: Circuit, monkeypatch: pytest.MonkeyPatch, folder: Path) -> 
         changed.setattr(call, "integrator", lambda: integrator)
         p = problem.p.copy()
         own = call.Call(replace(problem, kernel=kernel, x0=kernel.start(p), p=p))
-        own.outcome = own.again()
+        own.outcome = own.repeat()
     return own
 
 

@@ -15,7 +15,7 @@ import poppet as house
 from poppet.cli.progress import RunProgress
 from poppet.core.note_groups import grouped
 from poppet.engine.problem import Outcome
-from poppet.engine.solve import kernel_run
+from poppet.engine.solve import run_kernel
 
 DRAIN = """
 [parts.tank]
@@ -301,7 +301,7 @@ def test_a_failed_run_without_output_still_shows_its_summary(poppet, drain):
 
 def test_a_run_that_fails_at_its_start_writes_no_file(poppet, tanks, tmp_path, monkeypatch):
     def failing(problem, *_):
-        run = kernel_run(problem)
+        run = run_kernel(problem)
         nothing = {"time": run.time[:0], "values": run.values[:, :0]}
         return dataclasses.replace(run, outcome=Outcome.NOT_FINITE, **nothing)
 

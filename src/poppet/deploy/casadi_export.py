@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from poppet.control.extraction import release_command
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, needed
 from poppet.deploy.export_model import build_export_model
-from poppet.engine.model_evaluation import Evaluation
+from poppet.engine.model_evaluation import ArrayFunction
 from poppet.parts.part import Controller
 
 if TYPE_CHECKING:
@@ -129,7 +129,7 @@ def to_control(
     names = {name: name.replace(".", "__") for name in (*model.states, *model.inputs, *model.numbers, *model.outputs)}
 
     def adapt(function: Any) -> Any:
-        evaluation = Evaluation(function)
+        evaluation = ArrayFunction(function)
 
         def evaluate(t: float, x: Array, u: Array, params: Mapping[str, float]) -> Array:
             p = np.array([params[names[address]] for address in model.numbers])

@@ -78,7 +78,7 @@ def without_fused_operations(problem: Problem) -> Problem:
 
 def run_reference(problem: Problem, n_rows: int) -> ReferenceRun:
     """Run a problem with the kernel; at most `n_rows` rows are compared."""
-    run = Call(problem).made()
+    run = Call(problem).run()
     model = problem.kernel.model
     nominal = {state.name: state.nominal for state in model.states}
     magnitudes = np.abs(run.values).max(axis=1, initial=0.0)
@@ -100,7 +100,7 @@ def change_effects(reference: ReferenceRun, problems: Iterable[Problem]) -> Arra
     """Return the maximum effect of small changes of the problem on the kernel up to each row, (n_outputs, n_times)."""
     effects = np.zeros(reference.values.shape)
     for problem in problems:
-        run = Call(problem).made()
+        run = Call(problem).run()
         if run.outcome.is_success:
             differences = relative_differences(run.values, reference)
             n = differences.shape[1]

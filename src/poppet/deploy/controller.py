@@ -16,7 +16,7 @@ from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Run
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, ExportQuantity, build_export_model
-from poppet.engine.model_evaluation import Array, Evaluation
+from poppet.engine.model_evaluation import Array, ArrayFunction
 from poppet.parts.compound import Compound
 from poppet.parts.part import NEVER, Controller, Part
 
@@ -83,7 +83,7 @@ class ControllerProgram:
             Outputs, SI.
         """
         p = np.array([parameter.value for parameter in self.parameters]) if parameters is None else parameters
-        start, update, outputs = (Evaluation(self.functions[name]) for name in SIGNATURES)
+        start, update, outputs = (ArrayFunction(self.functions[name]) for name in SIGNATURES)
         z = start(p)[0].ravel()
         rows = []
         for count, u in enumerate(inputs):
@@ -184,7 +184,7 @@ def _program(export_model: ExportModel, circuit: Circuit, title: str) -> Control
     # Parameters of the sensors and inputs that are only recorded have no effect.
     parameters = _used_elements([(functions[name], k) for name, k in (("start", 0), ("update", 2), ("outputs", 1))])
     inputs = _used_elements([(functions["update"], 1), (functions["outputs"], 0)])
-    start, update, _ = (Evaluation(functions[name]) for name in SIGNATURES)
+    start, update, _ = (ArrayFunction(functions[name]) for name in SIGNATURES)
     p = np.array([parameter.value for parameter in export_model.parameters])
     u = np.array([item.value for item in export_model.inputs])
     z = start(p)[0].ravel()

@@ -14,7 +14,7 @@ from poppet.circuit.addresses import change_values
 from poppet.circuit.wiring import check_starts
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.deploy.export_files import identifier, identifiers
-from poppet.engine.printers.instructions import traced_functions
+from poppet.engine.printers.instructions import trace_functions
 from poppet.identify.free_parameter import number_specs
 from poppet.parts.compound import Compound
 from poppet.parts.fields import NumberSpec, flatten
@@ -95,7 +95,7 @@ class ExportModel:
     @cached_property
     def functions(self) -> dict[str, Any]:
         """CasADi functions of the model, for a printer."""
-        return traced_functions(self.model)
+        return trace_functions(self.model)
 
 
 def build_export_model(circuit: Circuit, name: str = "") -> ExportModel:

@@ -48,7 +48,7 @@ def without_fused(circuit: Circuit) -> tuple[Problem, Any]:
 def run(problem: Problem, function: Any, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, np.ndarray, list[int]]:
     monkeypatch.setattr(call, "integrator", lambda: function)
     made = call.Call(problem)
-    outcome = made.again()
+    outcome = made.repeat()
     return outcome, made.table, made.counts[:4].tolist()
 
 

@@ -60,7 +60,7 @@ def test_a_second_host_gives_the_same_bits(name: str, duration: float) -> None:
 @FMI
 def test_one_step_over_the_whole_run_is_the_run(fmi: int) -> None:
     circuit = example("fill_staircase")
-    run = Call(circuit.problem(circuit.run)).made()
+    run = Call(circuit.problem(circuit.run)).run()
     with Host(built("fill_staircase", fmi)).begin() as host:
         host.step(0.0, 120.0)
         place = circuit.model.columns[0].index("tank.pressure")
@@ -123,7 +123,7 @@ def test_numbers_changed_between_runs_and_within_one(fmi: int) -> None:
         # A start value, which is of no use any more once a run has begun.
         with pytest.raises(Exception, match="status 3"):
             host.set("high.initial_pressure", 3e5)
-    run, other = (Call(each.problem(each.run)).made() for each in (circuit, changed))
+    run, other = (Call(each.problem(each.run)).run() for each in (circuit, changed))
     assert before == pytest.approx(run.values[k, -1], rel=1e-12)
     assert after == pytest.approx(other.values[k, -1], rel=1e-12)
     assert abs(after - before) > 1.0
@@ -141,7 +141,7 @@ def test_changed_numbers_are_those_of_with_values(fmi: int, name: str, changes: 
     duration = 3.0 if name == "fill_staircase" else 2.0
     end = 0.9995 * duration  # at no instant: a host is shown what comes after it
     circuit = example(name).with_values({**changes, "run.duration": end, "run.output_step": end})
-    run, names = Call(circuit.problem(circuit.run)).made(), circuit.model.columns[0]
+    run, names = Call(circuit.problem(circuit.run)).run(), circuit.model.columns[0]
     with Host(built(name, fmi, duration)).begin(**changes) as host:
         outputs = [v.name for v in host.description.modelVariables if v.causality == "output" and v.name in names]
         host.step(0.0, end)

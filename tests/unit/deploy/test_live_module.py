@@ -121,7 +121,7 @@ def difference(circuit, table, own) -> np.ndarray:
 def test_of_the_kernel_of_this_machine_it_differs_by_rounding(name, tmp_path):
     circuit = TEN[name]()
     own = Call(circuit.problem(circuit.run))
-    own.again()
+    own.repeat()
     ended, table = run_in_node(own.problem, tmp_path)
     assert [ended["accepted"], ended["attempts"]] == own.counts[:2].tolist()
     assert np.max(difference(circuit, table, own.table)) <= 1e-10
@@ -133,12 +133,12 @@ def test_where_it_differs_more_so_does_a_kernel_that_is_moved_by_rounding(name, 
     circuit = TEN[name]()
     problem = circuit.problem(circuit.run)
     own = Call(problem)
-    own.again()
+    own.repeat()
     _, table = run_in_node(problem, tmp_path)
     page, moved = difference(circuit, table, own.table), np.zeros(problem.grid.size)
     for share in (1.0 + 1e-14, 1.0 - 1e-14):
         other = Call(replace(problem, x0=share * problem.x0, coefficients=share * problem.coefficients))
-        other.again()
+        other.repeat()
         moved = np.maximum(moved, difference(circuit, other.table, own.table))
     print(f"{name}: page {page.max():.1e}, moved {moved.max():.1e}")
     assert 1e-10 < page.max() < 10.0 * moved.max()

@@ -13,7 +13,7 @@ from poppet.deploy.export_files import comment_text
 from poppet.deploy.export_model import ExportModel
 from poppet.engine.model import Model
 from poppet.engine.printers.c import DOUBLE, print_function, print_step, used_prelude
-from poppet.engine.printers.instructions import SIGNATURES, traced_functions
+from poppet.engine.printers.instructions import SIGNATURES, trace_functions
 
 
 @cache
@@ -75,7 +75,7 @@ def fixed_step_functions(model: Model) -> dict[str, Any]:
     symbols["x"], expressions["rates"] = symbols["x"][:n], expressions["rates"][:n]
     expressions["start"] = expressions["start"][:n]
     # No function depends on the quadratures.
-    functions = traced_functions(replace(model, n_quadratures=0, symbols=symbols, expressions=expressions))
+    functions = trace_functions(replace(model, n_quadratures=0, symbols=symbols, expressions=expressions))
     names = names if model.states else ("outputs", "start", "update")
     return {name: functions[name] for name in names if name in functions and name in SIGNATURES}
 

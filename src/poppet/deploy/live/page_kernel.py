@@ -21,7 +21,7 @@ from poppet.deploy.live.linker import LinkError, Module, link
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.job import Job
 from poppet.engine.model import Model
-from poppet.engine.printers.instructions import traced_functions
+from poppet.engine.printers.instructions import trace_functions
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, print_function
 from poppet.engine.printers.llvm_step import print_step
 from poppet.engine.problem import Problem
@@ -53,7 +53,7 @@ def live_module(model: Model) -> Module:
     """Return the module of a model, which exports `integrate`, `start` and its memory."""
     import llvmlite.binding as llvm
 
-    functions = traced_functions(model)
+    functions = trace_functions(model)
     code = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items())
     if model.size:
         code += print_step(model.size, len(model.states), len(model.inputs))

@@ -19,7 +19,7 @@ from poppet.deploy.controller import (
 from poppet.deploy.export_files import comment_text, identifier
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.printers.instructions import instructions
-from poppet.engine.printers.st import FUNCTIONS, Statements, Unprintable, literal
+from poppet.engine.printers.st import FUNCTIONS, Statements, UnsupportedOperationError, literal
 from poppet.parts.part import NEVER
 from poppet.timeseries.signals import SampledSignal
 
@@ -164,7 +164,7 @@ def function_block(program: ControllerProgram) -> str:
         statements = Statements(arguments, [results], count + 1, frozenset(fired), {NEVER: "never"})
         try:
             statements.read(instructions(program.functions[name]))
-        except Unprintable as problem:
+        except UnsupportedOperationError as problem:
             raise InputError("deploy.no_structured_text", program.parts[0], what=str(problem)) from problem
         printed[name], count = statements, statements.count
     text = "\n".join(
