@@ -235,7 +235,7 @@ class _Trim:
                 most_attempts=_ATTEMPTS,
             )
         )  # fmt: skip
-        run = call.made()
+        run = call.run()
         if not run.outcome.is_success:
             text = str(Note(run.outcome.value))
             raise SimulationError(Note("limits.unsettled", outcome=run.outcome.value, text=text))

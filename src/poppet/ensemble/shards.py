@@ -15,9 +15,9 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.core.errors import InputError
-from poppet.engine.batch import Rows, run_batch
+from poppet.engine.batch import BatchRows, run_batch
 from poppet.engine.lane_kernel import kernel_of_this_machine
-from poppet.engine.members import Batch, Ends
+from poppet.engine.members import Batch, RunEnds
 from poppet.engine.problem import Outcome, Problem
 from poppet.ensemble.bands import Bands, band_edges
 from poppet.ensemble.designs import design_of
@@ -139,7 +139,7 @@ class PreparedPlan:
         metrics = np.full((m, len(plan.metrics)), np.nan)
         curves = np.full((m, len(plan.curves), problem.grid.size), np.nan) if plan.curves else None
 
-        def keep(rows: Rows) -> Array:
+        def keep(rows: BatchRows) -> Array:
             metrics[rows.runs] = self._metrics(rows)
             if curves is not None:
                 curves[rows.runs] = rows.values[:, [self.outputs[address] for address in plan.curves]]
@@ -156,7 +156,7 @@ class PreparedPlan:
         metrics[~is_done] = np.nan
         return ShardResults(numbers, metrics, codes, notes, is_done, balance, curves)
 
-    def _metrics(self, rows: Rows) -> Array:
+    def _metrics(self, rows: BatchRows) -> Array:
         """Return the metrics of runs: complete runs together, the others one by one."""
         n = rows.time.size
         metrics = np.full((len(rows.runs), len(self.plan.metrics)), np.nan)
@@ -175,7 +175,7 @@ class PreparedPlan:
         return metrics
 
 
-def _endings(problem: Problem, ends: Ends) -> tuple[NDArray[np.bool_], Codes]:
+def _endings(problem: Problem, ends: RunEnds) -> tuple[NDArray[np.bool_], Codes]:
     """Return the mask of completed runs, and the codes of the termination reasons."""
     # Look-up tables: a loop would take almost as long as the runs.
     outcomes, indices = tuple(Outcome), ends.counts[:, 5]
