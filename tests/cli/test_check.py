@@ -18,7 +18,7 @@ cracking_pressure = "1 bar g"
 
 def test_a_good_file_is_summed_up(poppet, tanks):
     assert poppet("check", "tanks.toml") == (
-        0, "tanks.toml: no mistakes; 3 parts, 4 states, 1 input, 11 outputs, 4 assumed numbers.\n", ""
+        0, "tanks.toml: no errors; 3 parts, 4 states, 1 input, 11 outputs, 4 assumed parameters.\n", ""
     )  # fmt: skip
 
 
@@ -52,7 +52,7 @@ def test_several_files_and_all_their_mistakes(poppet, tanks, tmp_path):
     (tmp_path / "bad.toml").write_text(tanks.read_text().replace('"10 l"', '"10 bar"'))
     answer = poppet("check", "bad.toml", "missing.toml", "tanks.toml")
     assert answer.code == 2
-    assert answer.out.startswith("tanks.toml: no mistakes")
+    assert answer.out.startswith("tanks.toml: no errors")
     assert answer.codes == ["quantity.other_quantity", "toml.no_file"]
     said = [line for line in answer.err.splitlines() if line.startswith("error: ")]
     assert [line.split(": ")[1].split(" ")[0] for line in said] == ["bad.toml:6", "missing.toml"]

@@ -106,7 +106,7 @@ def test_a_missing_extra_is_named(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "control", None)
     with refused("missing.package", package="control", extra="control"):
         load(FILL).to_control()
-    monkeypatch.setattr("poppet.deploy.fmu.package.compilers", lambda platform: [])
+    monkeypatch.setattr("poppet.deploy.fmu.package.link_commands", lambda platform: [])
     monkeypatch.chdir(tmp_path)
     command("fmu", FILL, *FMU)
     with zipfile.ZipFile("out.fmu") as archive:
