@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -12,12 +12,14 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import loads
+from poppet import library, loads
 from poppet.circuit.schema import circuit_schema
 from poppet.core import message_format
 from poppet.core.errors import OutOfRangeError
+from poppet.core.provenance import printed
 from poppet.core.symbolic import where
 from poppet.laws.iso6358.domain import Domain, check
+from poppet.library import gases
 from poppet.parts import KINDS
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.part import Flow, GasState, Passage, PassageFlows, Scope
@@ -60,6 +62,7 @@ class Membrane(Passage):
         return PassageFlows((Flow("flow", "from", "to", flow, enthalpy),), {"mass_flow_rate": (flow, "kg/s")})
 
 
+SIZE = 'sonic_conductance = "1 dm^3/(s bar)"\ncritical_ratio = 0.3'
 CIRCUIT = """
 [parts.supply]
 kind = "reservoir"
@@ -111,6 +114,31 @@ def test_a_part(monkeypatch):
     assert faster["tank.pressure"][-1] > recording["tank.pressure"][-1]
     assert '"membrane"' in str(circuit_schema()).replace("'", '"')
     assert circuit.linearise(at=recording).A.shape[0] == len(circuit.model.states)
+
+
+def test_a_gas(monkeypatch):
+    assert "## Adding a gas" in GUIDE
+    toy = gases._from_molar_mass("toy gas", 0.05, 1.25, gases.NOT_FOR_THIS, gases.GASES["argon"].real)
+    monkeypatch.setattr(gases, "GASES", {**gases.GASES, toy.name: toy})
+    assert "toy gas" in library.gas_names()
+    assert library.gas("Toy_Gas") is toy
+    assert "toy gas: an ideal gas" in library.describe("toy gas")
+    circuit = loads('[gas]\nname = "toy gas"\n' + CIRCUIT.replace('kind = "membrane"', 'kind = "orifice"\n' + SIZE))
+    assert circuit.surroundings.gas_constant == pytest.approx(8.314462618 / 0.05)
+    assert circuit.numbers()["gas.gas_constant"].source.kind == "standard"
+
+
+def test_a_parameter_set(monkeypatch):
+    assert "## Adding a parameter set" in GUIDE
+    volume = printed(7e-6, "m^3", "a toy, page 1")
+    toy = library.ParameterSet(
+        "a toy", {"pilot_stage": {"": library.numbers("vppm_6l", "pilot_stage") | {"volume": volume}}}
+    )
+    monkeypatch.setitem(library._SETS, "toy_set", toy)
+    assert "toy_set" in library.sets()
+    pilot = poppet.PilotStage(supply="supply", exhaust="ambient", data="toy_set")
+    assert pilot.volume == volume
+    assert replace(pilot, data="vppm_6l").volume == library.numbers("vppm_6l", "pilot_stage")["volume"]
 
 
 def test_a_format_of_recordings(monkeypatch, tmp_path):
