@@ -233,7 +233,7 @@ class TextParser:
 
         return run
 
-    # Expressions, lowest precedence first ------------------------------------------------------------------------------
+    # Expressions, lowest precedence first -------------------------------------------------------------------------
 
     def expression(self) -> Run:
         """Read an expression with the precedence of the standard."""
