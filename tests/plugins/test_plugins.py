@@ -136,7 +136,7 @@ def test_invalid_plugins_are_ignored_with_a_warning(tmp_path, monkeypatch):
     install(tmp_path, "broken", BROKEN)
     monkeypatch.syspath_prepend(str(HERE))
     monkeypatch.syspath_prepend(str(tmp_path))
-    kinds = Registry("poppet.parts", {"reservoir": "poppet.parts.reservoir:Reservoir"}, lambda n, v: v.kind == n)
+    kinds = Registry("poppet.parts", {"reservoir": "poppet.parts.sources:Reservoir"}, lambda n, v: v.kind == n)
     assert kinds["reservoir"].kind == "reservoir"
     assert not kinds.is_extended
     with pytest.warns(PluginWarning) as caught:

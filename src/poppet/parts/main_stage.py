@@ -14,8 +14,7 @@ from poppet.laws.physics import contact
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, group, laminar_limit, number, option, port, reference, subsonic_index_m
-from poppet.parts.flow_path import characteristic_at, read_characteristic
-from poppet.parts.orifice import named_flow
+from poppet.parts.flow_path import characteristic_at, named_flow, read_characteristic
 from poppet.parts.part import GasState, Input, Passage, PassageFlows, Quantities, Scope, State, Surroundings
 
 _MODES = ("paper", "regulator")

@@ -11,8 +11,7 @@ from poppet.core.symbolic import clip, smoothstep
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, port
-from poppet.parts.flow_path import FlowPath
-from poppet.parts.orifice import named_flow, single_flow
+from poppet.parts.flow_path import FlowPath, named_flow, single_flow
 from poppet.parts.part import GasState, Input, PassageFlows, Scope, State, Surroundings
 
 SPOOL_GAIN = 50.0
