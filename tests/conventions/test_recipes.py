@@ -14,10 +14,16 @@ import pytest
 import poppet
 from poppet import library, loads
 from poppet.circuit.schema import circuit_schema
+from poppet.cli.main import run
 from poppet.core import message_format
+from poppet.core.command_options import Option
 from poppet.core.errors import OutOfRangeError
 from poppet.core.provenance import printed
 from poppet.core.symbolic import where
+from poppet.deploy.export_model import build_export_model
+from poppet.deploy.parity.parity_check import KernelReference, ParityCheck, TargetResult
+from poppet.deploy.parity.parity_table import compare_targets
+from poppet.deploy.targets import TARGETS, CircuitSource, Export, Target
 from poppet.laws.iso6358.domain import Domain, check
 from poppet.library import gases
 from poppet.parts import KINDS
@@ -166,6 +172,48 @@ def test_a_report(tmp_path):
     text = write_page(tmp_path / "toy.html", page).read_text(encoding="utf-8")
     assert "<td>2</td>" in text.replace(' class="number"', "")
     assert "Cold &amp; wet." in text
+
+
+def export_names(circuit: Any, source: CircuitSource, *, separator: str | None = None) -> Export:
+    """Export the addresses of the parameters."""
+    export_model = build_export_model(circuit)
+    addresses = [parameter.address for parameter in export_model.parameters if parameter.is_free]
+    return Export({"names.txt": (separator or "\n").join(addresses)}, f"{len(addresses)} parameters")
+
+
+def run_toy(reference: KernelReference, folder: Path) -> TargetResult:
+    """Return the values of the kernel as those of the target."""
+    return TargetResult(reference.rows.values, 1.0)
+
+
+NAMES = Target(
+    "names",
+    "export the addresses of the parameters",
+    export_names,
+    (Option("--separator TEXT", "separator of the addresses"),),
+    ("poppet export names tank.toml -o names.txt",),
+    (".txt",),
+    limitations=("Parameters on which others depend are omitted.",),
+    checks=lambda: [ParityCheck("names", "a toy", 1e-9, "all", run_toy)],
+)
+
+
+def test_an_export_target(monkeypatch, tmp_path, capsys):
+    assert "## Adding an export target" in GUIDE
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(TARGETS, "names", NAMES)
+    Path("tank.toml").write_text(CIRCUIT.replace("membrane", 'orifice"\neffective_area = "1 mm^2'), encoding="utf-8")
+    assert run(["export", "names", "tank.toml", "--set", "tank.volume=2 l", "--separator", ",", "-o", "names.txt"]) == 0
+    assert capsys.readouterr().out == "11 parameters\nnames.txt: written.\n"
+    assert "tank.volume" in Path("names.txt").read_text(encoding="utf-8").split(",")
+    assert run(["export", "names", "--help"]) == 0
+    text = capsys.readouterr().out
+    assert "Parameters on which others depend are omitted." in text
+    assert text.endswith("  poppet export names tank.toml -o names.txt\n")
+    assert run(["export"]) == 2
+    assert "export the addresses" in capsys.readouterr().out
+    (row,) = compare_targets(poppet.load("tank.toml"), only=["names"]).rows
+    assert (row.verdict, row.greatest) == ("within", 0.0)
 
 
 def test_a_printer():

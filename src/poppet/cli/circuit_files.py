@@ -84,7 +84,8 @@ def write_template(options: argparse.Namespace) -> None:
             print(f"{template:<{width}}  {tomllib.loads(path.read_text(encoding='utf-8'))['title']}")
         return
     if name not in TEMPLATES:
-        raise InputError("cli.template.unknown", name=name, near=NameSuggestion(name, TEMPLATES))
+        near = NameSuggestion(name, TEMPLATES)
+        raise InputError("fields.not_an_option", "template", value=name, meaning="template", near=near)
     # The parser has checked an `--output`; the default name is checked here.
     target: Path = options.output or output_path(f"{name}.toml", (".toml",))
     if target.exists() and not options.force:
@@ -99,7 +100,8 @@ def write_template(options: argparse.Namespace) -> None:
 def show_parameters(options: argparse.Namespace) -> None:
     """Print the parameters of a circuit by source."""
     if options.kind is not None and options.kind not in KINDS:
-        raise InputError("cli.unknown_kind", kind=options.kind, near=NameSuggestion(options.kind, KINDS))
+        near = NameSuggestion(options.kind, KINDS)
+        raise InputError("fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", near=near)
 
     circuit, _ = load_circuit(options)
     kinds = KINDS if options.kind is None else (options.kind,)
