@@ -221,12 +221,12 @@ def test_gains_go_into_every_command(poppet, tmp_path, tuned):
 @pytest.mark.parametrize(
     ("text", "code"),
     [
-        ('[parts.regulator]\ngian = "2 1/bar"\n', "address.unknown"),
+        ('[parts.regulator]\ngian = "2 1/bar"\n', "names.unknown"),
         ('[parts.controller]\ngain = "2 1/bar"\n', "address.no_owner"),
         ('[parts.regulator]\ngain = "2 bar"\n', "quantity.other_quantity"),
         ("[parts]\nregulator = 2\n", "circuit.no_part"),
         ("parts = 2\n", "circuit.no_part"),
-        ('[parts.regulator]\ngain = "2 1/bar"\n\n[signals]\n', "circuit.unknown_table"),
+        ('[parts.regulator]\ngain = "2 1/bar"\n\n[signals]\n', "fields.unknown"),
         ("[gains]\nregulator = 2\n", "result.unreadable"),
     ],
 )

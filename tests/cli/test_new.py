@@ -58,14 +58,14 @@ def test_an_existing_file_is_kept_unless_forced(poppet, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "code", "nearest"),
+    ("arguments", "code", "address", "nearest"),
     [
-        (("two-tank",), "cli.template.unknown", "two-tanks"),
-        (("two-tanks", "-o", "rig.tml"), "files.suffix", ".toml"),
-        (("two-tanks", "-o", "no/rig.toml"), "files.no_folder", ""),
+        (("two-tank",), "fields.not_an_option", "template", "two-tanks"),
+        (("two-tanks", "-o", "rig.tml"), "files.suffix", "", ".toml"),
+        (("two-tanks", "-o", "no/rig.toml"), "files.no_folder", "", ""),
     ],
 )
-def test_refusals(poppet, tmp_path, arguments, code, nearest):
+def test_refusals(poppet, tmp_path, arguments, code, address, nearest):
     answer = poppet("new", *arguments)
-    assert (answer.code, answer.errors) == (2, [(code, "", None, nearest)])
+    assert (answer.code, answer.errors) == (2, [(code, address, None, nearest)])
     assert list(tmp_path.iterdir()) == []

@@ -64,7 +64,7 @@ def test_show_json_holds_every_number_absolute(poppet, tanks):
 
 def test_show_refuses_an_unknown_kind(poppet, tanks):
     answer = poppet("show", "tanks.toml", "--kind", "asumed")
-    assert (answer.code, answer.errors) == (2, [("cli.unknown_kind", "", None, "assumed")])
+    assert (answer.code, answer.errors) == (2, [("fields.not_an_option", "--kind", None, "assumed")])
 
 
 def test_library_lists_and_describes(poppet):

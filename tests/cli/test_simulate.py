@@ -232,7 +232,7 @@ def test_plot(poppet, tanks, tmp_path, suffix):
         (("-o", "no/out.csv"), "files.no_folder", "", ""),
         (("-o", "folder.csv"), "cli.output.is_folder", "", ""),
         (("--plot", "out.jpeg"), "files.suffix", "", ".png"),
-        (("--set", "high.volmue=1 l"), "address.unknown", "high.volmue", "high.volume"),
+        (("--set", "high.volmue=1 l"), "names.unknown", "high.volmue", "high.volume"),
         (("--set", "hihg.volume=1 l"), "address.meant", "hihg.volume", ""),
         (("--set", "high.volume"), "cli.assignment", "", ""),
         (("--set", "high.volume="), "cli.assignment", "", ""),
@@ -278,7 +278,7 @@ def test_all_mistakes_of_set_at_once(poppet, tanks):
 def test_a_file_without_duration(poppet, tanks):
     tanks.write_text(tanks.read_text().replace('duration = "5 s"', ""))
     answer = poppet("simulate", "tanks.toml")
-    assert (answer.code, answer.errors) == (2, [("options.no_duration", "run.duration", 25, "")])
+    assert (answer.code, answer.errors) == (2, [("fields.missing", "run.duration", 25, "")])
     assert answer.err.startswith("error: tanks.toml:25: ")
     assert poppet("simulate", "tanks.toml", "--duration", "1 s").code == 0
 

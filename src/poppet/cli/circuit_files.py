@@ -40,12 +40,13 @@ def _check_file(file: str) -> None:
     from poppet.core.toml_file import TomlFile
 
     circuit = load(file)
+    notes = list(circuit.static_notes)
     try:
         n_outputs = _count_outputs(circuit)
         if "ensemble" in circuit.origin[0]:
             from poppet.ensemble import plan_of
 
-            plan_of(circuit)
+            notes += plan_of(circuit).notes
     except InputError as error:
         raise TomlFile.read(file).located(error) from None
     parts = circuit.parts.values()
@@ -58,7 +59,7 @@ def _check_file(file: str) -> None:
     }
     text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
     print(f"{file}: no errors; {text}.")
-    print_notes(circuit.static_notes)
+    print_notes(notes)
 
 
 def _count_outputs(circuit: Circuit) -> int:
@@ -84,7 +85,8 @@ def write_template(options: argparse.Namespace) -> None:
             print(f"{template:<{width}}  {tomllib.loads(path.read_text(encoding='utf-8'))['title']}")
         return
     if name not in TEMPLATES:
-        raise InputError("cli.template.unknown", name=name, near=NameSuggestion(name, TEMPLATES))
+        near = NameSuggestion(name, TEMPLATES)
+        raise InputError("fields.not_an_option", "template", value=name, meaning="template", near=near)
     # The parser has checked an `--output`; the default name is checked here.
     target: Path = options.output or output_path(f"{name}.toml", (".toml",))
     if target.exists() and not options.force:
@@ -99,7 +101,8 @@ def write_template(options: argparse.Namespace) -> None:
 def show_parameters(options: argparse.Namespace) -> None:
     """Print the parameters of a circuit by source."""
     if options.kind is not None and options.kind not in KINDS:
-        raise InputError("cli.unknown_kind", kind=options.kind, near=NameSuggestion(options.kind, KINDS))
+        near = NameSuggestion(options.kind, KINDS)
+        raise InputError("fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", near=near)
 
     circuit, _ = load_circuit(options)
     kinds = KINDS if options.kind is None else (options.kind,)

@@ -369,7 +369,7 @@ _COMMANDS = {
         ("poppet library", "poppet library varga2012", "poppet library nitrogen"),
     ),
     "explain": Command(
-        "explain the code of an error, note or finding, with the remedy",
+        "explain the code of an error, note or finding: cause, example and remedy",
         "reference:explain_codes",
         (Option("[CODE] ...", "codes, or first parts of codes to list; if omitted, lists all first parts"),),
         ("poppet explain fields.out_of_range", "poppet explain finding.capped run.stalled", "poppet explain wiring"),

@@ -26,26 +26,40 @@ def show_library(options: argparse.Namespace) -> None:
 
 
 def explain_codes(options: argparse.Namespace) -> None:
-    """Print the message template of codes, or list the codes with a common first part."""
-    from poppet.core.message_format import every_code, plain
+    """Print cause, example and remedy of codes, or list the codes with a common first part."""
+    from poppet.core.message_format import every_code, renamed_codes, topics
 
-    templates = every_code()
-    first_parts = sorted({code.partition(".")[0] for code in templates})
-    explanations = []
-    for code in options.codes or first_parts:
-        if code in templates:
-            template = templates[code]
-            parts = {"": template} if isinstance(template, str) else template
-            lines = [f"  {name + ':':<8}{plain(text)}" if name else f"  {plain(text)}" for name, text in parts.items()]
-            explanations.append("\n".join([code, *lines]))
-            continue
-        members = [member for member in templates if member.startswith(f"{code}.")]
-        if not members:
-            raise InputError(
-                "cli.code", code=code, near=NameSuggestion(code, templates if "." in code else first_parts)
-            )
-        explanations.append("\n".join([f"{code}: {len(members)} codes", *(f"  {member}" for member in members)]))
-    print("\n\n".join(explanations))
+    codes, titles = every_code(), topics()
+    blocks = []
+    for name in options.codes:
+        new = renamed_codes().get(name, name)
+        members = [code for code in codes if code.startswith(f"{name}.")]
+        if new in codes:
+            blocks.append((f"{name} is now {new}.\n" if new != name else "") + _explanation(new))
+        elif members:
+            title = f": {titles[name]}" if name in titles else ""
+            blocks.append("\n".join([f"{name}{title}, {len(members)} codes", *(f"  {code}" for code in members)]))
+        else:
+            raise InputError("cli.code", code=name, near=NameSuggestion(name, codes if "." in name else titles))
+    if not options.codes:
+        width = max(map(len, titles))
+        blocks = ["\n".join(f"{topic:<{width}}  {title}" for topic, title in titles.items())]
+    print("\n\n".join(blocks))
+
+
+def _explanation(code: str) -> str:
+    """Return cause, example and remedy of a code; the text of a note contains its remedy."""
+    from poppet.core.message_format import example_texts, plain, stored_examples, template
+
+    text, example = template(code), stored_examples().get(code)
+    parts = {"": text} if isinstance(text, str) else text
+    lines = [f"  cause:    {' '.join(plain(part) for name, part in parts.items() if name != 'hint')}"]
+    if example is not None and "{" in "".join(parts.values()):
+        texts = example_texts(code, example)
+        lines.append(f"  example:  {' '.join(texts.values())}")
+    if "hint" in parts:
+        lines.append(f"  remedy:   {plain(parts['hint']).replace('<near>', 'Use one of the suggested names.')}")
+    return "\n".join([code, *lines])
 
 
 def reproduce_paper(options: argparse.Namespace) -> None:

@@ -270,7 +270,9 @@ def _check_varied(errors: ErrorCollector, circuit: Circuit, controller: str, ran
     sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
     for address, size in ranges.items():
         if address not in numbers:
-            errors.add("control.vary.unknown", address, near=NameSuggestion(address, numbers))
+            errors.add(
+                "names.unknown", address, meaning="a parameter of this circuit", near=NameSuggestion(address, numbers)
+            )
         elif address.startswith(f"{controller}.") and address not in sensor:
             errors.add("control.vary.of_controller", address)
         elif circuit.parameters.get(address, 0.0) == 0.0:  # the range is relative to the value

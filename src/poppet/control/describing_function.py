@@ -308,7 +308,7 @@ class MeasuredLoop(Plant):
                 relevant = [*relevant, samples] if _LAGS < phase < 20.0 else []
                 if relevant and samples >= (_SPAN if phase < _FLAT else _LESS) * relevant[0]:
                     break
-            samples = _next_period(samples)
+            samples = _round_period(max(samples + 1, _FINER * samples))
         if len(responses) < _FEWEST or len(relevant) < _ENOUGH:
             raise SimulationError(Note("tuning.not_followed", self.measurement, by=self.named(size)))
         for period in _periods_to_refine(responses):
@@ -380,11 +380,6 @@ def make_measured_loop(
         circuit.instance, loop.controller, loop.part, loop.measurement, loop.commands, loop.begins,
         loop=loop, amplitudes=tuple(sizes), report_progress=progress or (lambda text: None),
     )  # fmt: skip
-
-
-def _next_period(samples: int) -> int:
-    """Return the next longer period [samples]."""
-    return _round_period(max(samples + 1, _FINER * samples))
 
 
 def _round_period(samples: float) -> int:

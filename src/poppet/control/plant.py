@@ -190,7 +190,10 @@ class Plant:
             sign = SIGNS[branch]
             # On this side of the kink of a closed valve, at the same state.
             nudged = command if command * sign > 0.0 else sign * NUDGE
-            models[branch] = linearise(instance, self._inputs(nudged), at=_row(instance, steady.y))
+            # A recording of one row: the state at which the model is made.
+            units = dict(instance.model.outputs)
+            row = Recording.from_series([0.0], {f"{name} [{units[name]}]": [y] for name, y in steady.y.items()})
+            models[branch] = linearise(instance, self._inputs(nudged), at=row)
             self._check_response(models[branch], branch, inputs)
         return OperatingPoint(steady.y[self.measurement], command, models, weights)
 
@@ -262,9 +265,3 @@ class Plant:
 def point_label(plant: Plant, value: float, branch: str) -> str:
     """Return the label of an operating point and a side, `2 bar, fill`."""
     return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"
-
-
-def _row(instance: Instance, values: Mapping[str, float]) -> Recording:
-    """Return a recording of one row, at which a linear model is made."""
-    units = dict(instance.model.outputs)
-    return Recording.from_series([0.0], {f"{name} [{units[name]}]": [value] for name, value in values.items()})

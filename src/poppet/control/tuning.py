@@ -341,7 +341,8 @@ def _prepare(
     amplitudes: Sequence[Any], progress: ProgressCallback | None,
 ) -> tuple[Plant, list[OperatingPoint]]:  # fmt: skip
     if form not in FORMS:
-        raise InputError("tuning.unknown_form", form=form, near=NameSuggestion(form, FORMS))
+        near = NameSuggestion(form, FORMS)
+        raise InputError("fields.not_an_option", "form", value=form, meaning="form of controller", near=near)
     if not MIN_BOUND <= bound <= MAX_BOUND:
         raise OutOfRangeError("tuning.bound", bound=bound, low=MIN_BOUND, high=MAX_BOUND)
     plant = (

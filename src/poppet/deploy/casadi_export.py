@@ -151,7 +151,8 @@ def _without_controllers(circuit: Circuit, controllers: str | Sequence[str]) -> 
     available = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
     for name in (controllers,) if isinstance(controllers, str) else controllers:
         if name not in available:
-            raise InputError("tools.no_controller", name, near=NameSuggestion(name, available))
+            near = NameSuggestion(name, available)
+            raise InputError("fields.not_an_option", "without", value=name, meaning="controller", near=near)
         circuit = release_command(circuit, name, keeps=False)
     return circuit
 
@@ -168,7 +169,8 @@ def _free_indices(circuit: Circuit, addresses: Sequence[str]) -> list[int]:
         for address in addresses:
             index, fixed = by_address.get(address, (-1, ""))
             if index < 0:
-                errors.add("tools.no_number", address, near=NameSuggestion(address, by_address))
+                near = NameSuggestion(address, by_address)
+                errors.add("names.unknown", address, meaning="a parameter of the circuit", near=near)
             elif fixed not in ("", "delay"):
                 errors.add("tools.fixed", address)
             indices.append(index)
@@ -182,5 +184,6 @@ def _input_indices(selected: Sequence[str] | None, available: Sequence[str]) -> 
     with ErrorCollector() as errors:
         for name in selected:
             if name not in available:
-                errors.add("inputs.unknown", name, near=NameSuggestion(name, available))
+                near = NameSuggestion(name, available)
+                errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
     return [available.index(name) for name in selected]

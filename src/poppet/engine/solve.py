@@ -37,7 +37,11 @@ def solve(
 
     if solver not in SOLVERS:
         raise InputError(
-            "run.unknown_solver", "run.solver", solver=solver, near=NameSuggestion(solver, ("rosenbrock", *SOLVERS))
+            "fields.not_an_option",
+            "run.solver",
+            value=solver,
+            meaning="solver",
+            near=NameSuggestion(solver, ("rosenbrock", *SOLVERS)),
         )
     return solve_with_reference(problem, solver, progress)
 

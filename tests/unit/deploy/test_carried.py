@@ -99,7 +99,7 @@ def test_everything_stands_in_the_order_of_the_model():
 
 def test_a_run_without_end_and_signals_without_number_are_refused():
     circuit = load(EXAMPLES / "fill_staircase.toml")
-    with refused("options.no_duration", "run.duration"):
+    with refused("fields.missing", "run.duration"):
         build_export_model(replace(circuit, run=replace(circuit.run, duration=None)))
     quick = Square(low=1e5, high=2e5, frequency=1e3, duty=0.5)
     with refused("deploy.segments", "signals", most=100_000):

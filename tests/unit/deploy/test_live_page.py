@@ -103,7 +103,7 @@ def test_a_run_of_many_rows_is_shown_with_fewer():
 @pytest.mark.parametrize(
     ("texts", "code"),
     [
-        (("tank.volme",), "deploy.live.unknown"),
+        (("tank.volme",), "names.unknown"),
         (("tank.volume=1 l",), "deploy.live.range"),
         (("tank.volume=5 l..1 l",), "deploy.live.range"),
         (("tank.volume=1 bar..2 bar",), "quantity.other_quantity"),

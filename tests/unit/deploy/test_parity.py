@@ -172,7 +172,7 @@ def test_what_cannot_run_says_why(monkeypatch):
     uneven = short().with_values({"run.output_step": "3.3333333333 ms"})
     (row,) = compare_targets(uneven, only=["fmu cs (second host)"]).rows
     assert row.why.code == "deploy.parity.no_nanoseconds"
-    with refused("deploy.parity.unknown", "dymola"):
+    with refused("fields.not_an_option", "target", value="dymola"):
         compare_targets(short(), only=["dymola"])
     with refused("deploy.fmu.no_archive", name="two_tanks.toml"):
         compare_targets(short(), fmu=EXAMPLES / "two_tanks.toml")

@@ -120,7 +120,7 @@ def test_longest_step_is_kept(solver):
 
 
 def test_unknown_solver():
-    with refused("run.unknown_solver", "run.solver", solver="cvode") as caught:
+    with refused("fields.not_an_option", "run.solver", value="cvode") as caught:
         solve(problem_of(filling(), 1.0, 0.5), "cvode")
     assert caught.value.facts["near"].names[0] == "cvodes"
 

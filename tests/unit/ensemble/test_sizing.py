@@ -253,5 +253,5 @@ def test_a_number_that_a_part_tells_its_members_is_not_theirs() -> None:
     """The piston alone with another bore than its chambers would make force of nothing."""
     with refused("ensemble.number", "cylinder.piston.bore"):
         size(loads(LIFT), "cylinder.piston.bore", between=("15 mm", "40 mm"))
-    with refused("free.unknown_number", "free.cylinder.piston.bore"):
+    with refused("names.unknown", "free.cylinder.piston.bore"):
         read_free("cylinder.piston.bore", {}, loads(LIFT))

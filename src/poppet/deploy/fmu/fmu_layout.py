@@ -360,7 +360,8 @@ def build_layout(export_model: ExportModel, inputs: Sequence[str] = ()) -> FmuLa
     with ErrorCollector() as errors:
         for address in inputs:
             if address not in reasons:
-                errors.add("deploy.fmu.unknown_input", address, near=NameSuggestion(address, reasons))
+                near = NameSuggestion(address, reasons)
+                errors.add("names.unknown", address, meaning="an input or parameter of this circuit", near=near)
             elif reasons[address]:
                 errors.add("deploy.fmu.fixed_input", address, why=reasons[address])
     return FmuLayout(export_model, frozenset(inputs))

@@ -11,7 +11,7 @@ from importlib.resources import files
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, NameSuggestion
 from poppet.deploy.c.c_model import integrator_code, model_code
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.fmu.binaries import PLATFORMS, kernel_code, link_commands, link_library
@@ -109,8 +109,11 @@ def build_fmu(
     InputErrors
         If a platform or an input is unknown, or if the circuit cannot be exported.
     """
-    unknown = [platform for platform in platforms if platform not in PLATFORMS]
-    collect([InputError("deploy.fmu.platform", platform=p, near=NameSuggestion(p, PLATFORMS)) for p in unknown])
+    with ErrorCollector() as errors:
+        for platform in platforms:
+            if platform not in PLATFORMS:
+                near = NameSuggestion(platform, PLATFORMS)
+                errors.add("fields.not_an_option", "platform", value=platform, meaning="platform", near=near)
     layout = build_layout(build_export_model(circuit, name), inputs)
     export_model = layout.export_model
     identifier, derivatives = export_model.name, directional_derivatives(export_model.model)

@@ -110,7 +110,8 @@ def _slider(export_model: ExportModel, circuit: Circuit, address: str) -> Slider
     if address in inputs:
         address = export_model.parameters[inputs[address].parameter].address
     if address not in parameters:
-        raise InputError("deploy.live.unknown", address, near=NameSuggestion(address, [*parameters, *inputs]))
+        near = NameSuggestion(address, [*parameters, *inputs])
+        raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", near=near)
     if not parameters[address].is_free:
         raise InputError(f"deploy.live.{parameters[address].fixed}", address)
     return _parameter_slider(export_model, parameters[address], circuit)

@@ -164,7 +164,8 @@ def compare_targets(circuit: Circuit, *, only: Sequence[str] = (), fmu: Path | N
     selected = ["controllers" if name == "structured text" else name for name in only]
     for name in selected:
         if name not in checks:
-            raise InputError("deploy.parity.unknown", name, near=NameSuggestion(name, checks))
+            near = NameSuggestion(name, checks)
+            raise InputError("fields.not_an_option", "target", value=name, meaning="target", near=near)
     chosen = [check for check in checks.values() if not selected or check.name in selected]
     if fmu is not None:
         version = fmi_version(fmu)
