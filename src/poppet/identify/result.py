@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
-METHODS = ("fit", "tank", "flow", "characteristic", "muscle", "friction")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 DETERMINED, WEAK = 0.1, 0.5
