@@ -28,12 +28,7 @@ from poppet.identify.flow.flow_fit import (
 )
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, reject_rising_flow
 from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
-from poppet.identify.gum import (
-    chi_square_probability,
-    correlations,
-    few_runs_probability,
-    leave_one_out,
-)
+from poppet.identify.gum import chi_square_probability, correlations, few_runs_probability, leave_one_out
 from poppet.identify.result import ResidualSummary, Result, Verdict, replace_uncertain_findings
 from poppet.laws.iso6358.domain import DOMAINS, problem
 

@@ -204,11 +204,7 @@ def _read_channel(
 
 
 def _read_columns(
-    channels: Mapping[str, Mapping[str, Any]],
-    table: Table,
-    index: int,
-    ambient_pressure: float,
-    coordinate: Coordinate,
+    channels: Mapping[str, Mapping[str, Any]], table: Table, index: int, ambient_pressure: float, coordinate: Coordinate
 ) -> dict[str, Any]:
     """Read the channels of a table in SI units; pressures are gauge."""
     columns: dict[str, Any] = {}
