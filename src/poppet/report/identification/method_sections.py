@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from poppet.core.number_format import number, readable_unit, scaled, with_unit
 from poppet.identify import Result
-from poppet.identify.friction.coordinate import COORDINATES
+from poppet.identify.friction.records import COORDINATES
 from poppet.report.html_page import Section
 from poppet.report.identification.identification_tables import error_text, estimate_text, plain_text
 from poppet.report.tables import Table, code, numeric
