@@ -258,7 +258,7 @@ def turning_points(position: Array) -> list[int]:
 
 
 def _arrivals(run: LoadData) -> Iterator[Arrival]:
-    from poppet.parts.bodies import arrivals  # only runs with bodies need it
+    from poppet.parts.bodies import find_impacts  # only runs with bodies need it
 
     for name, owner, prefix in run.stops():
         stops = tuple(run.parameters.get(f"{owner}.{end}_stop.position", math.nan) for end in ("lower", "upper"))
@@ -266,7 +266,7 @@ def _arrivals(run: LoadData) -> Iterator[Arrival]:
             stops = 0.0, run.parameters[f"{owner}.piston.stroke_length"]
         position, velocity = run[f"{owner}.{prefix}position"], run[f"{owner}.{prefix}velocity"]
         unit = run.unit(f"{owner}.{prefix}velocity")
-        for time, speed in arrivals(run.raw.time, position, velocity, run[name], stops):
+        for time, speed in find_impacts(run.raw.time, position, velocity, run[name], stops):
             yield Arrival(owner, run.body_of.get(owner, owner), time, speed, unit)
 
 

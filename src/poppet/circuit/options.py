@@ -26,7 +26,7 @@ from poppet.parts.fields import (
     declared,
     default_number,
     flatten,
-    forget,
+    forget_library,
     number,
     option,
     reference,
@@ -104,7 +104,7 @@ class GasChoice(_OptionSection):
         defaults = {name: default_number(name, spec) for name, _, spec in declared(GasChoice, NumberSpec)}
         air = {name: value for name, value in defaults.items() if value}
         # After a change of the name, values of the previous gas must not remain.
-        forget(self, [air, *map(_gas_numbers, library.gas_names())])
+        forget_library(self, [air, *map(_gas_numbers, library.gas_names())])
         try:
             values = {} if self.name is None else _gas_numbers(str(self.name))
         except InputError as error:

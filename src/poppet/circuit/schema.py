@@ -213,12 +213,12 @@ def _characteristic() -> Schema:
 
 def _schedule() -> Schema:
     """Return the schema of a gain schedule, whose first column has the name of the controlled quantity."""
-    columns = [name for name in GainSchedule.known("pressure", "opening") if name not in QUANTITIES]
+    columns = [name for name in GainSchedule.column_specs("pressure", "opening") if name not in QUANTITIES]
     return closed(dict.fromkeys((*QUANTITIES, *columns), _LIST), ["gain", "integral_time"])
 
 
 def _force_table() -> Schema:
-    columns = ForceRows.known()
+    columns = ForceRows.column_specs()
     return {"type": "object", "required": list(columns), "properties": dict.fromkeys(columns, _LIST)}
 
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.engine.model import FlowInfo, InputInfo, Model, StateInfo, StoreInfo
-from poppet.parts.compound import expanded
+from poppet.parts.compound import expand_compounds
 from poppet.parts.part import (
     AMBIENT,
     SELF,
@@ -52,7 +52,7 @@ class _Tracer:
         import casadi as ca
 
         self.ca, self.circuit_parts, self.names = ca, parts, parameters
-        self.parts, self.connections, self.shown = expanded(parts, connections)
+        self.parts, self.connections, self.shown = expand_compounds(parts, connections)
         self.p = ca.SX.sym("p", len(parameters))
         self.number = {name: self.p[k] for k, name in enumerate(parameters)}
         self.surroundings = Surroundings(*(self.number[name] for name in SURROUNDINGS))

@@ -48,9 +48,9 @@ class PartWiring(NamedTuple):
         ports = {name: texts[name] for name, spec in fields.items() if isinstance(spec, PortSpec) and name in texts}
         stores = [name for name, spec in fields.items() if isinstance(spec, MemberSpec) and spec.is_open]
         if kind.kind == TUBE:
-            from poppet.parts.tube import MOST_CELLS
+            from poppet.parts.tube import MAX_CELLS
 
-            stores = [str(k) for k in range(1, MOST_CELLS + 1)]
+            stores = [str(k) for k in range(1, MAX_CELLS + 1)]
         body = next((texts.get(name) for name, spec in fields.items() if isinstance(spec, BodySpec)), None)
         return cls(kind, ports, ("",) if issubclass(kind, Store) else tuple(stores), body)
 

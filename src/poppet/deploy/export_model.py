@@ -160,7 +160,7 @@ def _numbers(circuit: Circuit, instance: Instance, problem: Problem) -> tuple[Ex
             fixed = "tied" if _is_tied(circuit, address, value, spec) else ""
         low, high = max(spec.ends[0], _beside(spec.above, 1.0)), min(spec.ends[1], _beside(spec.below, -1.0))
         unit, shown = (number.unit, number.display()) if number else (spec.unit, "")
-        found.append(ExportParameter(address, own[k], unit, value, low, high, spec.doc, shown, fixed))
+        found.append(ExportParameter(address, own[k], unit, value, low, high, spec.meaning, shown, fixed))
     return tuple(found)
 
 

@@ -367,7 +367,12 @@ def possible(found: Distribution, spec: NumberSpec, place: str, name: str = "") 
     low, high = spec.ends[0], min(spec.ends[1], spec.below)
     share = found.outside(low, high)
     if share > POSSIBLE:
-        facts: dict[str, Any] = {"probability": share, "limits": (low, high), "unit": spec.unit, "meaning": spec.doc}
+        facts: dict[str, Any] = {
+            "probability": share,
+            "limits": (low, high),
+            "unit": spec.unit,
+            "meaning": spec.meaning,
+        }
         raise OutOfRangeError("ensemble.impossible", place, **facts, name=name)
     return found.within(low, high)
 
@@ -405,5 +410,5 @@ def _in_si(column: Array, unit: str, spec: NumberSpec, name: str, ambient: float
     bad = np.flatnonzero([not spec.holds(float(value)) for value in column])
     if bad.size:
         facts: dict[str, Any] = {"row": int(bad[0]) + 1, "value": float(column[bad[0]]), "count": int(bad.size)}
-        raise OutOfRangeError("ensemble.impossible_rows", place, **facts, unit=spec.unit, meaning=spec.doc)
+        raise OutOfRangeError("ensemble.impossible_rows", place, **facts, unit=spec.unit, meaning=spec.meaning)
     return np.asarray(column, dtype=np.float64)

@@ -10,7 +10,7 @@ from poppet.core.number_format import USUAL, pretty
 from poppet.core.units import convert
 from poppet.deploy.export_model import ExportModel
 from poppet.deploy.live.page_inputs import Slider, affine
-from poppet.report.circuit.schematic import Room, draw_with_room
+from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import inline_svg
 from poppet.timeseries.plotting.figures import figure_bytes
 from poppet.timeseries.plotting.panels import STILL
@@ -117,9 +117,9 @@ def _drawing(of: ExportModel, circuit: Circuit, ambient: float) -> dict[str, Any
     movers = {part: mover for part in shown if (mover := _mover(of, part))}
     free = {part: len(items) + 2 * (part in movers) for part, items in shown.items()}
     # The page has the title.
-    figure, rooms = draw_with_room(replace(circuit, title="", like=circuit), free, _WIDE)
+    figure, rooms = draw_with_empty_lines(replace(circuit, title="", like=circuit), free, _WIDE)
     svg = inline_svg(figure_bytes(figure, "svg", "circuit").decode("utf-8"), "circuit", f"The circuit {of.title}")
-    by_part: dict[str, list[Room]] = {part: [room for room in rooms if room.part == part] for part in free}
+    by_part: dict[str, list[EmptyLine]] = {part: [room for room in rooms if room.part == part] for part in free}
     values = []
     for part, items in shown.items():
         lines = by_part[part]

@@ -439,7 +439,7 @@ def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapp
 
 
 def _si_unit(address: str, written: str) -> str:
-    """The SI unit of a signal: what its name says, else what its unit says."""
+    """Return the SI unit of a signal, from its name or from the dimension of its unit."""
     check_unit(written)
     ending = next((ending for ending in _SI_BY_ENDING if address.endswith(ending)), None)
     if ending is not None:
