@@ -188,20 +188,20 @@ LEAK = Method(
 )
 
 
-def test_an_identification_method(monkeypatch, tmp_path):
+def test_an_identification_method(monkeypatch, tmp_path, capsys):
     assert "## Adding an identification method" in GUIDE
     monkeypatch.setitem(METHODS, "leak", LEAK)
     path = tmp_path / "leak.toml"
     path.write_text('volume = "2 l"\nrates = [-10.0, -12.0, -11.0]\n')
     result, page = tmp_path / "result.toml", tmp_path / "leak.html"
-    identified = METHODS["leak"].identify(path, progress=None)
-    identified.save(result)
-    imported(LEAK.report)(identified, page)
-    assert "tank.leak" in imported(LEAK.text)(identified, 3)
+    assert main.run(["identify", "leak", str(path), "-o", str(result), "--report", str(page)]) == 0
+    assert "tank.leak" in capsys.readouterr().out
     assert identify.read_result(result).parameters["tank.leak"].value == pytest.approx(2e-3 * 11.0 / (287.05 * 293.15))
     text = page.read_text(encoding="utf-8")
     assert LEAK.description in text
     assert LEAK.intervals in text
+    assert main.run(["identify", "--help"]) == 0
+    assert "leak of a closed volume" in " ".join(capsys.readouterr().out.split())
     assert LEAK.file_schema()["properties"]["volume"]["description"] == "[m^3]"
     path.write_text('volum = "2 l"\nrates = [-10.0, -12.0]\n')
     with pytest.raises(InputError) as caught:

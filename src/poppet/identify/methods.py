@@ -49,6 +49,7 @@ class Method(NamedTuple):
     intervals: str = ""  # meaning of the intervals, for a report
     has_coefficients: bool = False  # True if single parameters have little meaning
     is_fit: bool = False  # True if recordings can validate the result
+    counts_points: bool = False  # True if `progress` takes the number of points, all points and the next point
     sections: Any = ""  # `MethodReport` with the sections of this method
     report: Callable[[Any, Path], Any] | str = REPORT  # writes a report
     text: Callable[[Any, int | None], str] | str = SUMMARY  # terminal output with at most so many findings
@@ -174,6 +175,7 @@ BUILT_IN = (
         read="poppet.identify.design.design_file:read_design_file",
         fields="poppet.identify.design.design_file:TOP_LEVEL",
         examples=("poppet identify design DESIGN.toml --report DESIGN.html",),
+        counts_points=True,
         report="poppet.report.identification.design_report:write_design",
         text="poppet.report.identification.design_report:design_text",
     ),

@@ -193,6 +193,11 @@ class Result(HtmlMixin):
         findings = [f"- {finding}" for finding in grouped(self.remarks)]
         return "\n".join([*filter(None, [self.title]), *self.lines(), *findings])
 
+    @property
+    def interrupted(self) -> bool:
+        """True if the user interrupted the identification."""
+        return bool(self.conditions.get("interrupted", False))
+
     def lines(self) -> list[str]:
         """Return a line of text for each estimate and for the residuals of each channel.
 
