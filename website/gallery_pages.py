@@ -11,7 +11,7 @@ from functools import cache, partial
 from pathlib import Path
 
 import poppet
-from poppet.deploy.live.live_page import write_live
+from poppet.deploy.targets import TARGETS
 from poppet.report.circuit.schematic import draw_circuit
 
 CODE = Path(poppet.__file__).parent
@@ -95,7 +95,7 @@ def shown(path: Path, folder: Path) -> None:
         circuit = poppet.load(path)
         circuit.simulate().plot(cache / picture)
         draw_circuit(circuit, cache / drawing)
-        write_live(circuit, cache / live)
+        TARGETS["live"].write(circuit, cache / live)
     for name in names:
         shutil.copyfile(cache / name, folder / name)
 

@@ -13,7 +13,7 @@ import poppet
 from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.schema import circuit_schema
-from poppet.cli.main import COMMANDS, command_parser
+from poppet.cli.commands import COMMANDS
 from poppet.core.message_format import every_code, plain
 from poppet.parts import KINDS
 from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, specs
@@ -154,14 +154,14 @@ def section_page() -> str:
 def command_page() -> str:
     """Every command with its options and examples."""
     text = ["# Commands", "", "`poppet COMMAND --help` prints the same.", ""]
-    for name in COMMANDS:
-        parser = command_parser(name)
-        text += [f"## `poppet {name}`", "", str(parser.description), ""]
-        rows = [(f"`{option.usage}`", str(option.declared()["help"]).replace("%%", "%")) for option in parser.options]
+    for name, command in COMMANDS.items():
+        text += [f"## `poppet {name}`", "", f"{command.summary[:1].upper()}{command.summary[1:]}.", ""]
+        text += [*(f"- {limitation}" for limitation in command.limitations), ""] if command.limitations else []
+        rows = [(f"`{option.usage}`", option.meaning) for option in command.options]
         text += [
             table(("option", "meaning"), rows),
             "```console",
-            *(f"$ {line}" for line in parser.examples),
+            *(f"$ {line}" for line in command.examples),
             "```",
             "",
         ]

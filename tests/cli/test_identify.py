@@ -260,7 +260,7 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
         ("fit", "start = 0.3", "start = 1.5", "outlet.critical_ratio", "free.bounds"),
         ("fit", "start = 0.3", "start = 0.3, prior = { mean = 1 }", "outlet.critical_ratio", "fields.missing"),
         ("fit", 'lag = "free"', 'lag = "0.8 m"', "tank.temperature", "quantity.other_quantity"),
-        ("fit", '"tank.temperature"', '"tank.temprature"', "tank.temprature", "fit.no_output"),
+        ("fit", '"tank.temperature"', '"tank.temprature"', "tank.temprature", "names.unknown"),
         (
             "fit",
             '"tank.initial_pressure" = "free"',
@@ -268,8 +268,8 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
             "start =",
             "quantity.other_quantity",
         ),
-        ("fit", '"tank.initial_pressure" = "free"', '"tank.initial" = "free"', "start =", "free.unknown_number"),
-        ("fit", "[free]", '[free]\nloss = "hubr"', "loss =", "search.loss"),
+        ("fit", '"tank.initial_pressure" = "free"', '"tank.initial" = "free"', "start =", "names.unknown"),
+        ("fit", "[free]", '[free]\nloss = "hubr"', "loss =", "fields.not_an_option"),
         ("fit", "[free]", "[free]\nstarts = 0", "starts =", "search.starts"),
         ("fit", "[free]", "[free]\nseed = -1.5", "seed =", "search.seed"),
         ("fit", "[free]", '[free]\nkicks = "many"', "kicks =", "search.kicks"),
@@ -304,7 +304,7 @@ def test_what_a_fit_reads_itself_may_be_misspelt(bench, way, old, wrong, meant):
     path.write_text(path.read_text(encoding="utf-8").replace(old, wrong, 1), encoding="utf-8")
     with pytest.raises(InputError) as error:
         READERS[way](path)
-    assert error.value.code == "measured.unknown_field"
+    assert error.value.code == "fields.unknown"
     assert meant in error.value.facts["near"].names
 
 

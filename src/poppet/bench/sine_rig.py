@@ -93,7 +93,7 @@ class SineRig:
         end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
         x, p = self.point.first()
         call = Call(self._problem(constant_coefficients(self.u), 0.0, np.array([end]), x, p))
-        run = call.made()
+        run = call.run()
         if not run.outcome.is_success:
             raise SimulationError(
                 Note("limits.unsettled", outcome=run.outcome.value, text=str(Note(run.outcome.value)))

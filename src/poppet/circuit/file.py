@@ -61,7 +61,7 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
         data = file.content
         for key in data:
             if key not in TOP_LEVEL + ABOVE:
-                errors.add("circuit.unknown_table", key, near=NameSuggestion(key, TOP_LEVEL + ABOVE))
+                errors.add("fields.unknown", key, table="circuit file", near=NameSuggestion(key, TOP_LEVEL + ABOVE))
         tables = {name: _table(errors, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
         # `gas = "nitrogen"` is short for a table with a name.
         gas_table = data.get("gas", {})
@@ -148,7 +148,9 @@ def _kind(table: Any) -> type[Part]:
         raise InputError("circuit.no_kind", "kind", known=[*KINDS])
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
-        raise InputError("circuit.unknown_kind", "kind", value=kind, near=NameSuggestion(str(kind), KINDS))
+        raise InputError(
+            "fields.not_an_option", "kind", value=kind, meaning="kind of part", near=NameSuggestion(str(kind), KINDS)
+        )
     return KINDS[kind]
 
 

@@ -15,7 +15,7 @@ from poppet.circuit.sampled.sampled_model import sampled_model
 from poppet.circuit.sampled.sampled_steady_state import find_sampled_steady_state
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, SimulationError
-from poppet.engine.model_evaluation import Evaluation
+from poppet.engine.model_evaluation import ArrayFunction
 from poppet.engine.problem import Outcome, RawRun, constant_input_problem
 from poppet.engine.solve import solve
 from poppet.timeseries.recording import Recording
@@ -36,7 +36,7 @@ def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) ->
     u = instance.held_inputs(inputs or {})
     if instance.model.memory:
         return find_sampled_steady_state(instance, u)
-    point = _OperatingPoint(instance, u)
+    point = _LinearisationPoint(instance, u)
     x, duration, run = _run_transients(point)
     method = Note("rest.settled", duration=duration)
     if run.outcome is Outcome.TOO_MANY and not np.all(point.positive):
@@ -62,17 +62,17 @@ def linearise(
         return sampled_model(instance, steady_state(instance, inputs))
     if at is None:
         steady = steady_state(instance, inputs)
-        return _OperatingPoint(instance, np.array(list(steady.u.values()))).linear_model(steady.x)
+        return _LinearisationPoint(instance, np.array(list(steady.u.values()))).linear_model(steady.x)
     units = {item.name: item.unit for item in instance.model.inputs if item.name in at}
     recorded = at.select(units).converted(units).last() if units else {}
     # Inputs have their values at the end of the recording, unless `inputs` contains them.
     start = instance.resumed(at)
-    point = _OperatingPoint(start, start.held_inputs(recorded | dict(inputs or {})))
+    point = _LinearisationPoint(start, start.held_inputs(recorded | dict(inputs or {})))
     # The end of the recording is the operating point, whether steady or not.
     return point.linear_model(point.start)
 
 
-class _OperatingPoint:
+class _LinearisationPoint:
     """Instance with constant inputs: rates, outputs and derivatives at a state x, (n,), without quadratures."""
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -83,7 +83,7 @@ class _OperatingPoint:
         # Only positive states have a typical initial value: a stroke can start at a nanometre.
         nominal = np.array([state.nominal for state in self.model.states])
         self.size = np.where(self.positive, np.abs(self.start), nominal)
-        self._function = Evaluation(self.model.linear_function)
+        self._function = ArrayFunction(self.model.linear_function)
 
     def linear(self, x: Array) -> list[Array]:
         """Return f, y, A, B, C and D."""
@@ -106,7 +106,7 @@ class _OperatingPoint:
         return LinearModel(a, b, c, d, *names, self.model.columns[0], x, self.u, y, f)
 
 
-def _run_transients(point: _OperatingPoint) -> tuple[Array, float, RawRun]:
+def _run_transients(point: _LinearisationPoint) -> tuple[Array, float, RawRun]:
     """Return the end, duration and run of the first transient that is steady or fails, or of the longest one.
 
     Each transient begins at the initial state, because the absolute tolerances of a run depend on its first state.
@@ -124,7 +124,7 @@ def _run_transients(point: _OperatingPoint) -> tuple[Array, float, RawRun]:
     return x, duration, run
 
 
-def _run_slow_gas(point: _OperatingPoint) -> Array:
+def _run_slow_gas(point: _LinearisationPoint) -> Array:
     """Return the end of a transient with slow gas and fast mechanics, which has the same steady states."""
     from scipy.integrate import Radau
 
@@ -140,7 +140,7 @@ def _run_slow_gas(point: _OperatingPoint) -> Array:
     return np.asarray(method.y) * point.size
 
 
-def _failure_note(point: _OperatingPoint, x: Array, residual: Array, duration: float, run: RawRun) -> Note:
+def _failure_note(point: _LinearisationPoint, x: Array, residual: Array, duration: float, run: RawRun) -> Note:
     """Return a note on why no steady state was found."""
     worst = int(np.argmax(residual))
     state = point.model.states[worst]

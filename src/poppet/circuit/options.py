@@ -15,6 +15,7 @@ from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.provenance import Number
+from poppet.core.tables import Field, missing_field
 from poppet.laws.iso6358 import factors_from_air
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.fields import (
@@ -242,7 +243,7 @@ class Run(_OptionSection):
     @cached_property
     def _grid(self) -> NDArray[np.float64]:
         if self.duration is None:
-            raise InputError("options.no_duration", "run.duration")
+            raise missing_field("run.duration", Field(meaning="duration of a run", example='duration = "120 s"'))
         duration = float(self.duration)  # type: ignore[arg-type]
         step = duration / DEFAULT_ROWS if self.output_step is None else float(self.output_step)  # type: ignore[arg-type]
         # Before the arrays are created: a step in a wrong unit could need all memory.

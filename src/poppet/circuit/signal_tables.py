@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from poppet.circuit.placed_part import volume_flow_note
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.tables import Field, missing_field
 from poppet.core.units import Kind, quantity
 from poppet.parts.part import Input
 from poppet.timeseries.signals import Chirp, Constant, Points, Prbs, Pwm, SampledSignal, Signal, Sine, Square, Steps
@@ -32,23 +33,27 @@ def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) 
     return signal
 
 
+def _missing(field: str, kind: str) -> InputError:
+    return missing_field(field, Field(meaning=f"{field} of a {kind} signal"))
+
+
 def check_signal_table(table: Any) -> Mapping[str, Any]:
     """Return a table with a valid kind and valid fields; values are not read."""
     if not isinstance(table, Mapping):
         table = {"kind": "constant", "value": table}
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in KINDS:
-        code = "inputs.unknown_kind" if "kind" in table else "inputs.no_kind"
-        raise InputError(code, "kind", value=kind, near=NameSuggestion(str(kind), KINDS))
+        code = "fields.not_an_option" if "kind" in table else "inputs.no_kind"
+        raise InputError(code, "kind", value=kind, meaning="kind of signal", near=NameSuggestion(str(kind), KINDS))
     required, optional = fields_of(kind)
     valid = (*required, *optional)
     unknown = [key for key in table if key not in ("kind", *valid)]
     with ErrorCollector() as errors:
         for key in required:
             if key not in table and not get_close_matches(key, unknown, n=1):  # a misspelt field is one error
-                errors.add("inputs.missing", key, kind=kind, fields=required)
+                errors.extend([_missing(key, kind)])
         for key in unknown:
-            errors.add("inputs.unknown_field", key, kind=kind, near=NameSuggestion(key, valid))
+            errors.add("fields.unknown", key, table=f"{kind} signal", near=NameSuggestion(key, valid))
     return dict(table)
 
 
@@ -136,7 +141,7 @@ def _read_pwm(reader: _SignalReader) -> Signal:
         # The default levels are meaningful only for a fraction, such as an opening.
         for name in levels if reader.item.unit != "1" else ():
             if name not in reader.table:
-                errors.add("inputs.missing", name, kind="pwm", fields=("frequency", "duty", *levels))
+                errors.extend([_missing(name, "pwm")])
         with errors.collecting("duty" if isinstance(duty_entry, Mapping) else ""):
             if isinstance(duty_entry, Mapping):
                 duty = read_signal(duty_entry, Input("duty", "1", 0.0), reader.ambient_pressure, reader.folder)

@@ -233,7 +233,8 @@ class _Tracer:
             for target, source in self.connections.items():
                 if source not in all_outputs:
                     address = f"connections.{self._shown(target)}"
-                    errors.add("wiring.unknown_output", address, source=source, near=NameSuggestion(source, shown))
+                    near = NameSuggestion(source, shown)
+                    errors.add("fields.not_an_option", address, value=source, meaning="output", near=near)
         connected = self._resolve({t: self.ca.SX(all_outputs[source][0]) for t, source in self.connections.items()})
         with ErrorCollector() as errors:
             for target, source in self.connections.items():

@@ -108,7 +108,8 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
                 code = "wiring.several_stores" if members else "wiring.no_store"
                 errors.add(code, address, store=store, kind=wiring[store].kind.kind, stores=members)
             elif store not in stores and store != AMBIENT:
-                errors.add("wiring.unknown_store", address, store=store, near=NameSuggestion(store, {*stores, AMBIENT}))
+                near = NameSuggestion(store, {*stores, AMBIENT})
+                errors.add("fields.not_an_option", address, value=store, meaning="gas node", near=near)
         twice = _joined_twice(part.ports)
         if twice is not None:
             errors.add("wiring.joined_twice", f"parts.{name}", store=twice)
@@ -124,7 +125,7 @@ def _check_tube_end(errors: ErrorCollector, wiring: Wiring, tube: str, side: str
     address, cell = f"parts.{tube}.{side}", wiring[tube].stores[0 if side == "from" else -1]
     if owner not in wiring or port not in wiring[owner].ports:
         ports = [f"{name}.{local}" for name, part in wiring.items() if name != tube for local in part.ports]
-        errors.add("tube.no_port", address, end=end, near=NameSuggestion(end, ports))
+        errors.add("fields.not_an_option", address, value=end, meaning="port", near=NameSuggestion(end, ports))
     elif (store := wiring[owner].ports[port]) not in (tube, f"{tube}.{cell}"):
         errors.add("tube.not_met", address, end=end, tube=tube, store=store, owner=owner, port=port)
 
@@ -152,7 +153,8 @@ def _check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
             if part.body in wiring:
                 errors.add("wiring.no_body", address, body=part.body, kind=wiring[part.body].kind.kind)
             else:
-                errors.add("wiring.unknown_body", address, body=part.body, near=NameSuggestion(part.body, bodies))
+                near = NameSuggestion(part.body, bodies)
+                errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=near)
         elif name in bodies and name not in driven:
             errors.add("wiring.unmoved", f"parts.{name}")
 
@@ -176,7 +178,8 @@ def check_connections(
         if item is not None and (item.by_signal or item.slope_of):
             errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:
-            errors.add("wiring.no_input", f"connections.{target}", near=NameSuggestion(target, inputs))
+            near = NameSuggestion(target, inputs)
+            errors.add("names.unknown", f"connections.{target}", meaning="an input of this circuit", near=near)
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
             errors.add("wiring.no_output", f"connections.{target}", source=source, example=example)
@@ -230,4 +233,5 @@ def check_starts(
 
 def unknown_input(address: str, inputs: Collection[str]) -> InputError:
     """Return the error of a signal for an unknown input."""
-    return InputError("wiring.drives_nothing", f"signals.{address}", near=NameSuggestion(address, inputs))
+    near = NameSuggestion(address, inputs)
+    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", near=near)

@@ -1,24 +1,26 @@
-"""What runs tell: shares with intervals, moments and quantiles, influence of numbers."""
+"""Statistics of runs: yields, moments, quantiles and effects of parameters."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from poppet.ensemble.dataset import Dataset
+from poppet.ensemble.ensemble_plan import Array
 from poppet.ensemble.metrics import Metric
 
 LEVELS = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 """Quantiles of a metric."""
 _Z = 1.959963984540054
-"""Normal quantile of an interval of 95 %."""
+"""Normal quantile of a 95 % interval."""
 
 
 @dataclass(frozen=True)
 class Yield:
-    """Share of runs that meet a requirement, with its interval of 95 %."""
+    """Fraction of runs that meet a requirement, with its 95 % interval."""
 
     name: str
     text: str
@@ -29,18 +31,18 @@ class Yield:
 
     @property
     def share(self) -> float:
-        """Good runs of all."""
+        """Fraction of good runs."""
         return self.good / self.runs if self.runs else math.nan
 
 
 @dataclass(frozen=True)
 class Summary:
-    """A metric over all runs, in its unit."""
+    """Statistics of a metric over all runs, in its unit."""
 
     name: str
     unit: str
     count: int  # runs with a finite value
-    never: int  # runs in which what is asked for never happens: infinite
+    never: int  # runs without the event; their value is infinite
     failed: int  # runs without a value
     mean: float
     sd: float
@@ -51,7 +53,7 @@ class Summary:
 
 @dataclass(frozen=True)
 class TornadoRange:
-    """A metric at the median of all numbers, and at the low and the high quantile of one of them."""
+    """Values of a metric at the medians, and at a low and a high quantile of one parameter."""
 
     address: str
     middle: float
@@ -60,30 +62,30 @@ class TornadoRange:
 
     @property
     def size(self) -> float:
-        """How far apart they are."""
+        """Absolute difference of the two values."""
         size = abs(self.high - self.low)
         return size if math.isfinite(size) else math.inf
 
 
-def wilson(good: int, runs: int) -> tuple[float, float]:
-    r"""Interval of 95 % of a share.
+def wilson(n_good: int, runs: int) -> tuple[float, float]:
+    r"""Return the 95 % interval of a fraction.
 
     .. math:: \frac{k + z^2/2}{n + z^2} \pm \frac{z}{n + z^2} \sqrt{\frac{k (n - k)}{n} + \frac{z^2}{4}}
 
     Parameters
     ----------
-    good, runs : int
+    n_good, runs : int
         k of n.
 
     Returns
     -------
     tuple of float
-        Its ends; 0 and 1 without runs.
+        Limits of the interval; 0 and 1 without runs.
 
     Notes
     -----
-    Wilson, J. Am. Stat. Assoc. 22 (1927) 209. Of independent runs it covers 95 % on average over shares; of a Latin
-    hypercube or a scrambled Sobol sequence, which spread more evenly, more than that.
+    Wilson, J. Am. Stat. Assoc. 22 (1927) 209. The mean coverage is 95 % for independent runs. It is larger for
+    a Latin hypercube or a scrambled Sobol sequence, which fill the space more evenly.
 
     Examples
     --------
@@ -93,13 +95,13 @@ def wilson(good: int, runs: int) -> tuple[float, float]:
     if not runs:
         return 0.0, 1.0
     z2 = _Z * _Z
-    middle = (good + 0.5 * z2) / (runs + z2)
-    half = _Z / (runs + z2) * math.sqrt(good * (runs - good) / runs + 0.25 * z2)
-    return max(0.0, middle - half) if good else 0.0, min(1.0, middle + half) if good < runs else 1.0
+    middle = (n_good + 0.5 * z2) / (runs + z2)
+    half = _Z / (runs + z2) * math.sqrt(n_good * (runs - n_good) / runs + 0.25 * z2)
+    return max(0.0, middle - half) if n_good else 0.0, min(1.0, middle + half) if n_good < runs else 1.0
 
 
-def summary_of(dataset: Dataset, metric: Metric, most: int) -> Summary:
-    """A metric over all runs; its quantiles are those of the first `most` of them."""
+def summary_of(dataset: Dataset, metric: Metric, max_values: int) -> Summary:
+    """Return statistics of a metric over all runs; quantiles use the first `max_values` runs."""
     count = never = failed = 0
     mean = moment = 0.0
     least, greatest = math.inf, -math.inf
@@ -109,19 +111,89 @@ def summary_of(dataset: Dataset, metric: Metric, most: int) -> Summary:
         finite = values[np.isfinite(values)]
         never += int(np.isinf(values).sum())
         failed += int(np.isnan(values).sum())
-        if sum(map(len, first)) < most:
+        if sum(map(len, first)) < max_values:
             first.append(finite)
         if finite.size:
-            # Chan, Golub and LeVeque: moments of two sets make those of both.
-            own, n = float(finite.mean()), finite.size
-            apart = own - mean
-            moment += float(((finite - own) ** 2).sum()) + apart**2 * count * n / (count + n)
-            mean += apart * n / (count + n)
+            # Chan, Golub and LeVeque: combine the moments of two sets.
+            shard_mean, n = float(finite.mean()), finite.size
+            difference = shard_mean - mean
+            moment += float(((finite - shard_mean) ** 2).sum()) + difference**2 * count * n / (count + n)
+            mean += difference * n / (count + n)
             count += n
             least, greatest = min(least, float(finite.min())), max(greatest, float(finite.max()))
-    seen = np.concatenate(first) if first else np.empty(0)
-    quantiles = dict(zip(LEVELS, np.quantile(seen, LEVELS).tolist(), strict=True)) if seen.size else {}
+    sample = np.concatenate(first) if first else np.empty(0)
+    quantiles = dict(zip(LEVELS, np.quantile(sample, LEVELS).tolist(), strict=True)) if sample.size else {}
     if not count:
         mean = least = greatest = math.nan
     sd = math.sqrt(moment / (count - 1)) if count > 1 else math.nan
     return Summary(metric.name, metric.unit, count, never, failed, mean, sd, least, greatest, quantiles)
+
+
+# --- Sobol indices ---
+
+RESAMPLES = 500
+_SEED = 1
+
+
+@dataclass(frozen=True)
+class SobolIndex:
+    """Fractions of the variance of a metric due to one factor, with 95 % intervals."""
+
+    factor: str  # address of a parameter; `from_fit` for all parameters of a fit
+    first: float  # first order: factor alone
+    first_low: float
+    first_high: float
+    total: float  # with all interactions
+    total_low: float
+    total_high: float
+
+
+def sobol_indices(values: Array, factors: Sequence[str]) -> list[SobolIndex]:
+    r"""Return first-order and total indices of a metric.
+
+    .. math::
+        S_j = \frac{\overline{f_B (f_{AB_j} - f_A)}}{V}, \qquad
+        S_{Tj} = \frac{\overline{(f_A - f_{AB_j})^2}}{2 V}
+
+    Parameters
+    ----------
+    values : (n_factors + 2, n) array
+        Metric of the runs of A, of B, and of A with the columns of each factor from B.
+    factors : sequence of str
+        Names of the factors.
+
+    Returns
+    -------
+    list of SobolIndex
+        In the order of the factors; zero if the metric does not vary.
+
+    Notes
+    -----
+    Estimators of Saltelli et al., Comput. Phys. Commun. 181 (2010) 259, table 2: (b) for the first order, (f)
+    by Jansen for the total. Intervals are from the percentile bootstrap over rows. The factors must be independent of
+    one another. Rows with a value that is not finite are omitted.
+    """
+    rows = values[:, np.isfinite(values).all(axis=0)]
+    n = rows.shape[1]
+    if n < 2:
+        return [SobolIndex(name, *[np.nan] * 6) for name in factors]
+    best = _first_and_total(rows)
+    random = np.random.Generator(np.random.Philox(key=_SEED))
+    resamples = np.array([_first_and_total(rows[:, random.integers(n, size=n)]) for _ in range(RESAMPLES)])
+    low, high = np.quantile(resamples, (0.025, 0.975), axis=0)
+    return [
+        SobolIndex(name, *(float(estimate[order, k]) for order in (0, 1) for estimate in (best, low, high)))
+        for k, name in enumerate(factors)
+    ]
+
+
+def _first_and_total(rows: Array) -> Array:
+    """Return first-order and total indices, (2, n_factors)."""
+    # Subtract the mean: it increases the variance of the first-order estimator.
+    f = rows - rows[:2].mean()
+    a, b, mixed = f[0], f[1], f[2:]
+    variance = f[:2].var()
+    if not variance > 0.0:
+        return np.zeros((2, len(mixed)))
+    first, total = (b * (mixed - a)).mean(axis=1), 0.5 * ((a - mixed) ** 2).mean(axis=1)
+    return np.asarray(np.stack([first, total]) / variance)

@@ -121,7 +121,8 @@ def read_free(
     specs = {name: spec for name, spec in number_specs(circuit).items() if name in numbers}
     place = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:
-        raise InputError("free.unknown_number", place, near=NameSuggestion(address, specs))
+        near = NameSuggestion(address, specs)
+        raise InputError("names.unknown", place, meaning="a parameter of this circuit", near=near)
     spec, ambient = specs[address], circuit.surroundings.pressure
     fields = {key: Field(unit=spec.unit, kind=spec.kind) for key in LIMITS} | {"prior": Field()}
     given = table if isinstance(table, Mapping) else {"start": table}

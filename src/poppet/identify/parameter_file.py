@@ -86,7 +86,7 @@ def _with_fields(circuit: Circuit, file: TomlFile) -> Circuit:
     with file.errors() as errors:
         content = file.content
         errors.extend(
-            InputError("circuit.unknown_table", key, near=NameSuggestion(key, ("parts",)))
+            InputError("fields.unknown", key, table="parameter file", near=NameSuggestion(key, ("parts",)))
             for key in content
             if key != "parts"
         )

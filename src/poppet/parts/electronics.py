@@ -215,10 +215,14 @@ class Electronics(Controller):
             lag = maximum(scope[f"{name}_sensor.lag"], MIN_LAG)
             state = f"{name}_sensor_pressure"
             rates[state] = (scope.inputs[f"{name}_pressure"] - scope.states[state]) / lag
-        memory = scope.memory
+        memory, actual_value = scope.memory, scope.memory["actual_pressure"]
+        unit, first, last = SCALES[self.setpoint_type]
+        if self.setpoint_type != "pressure":
+            low, high = scope["scaling.low"], scope["scaling.high"]
+            actual_value = first + (last - first) * (actual_value - low) / (high - low)
         outputs = {
             "target_pressure": (self._target(scope), "Pa"),
-            "actual_value": (self._scaled_output(scope, memory["actual_pressure"]), SCALES[self.setpoint_type][0]),
+            "actual_value": (actual_value, unit),
             **{name: (memory[name], "Pa") for name in ("pilot_setpoint", "integral")},
             **{name: (memory[name], "1") for name in ("fill_duty", "vent_duty")},
             **{name: (pressure, "Pa") for name, pressure in scope.states.items()},
@@ -241,14 +245,6 @@ class Electronics(Controller):
             _, first, last = SCALES[self.setpoint_type]
             target = low + (high - low) * (target - first) / (last - first)
         return clip(target, low, high)
-
-    def _scaled_output(self, scope: Scope, pressure: Any) -> Any:
-        """Return a pressure in the unit of the output `actual_value`."""
-        if self.setpoint_type == "pressure":
-            return pressure
-        _, first, last = SCALES[self.setpoint_type]
-        low, high = scope["scaling.low"], scope["scaling.high"]
-        return first + (last - first) * (pressure - low) / (high - low)
 
     def _read(self, scope: Scope, name: str) -> Any:
         """Return the value of a sensor behind the converter."""

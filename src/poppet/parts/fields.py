@@ -293,7 +293,8 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
             raise InputError("fields.source_form", name, value=dict(argument), unknown=first, empty=not unknown)
         kind = str(argument.get("source", "given"))
         if kind not in SOURCE_KINDS:
-            raise InputError("fields.source_kind", name, value=kind, near=NameSuggestion(kind, SOURCE_KINDS))
+            near = NameSuggestion(kind, SOURCE_KINDS)
+            raise InputError("fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", near=near)
         source = Source(kind, str(argument.get("locator", "")), str(argument.get("note", "")))
         argument = argument["value"]
     if isinstance(argument, Number):

@@ -198,7 +198,9 @@ class MainStage(Passage):
         rates = {"stroke": velocity, "velocity": (force + self._stops(scope)) / mass}
         size = characteristic_at(self.curve, scope, "characteristic.", stroke)
         supply, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), size)
-        exhaust, exhaust_outputs = named_flow(scope, gas, "exhaust", ("outlet", "exhaust"), self._exhaust_size(scope))
+        opening = smoothstep(-stroke - scope["overlap"], 0.0, scope["exhaust_seat.opening"])
+        size = scope["exhaust_seat.sonic_conductance"] * opening, scope["exhaust_seat.critical_ratio"]
+        exhaust, exhaust_outputs = named_flow(scope, gas, "exhaust", ("outlet", "exhaust"), size)
         outputs |= exhaust_outputs | {"stroke": (stroke, "m"), "velocity": (velocity, "m/s")}
         outputs["contact"] = self._contact(scope), "1"
         # Inputs of a pilot stage and of electronics; recordings have the pressure as an output of the outlet.
@@ -238,11 +240,6 @@ class MainStage(Passage):
         above = force("upper_stop", stroke - scope["upper_stop.position"], velocity)
         below = force("lower_stop", scope["lower_stop.position"] - stroke, -velocity)
         return below - above
-
-    def _exhaust_size(self, scope: Scope) -> tuple[Any, Any]:
-        below = -scope.states["stroke"] - scope["overlap"]
-        opening = smoothstep(below, 0.0, scope["exhaust_seat.opening"])
-        return scope["exhaust_seat.sonic_conductance"] * opening, scope["exhaust_seat.critical_ratio"]
 
     def _contact(self, scope: Scope) -> Any:
         """Return -2 at the lower stop, -1 exhaust open, 0 both seats closed, 1 supply open, 2 at the upper stop."""

@@ -100,7 +100,7 @@ class PID(SampledLoop):
                 raise InputError("pid.said_twice", specified[0], given=specified)
         elif self.gain is None:
             raise InputError("pid.no_gain", "gain")
-        elif not self._has_integral and float(self.setpoint_weight) < 1.0:  # type: ignore[arg-type]
+        elif not (self.integral_time and float(self.integral_time)) and float(self.setpoint_weight) < 1.0:  # type: ignore[arg-type]
             raise InputError("pid.lasting_error", "setpoint_weight", value=float(self.setpoint_weight))  # type: ignore[arg-type]
 
     def _check_limits(self) -> None:
@@ -116,10 +116,6 @@ class PID(SampledLoop):
 
     def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
         return _SCHEDULED if "schedule" in fields else ("schedule",) if "gain" in fields else ()
-
-    @property
-    def _has_integral(self) -> bool:
-        return self.schedule is not None or (self.integral_time is not None and float(self.integral_time) > 0.0)  # type: ignore[arg-type]
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
         head = f"PID, sampled every {numbers.text(self.sample_time)}"
@@ -222,7 +218,8 @@ class PID(SampledLoop):
         without_integral = scope["bias"] + gain * weighted + derivative
         if self.feedforward == "true":
             without_integral = without_integral + scope.inputs["feedforward"]
-        low, high = self._limits(scope, gains)
+        low = -scope["vent_limit"] / gains["vent_factor"] if self.is_of_openings else scope["lower_limit"]
+        high = scope["fill_limit" if self.is_of_openings else "upper_limit"]
         limited = clip(without_integral + integral, low, high)
         manual = clip(scope.inputs["manual_command"], low, high)
         is_automatic = scope.inputs["automatic"] > 0.5
@@ -237,12 +234,6 @@ class PID(SampledLoop):
             "last_error": weighted,
         } | ({"last_gain": gain} if self.schedule is not None else {})
         return command, clip(-gains["vent_factor"] * command, 0.0, 1.0) if self.is_of_openings else None, discrete
-
-    def _limits(self, scope: Scope, gains: dict[str, Any]) -> tuple[Any, Any]:
-        """Return the lower and the upper limit of the command."""
-        if self.is_of_openings:
-            return -scope["vent_limit"] / gains["vent_factor"], scope["fill_limit"]
-        return scope["lower_limit"], scope["upper_limit"]
 
     def _integral_increment(self, scope: Scope, gains: dict[str, Any], error: Any, excess: Any) -> Any:
         """Return the increment of the integral, with back-calculation of the part beyond the limits."""

@@ -9,6 +9,7 @@ from typing import Any, ClassVar, Self
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.provenance import Number, Source
+from poppet.core.tables import Field, missing_field
 from poppet.parts.fields import NumberSpec, read_number
 
 
@@ -43,10 +44,14 @@ class NumberTable:
         columns = {}
         with ErrorCollector() as errors:
             errors.extend(
-                InputError("schedule.unknown", f"{field}.{key}", near=NameSuggestion(key, column_specs))
+                InputError(
+                    "fields.unknown", f"{field}.{key}", table=f"table {field}", near=NameSuggestion(key, column_specs)
+                )
                 for key in unknown
             )
-            errors.extend(InputError("schedule.missing", f"{field}.{key}") for key in missing)
+            for key in missing:
+                column = Field(meaning=f"column {key}", example="a list with one value for each row")
+                errors.extend([missing_field(f"{field}.{key}", column)])
             for name, spec in column_specs.items():
                 if name in table:
                     with errors.collecting():

@@ -124,15 +124,6 @@ class SpoolValve(FlowPath):
         values = {"position": scope["initial_position"], "velocity": 0.0}
         return {state.name: values[state.name] for state in self.states()}
 
-    def _rates(self, scope: Scope) -> dict[str, Any]:
-        error = scope.inputs["command"] - scope.states["position"]
-        max_speed = 1.0 / scope["switching_time"]
-        if self.dynamics == "first_order":
-            return {"position": clip(error / scope["lag"], -max_speed, max_speed)}
-        omega, velocity = math.tau * scope["natural_frequency"], scope.states["velocity"]
-        rate = omega * omega * error - 2.0 * scope["damping"] * omega * velocity
-        return {"position": clip(velocity, -max_speed, max_speed), "velocity": rate}
-
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         position, leak = scope.states["position"], scope["leak_conductance"]
         flows, outputs = list[Flow](), Quantities(position=(position, "1"))
@@ -148,4 +139,11 @@ class SpoolValve(FlowPath):
             flow, edge_outputs = named_flow(scope, gas, edge, (first, second), size)
             flows.append(flow)
             outputs.update(edge_outputs)
-        return PassageFlows(tuple(flows), outputs, self._rates(scope))
+        error, max_speed = scope.inputs["command"] - position, 1.0 / scope["switching_time"]
+        if self.dynamics == "first_order":
+            rates = {"position": clip(error / scope["lag"], -max_speed, max_speed)}
+        else:
+            omega, velocity = math.tau * scope["natural_frequency"], scope.states["velocity"]
+            rate = omega * omega * error - 2.0 * scope["damping"] * omega * velocity
+            rates = {"position": clip(velocity, -max_speed, max_speed), "velocity": rate}
+        return PassageFlows(tuple(flows), outputs, rates)

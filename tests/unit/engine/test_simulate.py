@@ -218,7 +218,7 @@ class TestFailures:
             filling().simulate("1 s", solver="rk45")
 
     def test_missing_duration(self):
-        with refused("options.no_duration", "run.duration"):
+        with refused("fields.missing", "run.duration"):
             filling().simulate()
 
 

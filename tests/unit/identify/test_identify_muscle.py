@@ -15,7 +15,7 @@ from poppet.identify.parameter_file import with_numbers
 from poppet.identify.result import read_result
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.parts import Guide
-from poppet.parts.muscle_law import NEEDED
+from poppet.parts.muscle_law import REQUIRED
 from refusals import refused
 
 LENGTH, DIAMETER = 0.3, 0.02
@@ -84,7 +84,7 @@ def test_a_circuit_takes_law_size_and_limits_along(law, part, tmp_path):
     rms = read_result(tmp_path / "mine.toml").residuals["points.force"].rms
     assert np.sqrt(np.mean(misses**2)) == pytest.approx(rms, rel=1e-6, abs=1e-6)
     if part == "flexor":
-        others = {"sarosi", "force_table"} - {NEEDED[law]}
+        others = {"sarosi", "force_table"} - {REQUIRED[law]}
         assert not others & {address.split(".")[1] for address in circuit.numbers() if address.startswith("flexor.")}
         assert found.limits.highest_pressure.absolute(1e5) == pytest.approx(7.5e5)
         assert found.limits.lowest_contraction.value == pytest.approx(0.01)

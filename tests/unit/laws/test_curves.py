@@ -120,7 +120,7 @@ def test_parameters_keep_their_names_when_values_change():
 def test_with_numbers_replaces_and_refuses():
     curve = PolynomialCurve(plain(1.0, 2.0))
     assert curve.with_numbers({"k2": assumed(5.0, "1", "test")})(0.0) == 5.0
-    with refused("curves.no_number_of_curve", "k3"):
+    with refused("names.unknown", "k3"):
         curve.with_numbers({"k3": assumed(5.0, "1", "test")})
 
 
@@ -202,7 +202,7 @@ def test_nan_is_not_held():
 
 
 def test_extrapolation_is_not_offered():
-    with refused("curves.edge"):
+    with refused("fields.not_an_option"):
         characteristic(edge="extrapolate")
 
 
@@ -329,7 +329,7 @@ def test_with_numbers_changes_what_is_derived():
 
 
 def test_with_numbers_offers_near_misses():
-    with refused("curves.no_number", "sonic_conductance.k4"):
+    with refused("names.unknown", "sonic_conductance.k4"):
         characteristic().with_numbers({"sonic_conductance.k4": assumed(1.0, "1", "test")})
 
 
@@ -466,12 +466,12 @@ def test_read_table_with_options():
         (
             CONSTANT,
             {"sonic_conductanse": 1.0},
-            "is not a field of a characteristic of kind constant. Did you mean",
+            "is not a valid field of a characteristic of kind constant. Did you mean",
         ),
         (
             CONSTANT,
             {"edge": "extrapolate"},
-            "edge = 'extrapolate' is not an edge policy; curves are not extrapolated.",
+            "edge = 'extrapolate' is not a valid edge policy.",
         ),
         (CONSTANT, {"sonic_conductance": "1.2 kg"}, 'sonic_conductance = "1.2 kg"'),
         (CONSTANT, {"sonic_conductance": [1e-8]}, "sonic_conductance = [1e-08] must be a number"),
@@ -492,7 +492,7 @@ def test_read_table_with_options():
         (TABLE, {"stroke": ["0 mm", "x", "1 mm"]}, 'stroke[1] = "x"'),
         (TABLE, {"stroke": [], "sonic_conductance": []}, "stroke has 0 points: a table must have at least two points."),
         (TABLE, {"sonic_conductance": [1e-8, 1e-8]}, "2 values for 3 strokes do not match."),
-        (TABLE, {"domain": ["0 mm", "1 mm"]}, "domain is not a field of a characteristic of kind table."),
+        (TABLE, {"domain": ["0 mm", "1 mm"]}, "domain is not a valid field of a characteristic of kind table."),
     ],
 )
 def test_mistakes_in_a_table(table, changes, message):
@@ -504,10 +504,10 @@ def test_mistakes_in_a_table(table, changes, message):
 @pytest.mark.parametrize(
     ("field", "code"),
     [
-        ("sonic_conductance", "curves.missing"),
-        ("critical_ratio", "curves.missing"),
-        ("argument_unit", "curves.missing_argument_unit"),
-        ("domain", "curves.missing_domain"),
+        ("sonic_conductance", "fields.missing"),
+        ("critical_ratio", "fields.missing"),
+        ("argument_unit", "fields.missing"),
+        ("domain", "fields.missing"),
     ],
 )
 def test_missing_field(field, code):

@@ -500,7 +500,7 @@ def mistake(made: Callable[[], object]) -> InputError:
 @pytest.mark.parametrize(
     ("connections", "code", "address"),
     [
-        ({"hole.openin": "valve.fill_duty"}, "wiring.no_input", "connections.hole.openin"),
+        ({"hole.openin": "valve.fill_duty"}, "names.unknown", "connections.hole.openin"),
         ({"hole.opening": "valv.fill_duty"}, "wiring.no_output", "connections.hole.opening"),
         ({"hole.opening": 3}, "wiring.no_output", "connections.hole.opening"),
     ],
@@ -512,7 +512,7 @@ def test_connections_that_end_nowhere(connections, code, address):
 
 def test_an_output_that_no_part_has_shows_when_the_circuit_is_traced():
     found = mistake(lambda: joined({"hole.opening": "valve.fil_duty"}).model)
-    assert (found.code, found.address) == ("wiring.unknown_output", "connections.hole.opening")
+    assert (found.code, found.address) == ("fields.not_an_option", "connections.hole.opening")
     assert "valve.fill_duty" in found.facts["near"].names
 
 
@@ -579,7 +579,7 @@ def test_a_forgotten_set_is_one_mistake():
 def test_an_address_one_level_too_high_is_led_to_its_place():
     with pytest.raises(InputError) as caught:
         circuit().with_values({"valve.outer.gain": 2.0})
-    assert caught.value.code == "address.unknown"
+    assert caught.value.code == "names.unknown"
     assert "valve.electronics.outer.gain" in caught.value.facts["near"].names
 
 

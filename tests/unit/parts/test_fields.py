@@ -74,7 +74,7 @@ def test_table_carries_its_source():
     [
         ({"valu": "7 bar"}, "fields.source_form"),
         ({"source": "measured"}, "fields.source_form"),
-        ({"value": "7 bar", "source": "guessed"}, "fields.source_kind"),
+        ({"value": "7 bar", "source": "guessed"}, "fields.not_an_option"),
         ({"value": "7 bar", "sorce": "measured"}, "fields.source_form"),
     ],
 )

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from poppet.circuit.instance import Instance
 from poppet.circuit.newton import scaled_residual
 from poppet.circuit.sampled.clock import find_clock
-from poppet.engine.model_evaluation import Evaluation
+from poppet.engine.model_evaluation import ArrayFunction
 from poppet.parts.part import NEVER
 
 Array = NDArray[np.float64]
@@ -54,9 +54,9 @@ class SampledPoint:
         self.positive = np.zeros(self.start.size, dtype=bool)
         self.positive[: self.n] = [state.positive for state in self.model.states]
         nominal = [s.nominal for s in self.model.states] + [SIZES.get(unit, 1.0) for unit in self.units[self.n :]]
-        # As in `linear._OperatingPoint`: only positive states have a typical initial value.
+        # As in `linear._LinearisationPoint`: only positive states have a typical initial value.
         self.size = np.where(self.positive, np.abs(self.start), np.array(nominal))
-        self._between, self._instant = map(Evaluation, self.model.sampled_functions)
+        self._between, self._instant = map(ArrayFunction, self.model.sampled_functions)
         # Without derivatives by clocks, which nothing changes.
         self._columns = np.concatenate([np.arange(self.n), self.n + self.places])
         self.every_clock: Array = np.zeros(self.model.n_timers)

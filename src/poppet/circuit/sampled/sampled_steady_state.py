@@ -108,7 +108,7 @@ def transient(point: SampledPoint, duration: float, grid: Array | None = None) -
     limits = {"relative_tolerance": TRANSIENT_TOLERANCE, "most_attempts": MAX_ATTEMPTS}
     # `Call` instead of `solve`, because only `Call` returns the final discrete states.
     call = Call(constant_input_problem(point.kernel, p, x, point.u, times, **limits))
-    run = call.made()
+    run = call.run()
     return point.v(run.x, call.memory), run
 
 

@@ -158,7 +158,9 @@ def _plan(file: TomlFile) -> DesignPlan:
 def _sensor(address: str, table: Any, units: Mapping[str, str]) -> Sensor:
     place = f"sensors.{address}"
     if address not in units:
-        raise InputError("design.no_output", place, near=NameSuggestion(address, units))
+        raise InputError(
+            "names.unknown", place, meaning="an output of this circuit", near=NameSuggestion(address, units)
+        )
     unit = units[address]
     deviation = Field(unit=unit, kind=_DIFFERENCE.get(unit, "plain"), low=0.0, default=0.0)
     fields = {

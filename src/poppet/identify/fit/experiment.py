@@ -77,7 +77,8 @@ class Experiment:
         for channel in measurement.channels:
             if channel.address not in outputs:
                 place = f"recordings.{measurement.name}.{channel.address}"
-                raise InputError("fit.no_output", place, near=NameSuggestion(channel.address, outputs))
+                near = NameSuggestion(channel.address, outputs)
+                raise InputError("names.unknown", place, meaning="an output of this circuit", near=near)
         started = _with_start(measurement, instance)
         driven = driving_signals(measurement, {})
         self.instance = started.with_signals({**instance.signals, **driven}) if driven else started

@@ -40,7 +40,7 @@ def profiled(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[st
     for place, name in enumerate(names):
         known = [f.name for f in plan.free]
         if name not in known:
-            raise InputError("fit.profile", name, near=NameSuggestion(name, known))
+            raise InputError("names.unknown", name, meaning="a free parameter", near=NameSuggestion(name, known))
         k, before = known.index(name), found[name]
 
         def told(fits: int, ends: int, name: str = name, place: int = place) -> None:

@@ -501,7 +501,11 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
         # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
         return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(AIR_GAS_CONSTANT))
     raise InputError(
-        "iso6358.definition", "definition", value=definition, near=NameSuggestion(definition, _DEFINITIONS)
+        "fields.not_an_option",
+        "definition",
+        value=definition,
+        meaning="definition of the flow coefficient",
+        near=NameSuggestion(definition, _DEFINITIONS),
     )
 
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from poppet.parts import Part, Reservoir, Store, Tube
+from poppet.parts import Reservoir, Store, Tube
 from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
 from poppet.parts.part import AMBIENT, Body, Controller
 from poppet.parts.symbols import OPEN_END, Symbol, rectangle
@@ -154,7 +154,9 @@ class _Schematic:
         self.circuit, self.counts, self.min_width = circuit, counts or {}, min_width
         self.empty_lines: list[tuple[str, float, float, float]] = []  # centres and widths [in]
         self.graph = _graph(circuit)
-        layers = assign_layers(self.graph, [name for name in self.graph.stores if _is_source(circuit.parts.get(name))])
+        parts = {name: circuit.parts.get(name) for name in self.graph.stores}  # None: the ambient
+        sources = [name for name, part in parts.items() if part is None or isinstance(part, Reservoir | Controller)]
+        layers = assign_layers(self.graph, sources)
         self.sides = {edge: layers[edge[2]] < layers[edge[0]] for edge in self.graph.edges}  # True: left of the passage
         self.boxes = {name: self._box(name) for name in layers}
         sizes = {name: (box.width, box.height) for name, box in self.boxes.items()}
@@ -394,11 +396,6 @@ def _graph(circuit: Circuit) -> Graph:
     stores = [name for name in circuit.parts if name not in passages]
     ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is a gas node and a flow path
     return Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges))
-
-
-def _is_source(part: Part | None) -> bool:
-    """Return True for the ambient, reservoirs and controllers."""
-    return part is None or isinstance(part, Reservoir | Controller)
 
 
 def _port_label(port: str) -> str:

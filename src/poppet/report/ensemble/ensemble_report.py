@@ -71,7 +71,7 @@ def ensemble_page(ensemble: Ensemble) -> str:
     """Return the report of an ensemble as HTML."""
     plan = ensemble.plan
     units = {address: spec.unit for address, spec in varied_specs(plan.circuit).items()}
-    rows = ensemble.dataset.columns("runs", most=MAX_POINTS * 40)
+    rows = ensemble.dataset.columns("runs", max_rows=MAX_POINTS * 40)
     title = plan.circuit.title or "An ensemble"
     lead = (
         f"{ensemble.done} runs, {len(plan.addresses)} uncertain parameters, sampling: {_METHODS[plan.sampling]}, "
@@ -109,12 +109,9 @@ def _curves(ensemble: Ensemble) -> list[str]:
     if (bands := ensemble.bands()) is None:
         return []
     units = dict(ensemble.plan.circuit.model.outputs)
+    caption = "the bands contain 50 %, 90 % and 98 % of the runs at each time. A band edge is not one run."
     return [
-        picture(
-            bands_figure(bands, units, curve),
-            f"bands-{k}",
-            f"{curve}: the bands contain 50 %, 90 % and 98 % of the runs at each time. A band edge is not one run.",
-        )
+        picture(bands_figure(bands, units, curve), f"bands-{k}", f"{curve}: {caption}")
         for k, curve in enumerate(bands.curves)
     ]
 

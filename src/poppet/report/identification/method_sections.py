@@ -99,13 +99,9 @@ def _force_sections(result: Result) -> list[Section]:
         for law in result.comparison.get("forces", ())
     ]
     relative = "relative to the largest force"
-    headings = "rms of the validation", relative, *(f"validation by {axis}" for axis in axes)
-    return [
-        Section(
-            "Force laws",
-            Table(("law", *numeric(*headings, "rms of the fit", relative, "maximum error", "parameters")), rows),
-        )
-    ]
+    validation = ("rms of the validation", relative, *(f"validation by {axis}" for axis in axes))
+    columns = numeric(*validation, "rms of the fit", relative, "maximum error", "parameters")
+    return [Section("Force laws", Table(("law", *columns), rows))]
 
 
 def _friction_sections(result: Result) -> list[Section]:
