@@ -175,13 +175,13 @@ def test_the_band_of_the_model_is_the_deviation_of_every_sample_of_it(kind):
         values = values + np.concatenate([np.full(SAMPLES, 1.5), np.zeros(SAMPLES)])
     spread = ErrorModel(fitted(TWO, values), [SAMPLES, SAMPLES], 1.3)
     hat = TWO @ np.linalg.pinv(TWO)
-    assert spread.of_model() == pytest.approx([spread.deviation(row) for row in hat], rel=1e-6)
+    assert spread.model_deviation() == pytest.approx([spread.deviation(row) for row in hat], rel=1e-6)
 
 
 def test_a_direction_that_no_sample_sees_leaves_the_band_as_it_is():
     three = np.column_stack([TWO, TWO[:, 0] * (1.0 + 1e-9 * np.sin(np.arange(2 * SAMPLES)))])
     values = noise(0, 2 * SAMPLES)
-    plain, more = (ErrorModel(fitted(j, values), [SAMPLES, SAMPLES], 1.0).of_model() for j in (TWO, three))
+    plain, more = (ErrorModel(fitted(j, values), [SAMPLES, SAMPLES], 1.0).model_deviation() for j in (TWO, three))
     assert np.sum(more**2) == pytest.approx(np.sum(plain**2) + 1.0, rel=0.1)
 
 

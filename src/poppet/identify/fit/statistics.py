@@ -117,21 +117,21 @@ class ErrorModel:
         s^2 \sum_i k_i^2 + \sum_c e_c\Big)
         + \sum_c \Big(\sum_{i \in c} k_i\Big)^2 (o_c^2 + u_c^2), \quad m_i = k_i r_i / \sqrt{1 - h_i}
 
-    k is the pull of each sample, r its residual, h its leverage, w the mean variance factor. The first sum supposes misfit
-    that is spread over all samples alike. The second takes it where it is; its weights fall from 1 at i = j to 0 over
-    a time that follows from the correlation of the residuals. The third takes misfit of mean square s^2 as independent,
-    but for what coarse gauges add by their steps, e (`Staircase`). The last holds the offsets o of those channels c
-    that are missed by a constant, with their own uncertainty u.
+    k is the influence of each sample, r its residual, h its leverage, w the mean variance factor. The first term is
+    for a lack of fit that is equal in all samples. The second term uses the lack of fit of each sample; its weights
+    decrease from 1 at i = j to 0 over the correlation length of the residuals. The third term treats a lack of fit of
+    mean square s^2 as independent, except for the rounding e of coarse sensors (`Staircase`). The last sum contains
+    the offsets o of the channels, with their own uncertainty u.
 
     Notes
     -----
-    A part of an offset that the free numbers imitate is not seen. What several gauges have in common therefore counts
-    as if each were off on its own by what would explain its misfit.
+    The part of an offset that the free parameters can imitate is not visible. An error that several sensors share is
+    therefore counted as an offset of each sensor.
 
     References
     ----------
-    MacKinnon & White 1985, J. Econometrics 29, 305-325 (misfit where it is, HC2); Newey & West 1987, Econometrica 55,
-    703-708, and Andrews 1991, Econometrica 59, 817-858, eq. 6.2 and 6.4 (correlated misfit).
+    MacKinnon & White 1985, J. Econometrics 29, 305-325 (lack of fit of each sample, HC2); Newey & West 1987, Econometrica 55,
+    703-708, and Andrews 1991, Econometrica 59, 817-858, eq. 6.2 and 6.4 (correlated lack of fit).
     """
 
     def __init__(
