@@ -138,7 +138,7 @@ def main(size: float = 1.0) -> None:
         for step in ("1e-3", "1e-4"):
             for _ in range(5 * rounds):
                 begin = time.perf_counter()
-                call.again()
+                call.repeat()
                 kernel.append(time.perf_counter() - begin)
             command = [str(harness), step, str(duration), str(rounds)]
             head, *rest = subprocess.run(command, capture_output=True, text=True, check=True).stdout.split("\n")

@@ -21,7 +21,7 @@ from chain import chain
 from peer import NUMBERS, START, peer_rates, peer_run
 from poppet import Circuit, loads
 from poppet.circuit.options import Run
-from poppet.engine.batch import Rows, run_batch, usable_cores
+from poppet.engine.batch import BatchRows, run_batch, usable_cores
 from poppet.engine.lane_kernel import WIDTHS, lane_functions, usual_width
 from poppet.engine.members import Batch
 from poppet.engine.problem import Array
@@ -35,7 +35,7 @@ VARIED = (
 SPREAD, TURNS = 0.1, 5
 
 
-def final_and_rise(rows: Rows) -> Array:
+def final_and_rise(rows: BatchRows) -> Array:
     """Last value of the first output, and the time at which it first has 90 % of its greatest value."""
     values = rows.values[:, 0]
     reached = np.argmax(values >= 0.9 * values.max(axis=1, keepdims=True), axis=1)

@@ -17,8 +17,8 @@ from importlib.resources import files
 from pathlib import Path
 
 from poppet import load
-from poppet.deploy.live.live_page import write_live
-from poppet.deploy.live.packing import packed, run_blobs
+from poppet.deploy.live.page_kernel import pack, run_data
+from poppet.deploy.targets import TARGETS
 from poppet.engine.call import Call
 
 EXAMPLE = Path(__file__).parents[1] / "examples" / "fill_staircase.toml"
@@ -56,7 +56,8 @@ def frames(rounds: int, count: int) -> None:
         print("no browser here: no page was looked at")
         return
     with tempfile.TemporaryDirectory() as folder, browsers.Browser(program) as browser:
-        pages = {"empty": Path(folder, "empty.html"), "live": write_live(load(EXAMPLE), Path(folder, "live.html"))}
+        pages = {name: Path(folder, f"{name}.html") for name in ("empty", "live")}
+        TARGETS["live"].write(load(EXAMPLE), pages["live"])
         pages["empty"].write_text("<!doctype html><title>empty</title>", encoding="utf-8")
         browser.call("Performance.enable", timeDomain="threadTicks")
 
@@ -81,7 +82,7 @@ def main(size: float = 1.0) -> None:
         return
     circuit = load(EXAMPLE)
     problem = circuit.problem(circuit.run)
-    call, pack, count = Call(problem), packed(*run_blobs(problem)), max(20, round(2000 * size))
+    call, data, count = Call(problem), pack(*run_data(problem)), max(20, round(2000 * size))
     script = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8") + ROUND.replace(
         "COUNT", str(count)
     )
@@ -89,9 +90,9 @@ def main(size: float = 1.0) -> None:
     for _ in range(max(1, round(5 * size))):
         for _ in range(count):
             begin = time.perf_counter()
-            call.again()
+            call.repeat()
             native.append(1e3 * (time.perf_counter() - begin))
-        told = subprocess.run(["node", "-e", script], input=pack, capture_output=True, text=True, check=True)
+        told = subprocess.run(["node", "-e", script], input=data, capture_output=True, text=True, check=True)
         browser.append(float(told.stdout))
     best = min(native), min(browser)
     print(f"machine code {best[0]:6.3f} ms\nWebAssembly  {best[1]:6.3f} ms, {best[1] / best[0]:.2f} times as long")

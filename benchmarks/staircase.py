@@ -82,7 +82,7 @@ def main(size: float = 1.0) -> None:
     lsoda, simulate, other = "SciPy LSODA", "circuit.simulate()", "a number changed, simulate()"
     contestants: dict[str, Callable[[], object]] = {
         lsoda: lambda: peer_run(rates, START, tolerance),
-        "kernel, again in its arrays": call.again,
+        "kernel, again in its arrays": call.repeat,
         "kernel, new arrays": lambda: solve(problem),
         simulate: circuit.simulate,
         other: changed,

@@ -1,4 +1,9 @@
-"""Model predictive control of a tank's pressure with CasADi, against the PID controller of the same circuit.
+"""Model predictive control of a tank pressure with CasADi, compared with the PID controller of the circuit.
+
+The circuit of pressure_control.toml provides the prediction model and the plant of both controllers. The predictive
+controller uses the exact pressure and mass of the gas at every sample.
+
+Run: python examples/mpc_tank_pressure.py
 
 The circuit of pressure_control.toml gives both: the functions with which the optimisation looks ahead, and the plant on
 which the two controllers run. The predictive one knows pressure and mass of the gas at every sample, no sensor between.
@@ -23,15 +28,15 @@ VALVES = ("fill.opening", "vent.opening")
 
 
 def look_ahead(model: Any, sample: float, horizon: int) -> Callable[[Any, float], Any]:
-    """From a state and a setpoint [Pa] to the openings that are best over the horizon, for its first sample."""
+    """Return a function from state and setpoint [Pa] to the optimal openings of the first sample."""
     x, u = ca.SX.sym("x", len(model.states)), ca.SX.sym("u", len(VALVES))
-    # One step of Runge and Kutta over a sample: fine where the pressure moves by some bar in a second.
+    # One Runge-Kutta step per sample is accurate for pressure rates of some bar per second.
     k1 = model.f(x, u, [])
     k2 = model.f(x + 0.5 * sample * k1, u, [])
     k3 = model.f(x + 0.5 * sample * k2, u, [])
     k4 = model.f(x + sample * k3, u, [])
     step = ca.Function("step", [x, u], [x + sample / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)])
-    # Multiple shooting, the states in units of their sizes.
+    # Multiple shooting with scaled states.
     opti, sizes = ca.Opti(), ca.DM(model.sizes)
     states, openings = opti.variable(len(model.states), horizon + 1), opti.variable(len(VALVES), horizon)
     now, setpoint = opti.parameter(len(model.states)), opti.parameter()
@@ -39,7 +44,7 @@ def look_ahead(model: Any, sample: float, horizon: int) -> Callable[[Any, float]
     cost: Any = 0.0
     for k in range(horizon):
         opti.subject_to(states[:, k + 1] == step(states[:, k] * sizes, openings[:, k]) / sizes)
-        # Bar squared; air that is vented while it fills is wasted, so that openings cost a little.
+        # Cost in bar squared; a small cost of the openings avoids simultaneous filling and venting.
         cost += (states[0, k + 1] - setpoint / sizes[0]) ** 2 + 1e-4 * ca.sum1(openings[:, k])
     opti.subject_to(opti.bounded(0.0, openings, 1.0))
     opti.minimize(cost)
@@ -57,7 +62,7 @@ def look_ahead(model: Any, sample: float, horizon: int) -> Callable[[Any, float]
 
 
 def predictive(circuit: poppet.Circuit, duration: float, sample: float, horizon: int) -> Any:
-    """Pressure [Pa] at the samples of a run under model predictive control, (n_samples, 2) with its time [s]."""
+    """Return times [s] and pressures [Pa] of a run with model predictive control, shape (n_samples, 2)."""
     best = look_ahead(circuit.to_casadi(inputs=VALVES, without="regulator"), sample, horizon)
     parts = {name: part for name, part in circuit.parts.items() if name != "regulator"}
     setpoint = circuit.signals["regulator.setpoint"].table(duration)
@@ -73,12 +78,12 @@ def predictive(circuit: poppet.Circuit, duration: float, sample: float, horizon:
 
 
 def outside(rows: Any, wanted: Any, band: float = 2e3) -> float:
-    """How long the pressure is further than the band [Pa] from its setpoint, in all [s]."""
+    """Return the total time [s] with the pressure outside the band [Pa] about its setpoint."""
     return float(np.count_nonzero(np.abs(rows[:, 1] - wanted) > band) * (rows[1, 0] - rows[0, 0]))
 
 
 def main(duration: float = 6.5, sample: float = SAMPLE, horizon: int = HORIZON) -> dict[str, tuple[float, float]]:
-    """Run both; gives the rms error [bar] of each and the time outside of 20 mbar [s]."""
+    """Run both controllers; return the rms error [bar] and the time outside of 20 mbar [s] for each."""
     circuit = poppet.load(Path(__file__).parent / "pressure_control.toml")
     setpoint = circuit.signals["regulator.setpoint"].table(duration)
     pid = circuit.simulate(duration, sample)

@@ -1,4 +1,6 @@
-"""The same circuit in SciPy's `solve_ivp` and in poppet's own integrator.
+"""A circuit in SciPy's `solve_ivp`, compared with the integrator of poppet.
+
+Run: python examples/solve_ivp.py
 
 Run: python examples/solve_ivp.py
 """
@@ -16,11 +18,11 @@ FOLDER = Path(__file__).parent
 
 
 def signals_only(duration: str = "120 s") -> float:
-    """A circuit in which nothing is sampled; gives the greatest difference of the tank's pressure [bar]."""
+    """Compare a circuit without sampled parts; return the largest difference of the tank pressure [bar]."""
     circuit = poppet.load(FOLDER / "fill_staircase.toml")
     ode, known = circuit.to_ode(duration), circuit.simulate(duration, relative_tolerance=1e-9)
     found, x = np.empty(0), ode.x0
-    # At a breakpoint a signal jumps: a solver that begins anew there keeps its accuracy.
+    # A signal jumps at a breakpoint; a restart of the solver preserves its accuracy.
     for begin, end in zip(ode.breakpoints, [*ode.breakpoints[1:], ode.end], strict=True):
         stretch = ode.stretch(begin, x)
         rows = known.time[(known.time >= begin) & (known.time < end)]
@@ -34,7 +36,7 @@ def signals_only(duration: str = "120 s") -> float:
 
 
 def with_instants(duration: str = "0.7 s") -> float:
-    """A sampled controller: from instant to instant; gives the difference of the pressure at the end [bar]."""
+    """Compare a circuit with a sampled controller; return the final difference of the pressure [bar]."""
     circuit = poppet.load(FOLDER / "pressure_control.toml")
     ode, t, memory = circuit.to_ode(duration), 0.0, None
     x = ode.x0

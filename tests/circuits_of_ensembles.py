@@ -33,7 +33,7 @@ TABLES = """
 runs = 300
 seed = 1
 
-[ensemble.numbers]
+[ensemble.parameters]
 "tank.volume" = { distribution = "normal", relative_sigma = 0.02 }
 "hole.sonic_conductance" = { distribution = "uniform", low = "1.8 dm^3/(s bar)", high = "2.2 dm^3/(s bar)" }
 

@@ -17,9 +17,10 @@ import pytest
 from numpy.typing import NDArray
 
 from poppet import Circuit
-from poppet.deploy.live import node_runner
-from poppet.deploy.live.module import GIVEN
+from poppet.deploy.live import page_kernel
+from poppet.deploy.live.page_kernel import PAGE_FUNCTIONS
 from poppet.engine import call, compiled
+from poppet.engine.kernel import compile_kernel
 from poppet.engine.printers.llvm import OF_TWO
 from poppet.engine.problem import Problem
 
@@ -42,11 +43,11 @@ def unfused(circuit: Circuit, monkeypatch: pytest.MonkeyPatch, folder: Path) -> 
     with monkeypatch.context() as changed:
         changed.setenv("POPPET_CACHE_DIR", str(folder))
         changed.setattr(compiled, "_target_machine", machine)
-        kernel, integrator = circuit._compiled(), compiled.INTEGRATOR.compiled()
+        kernel, integrator = compile_kernel(circuit.model), compiled.INTEGRATOR.compiled()
         changed.setattr(call, "integrator", lambda: integrator)
         p = problem.p.copy()
         own = call.Call(replace(problem, kernel=kernel, x0=kernel.start(p), p=p))
-        own.outcome = own.again()
+        own.outcome = own.repeat()
     return own
 
 
@@ -71,7 +72,7 @@ def with_functions_of_this_machine(
     queues = [folder / "questions", folder / "answers"]
     for each in queues:
         os.mkfifo(each)
-    functions = [getattr(ctypes.CDLL(None), name) for name in GIVEN]
+    functions = [getattr(ctypes.CDLL(None), name) for name in PAGE_FUNCTIONS]
     for function in functions:
         function.restype = ctypes.c_double
 
@@ -79,11 +80,13 @@ def with_functions_of_this_machine(
         with queues[0].open("rb") as questions, queues[1].open("wb", buffering=0) as answers:
             while text := questions.read(24):
                 k, x, y = struct.unpack("<3d", text)
-                given = (x, y) if GIVEN[int(k)] in OF_TWO else (x,)
+                given = (x, y) if PAGE_FUNCTIONS[int(k)] in OF_TWO else (x,)
                 answers.write(struct.pack("<d", functions[int(k)](*map(ctypes.c_double, given))))
 
     threading.Thread(target=answered, daemon=True).start()
-    asking = _ASKING.replace("QUEUES", json.dumps([str(each) for each in queues])).replace("NAMES", json.dumps(GIVEN))
+    asking = _ASKING.replace("QUEUES", json.dumps([str(each) for each in queues])).replace(
+        "NAMES", json.dumps(PAGE_FUNCTIONS)
+    )
     with monkeypatch.context() as changed:
-        changed.setattr(node_runner, "_MAIN", asking + node_runner._MAIN)
-        return node_runner.run_in_node(problem, folder)
+        changed.setattr(page_kernel, "_MAIN", asking + page_kernel._MAIN)
+        return page_kernel.run_in_node(problem, folder)

@@ -1,4 +1,4 @@
-"""What docs/identify.md says that a result file holds, beside what a result holds."""
+"""Compare the documented keys of a result file with those of a result."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 from poppet.identify import Result
 
-PAGE = Path(__file__).resolve().parents[1] / "docs" / "identify.md"
+PAGE = Path(__file__).resolve().parents[1] / "docs" / "identify_result.md"
 
 
 @cache

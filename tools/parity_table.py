@@ -11,7 +11,7 @@ from importlib import import_module
 from pathlib import Path
 
 from poppet.core.version import __version__
-from poppet.deploy.parity import Row, parity
+from poppet.deploy.parity.parity_table import ParityRow, compare_targets
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "parity.md"
@@ -29,7 +29,7 @@ COLUMNS = {
     "C 1 kHz": "c 1 kHz",
     "C 10 kHz": "c 10 kHz",
     "C 1 kHz / 100": "c 1 kHz / 100",
-    "structured text": "structured text",
+    "controllers": "controllers",
     "fused": "kernel fused",
 }
 STEPS = ("regime", "contact")
@@ -43,13 +43,13 @@ def main() -> int:
     lines = [heads, ["---", *["---:"] * (len(heads) - 1)]]
     is_well = True
     for name, circuit in import_module("circuits_of_exports").TEN.items():
-        found = parity(circuit(), only=list(COLUMNS.values()))
-        rows = {row.name: row for row in found.rows}
+        parity = compare_targets(circuit(), only=list(COLUMNS.values()))
+        rows = {row.name: row for row in parity.rows}
         lines.append(
-            [name, f"{found.duration:g}", *(_cell(rows[target], found.duration) for target in COLUMNS.values())]
+            [name, f"{parity.duration:g}", *(_cell(rows[target], parity.duration) for target in COLUMNS.values())]
         )
         print(" | ".join(lines[-1]), flush=True)
-        is_well &= found.is_well
+        is_well &= parity.is_within_limits
     commit = subprocess.run(
         ["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True
     ).stdout.strip()
@@ -62,17 +62,17 @@ def main() -> int:
     return 0 if is_well else 1
 
 
-def _cell(row: Row, duration: float) -> str:
+def _cell(row: ParityRow, duration: float) -> str:
     """Greatest difference that is compared; where that is not the whole run, until when, and states in all of it."""
     if row.greatest is None:
         return "-"
     smooth = max(gap for output, gap in row.differences.items() if not output.endswith(STEPS))
-    if row.target.errs == "anything" and smooth < row.greatest:
+    if row.check.cause == "anything" and smooth < row.greatest:
         return f"{smooth:.0e}; a regime"
     shown = "0" if row.greatest == 0.0 else f"{row.greatest:.0e}"
     if row.verdict in ("coarse", "beyond"):
         shown = f"**{shown}**"
-    is_whole = row.until > 0.9 * duration or row.target.errs == "anything"
+    is_whole = row.until > 0.9 * duration or row.check.cause == "anything"
     if is_whole or row.overall == 0.0:
         return shown
     return f"{shown} until {row.until:.3g}; {row.drift:.0e} ({row.moved:.0e})"

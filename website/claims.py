@@ -1,4 +1,8 @@
-"""What is claimed of this program, and how each claim is measured anew; `validate.py` keeps the figures.
+"""Claims of the validation page and their measurements; `validate.py` stores the results.
+
+A claim names its source, the licence of this source, the data that no fit has used, and its criterion. Its function
+measures the values with tests, examples and benchmarks. Without the external files (`../shared/data`), a claim keeps
+its last result.
 
 A claim names who made what it is compared with, under which licence, what of it was not seen by any fit, and when it
 holds. Its function measures figures, and takes what it runs from tests, examples and benchmarks. Files of others that
@@ -26,12 +30,12 @@ DAYS = os.environ.get("POPPET_SOFTARM")
 sys.path += [str(ROOT / place) for place in ("tests", "benchmarks", "examples/regulators")]
 
 Figures = dict[str, Any]
-"""Numbers and words by name, as a run gives them."""
+"""Numbers and texts of a result by name."""
 
 
 @dataclass(frozen=True)
 class Source:
-    """Who made what a claim is compared with."""
+    """Origin of the values that a claim is compared with."""
 
     name: str
     licence: str
@@ -41,7 +45,7 @@ class Source:
 
     @property
     def is_here(self) -> bool:
-        """Whether a claim can be measured here."""
+        """True if the claim can be measured here."""
         if self.package:
             return importlib.util.find_spec(self.package) is not None
         return self.files is None or self.files.is_dir()
@@ -113,7 +117,7 @@ SOURCES = {
 
 @dataclass(frozen=True)
 class Claim:
-    """One line of the page. `ours` and `theirs` are formats of the figures; `rounding` is relative."""
+    """Line of the page. `ours` and `theirs` are formats of the values; `rounding` is relative."""
 
     name: str
     title: str
@@ -132,7 +136,7 @@ CLAIMS: dict[str, Claim] = {}
 
 
 def claim(source: str, title: str, **more: Any) -> Callable[[Callable[[], Figures]], Callable[[], Figures]]:
-    """Declare what a function measures."""
+    """Declare the claim that a function measures."""
 
     def declared(measure: Callable[[], Figures]) -> Callable[[], Figures]:
         CLAIMS[measure.__name__] = Claim(measure.__name__, title, source, measure=measure, **more)
@@ -142,14 +146,14 @@ def claim(source: str, title: str, **more: Any) -> Callable[[Callable[[], Figure
 
 
 def module(name: str) -> Any:
-    """A module of tests, benchmarks or examples."""
+    """Import a module of tests, benchmarks or examples."""
     return importlib.import_module(name)
 
 
 TANK_TESTS = 100
-"""Of the 300 that `tests/exact/test_independent_coverage.py` runs."""
-NOTHING_FITTED = "all of it: nothing was fitted"
-NONE_NEEDED = "not asked: no fit"
+"""Number of tests; `tests/exact/test_independent_coverage.py` runs 300."""
+NOTHING_FITTED = "all data: nothing was fitted"
+NONE_NEEDED = "not applicable: no fit"
 
 # --- Measured: tanks -------------------------------------------------------------------------------------------------
 
@@ -175,10 +179,10 @@ def discharge_bracket() -> Figures:
 @claim(
     "vessel",
     "Free convection at the wall predicts a measured discharge",
-    unseen=NOTHING_FITTED + "; Nu = 0.13 Ra^(1/3) is the textbook's",
+    unseen=NOTHING_FITTED + "; Nu = 0.13 Ra^(1/3) is a textbook correlation",
     ours="{ours:.1f} kPa rms",
     theirs="{adiabatic:.1f} kPa adiabatic, {isothermal:.1f} kPa isothermal",
-    when="nearer than the better textbook limit",
+    when="the rms error is below that of the better limit",
     holds=lambda f: f["ours"] < min(f["adiabatic"], f["isothermal"]),
     is_quick=True,
 )
@@ -196,7 +200,7 @@ def discharge_predicted() -> Figures:
 
 @cache
 def _discharge() -> Any:
-    """The fit of the discharge with pressure and temperature."""
+    """Fit the discharge with pressure and temperature."""
     fits = module("published.test_identify_real_data")
     with tempfile.TemporaryDirectory() as folder:
         fits.write(Path(folder), "vessel.toml", fits.VESSEL)
@@ -205,12 +209,12 @@ def _discharge() -> Any:
 
 @claim(
     "vessel",
-    "A fit of the discharge finds the coefficient of its bore",
+    "Discharge coefficient of the bore from a fit",
     unseen="nothing: one recording",
     ours="{value:.3f} ({low:.3f} to {high:.3f})",
     theirs="0.84 published",
-    when="0.84 lies in the interval. An error of the bore counts twice, and the wall is one number: the interval holds "
-    "noise and not these, so 2.6 % more is no proof against 0.84",
+    when="the interval contains 0.84. It covers noise, but not the error of the bore diameter, which counts twice, and "
+    "not the simplified wall model. A deviation of 2.6 % is therefore no evidence against 0.84",
     holds=lambda f: f["low"] <= 0.84 <= f["high"],
 )
 def discharge_coefficient() -> Figures:
@@ -221,11 +225,11 @@ def discharge_coefficient() -> Figures:
 
 @claim(
     "vessel",
-    "A fit of the discharge finds the prefactor of free convection",
+    "Prefactor of free convection from a fit",
     unseen="nothing: one recording",
     ours="{value:.3f} ({low:.3f} to {high:.3f})",
     theirs="0.13 in textbooks",
-    when="0.13 lies in the interval",
+    when="the interval contains 0.13",
     holds=lambda f: f["low"] <= 0.13 <= f["high"],
 )
 def discharge_nusselt() -> Figures:
@@ -234,11 +238,11 @@ def discharge_nusselt() -> Figures:
 
 @claim(
     "vessel",
-    "A fit of the discharge finds the critical pressure ratio b",
+    "Critical back-pressure ratio b from a fit",
     unseen="nothing: one recording",
     ours="{value:.2f} ({low:.2f} to {high:.2f}), {verdict}",
-    theirs="not published; the tail of this record does not say it",
-    when="b is determined",
+    theirs="not published; the end of this recording contains little information on b",
+    when="the verdict for b is determined",
     holds=lambda f: f["verdict"] == "determined",
 )
 def discharge_ratio() -> Figures:
@@ -249,10 +253,11 @@ def discharge_ratio() -> Figures:
     "tanks",
     "A recorded mass flow fills the measured tank",
     unseen=NOTHING_FITTED
-    + "; 7.5 l and 8 W/K are those of other runs of the rig, the flow meter's 1.3 s were seen here",
+    + "; 7.5 l and 8 W/K come from other runs of the rig; the delay of the flow meter, 1.3 s, was read from this "
+    "recording",
     ours="{wall:.1f} kPa rms",
     theirs="{adiabatic:.1f} kPa adiabatic",
-    when="nearer than without heat",
+    when="the rms error is below that without heat flow",
     holds=lambda f: f["wall"] < f["adiabatic"],
     is_quick=True,
 )
@@ -269,8 +274,8 @@ def _equalised(*, free_walls: bool) -> Any:
 
 @claim(
     "tanks",
-    "A fast equalisation gives the ratio of two volumes",
-    unseen="the end pressures, from which the other ratio follows, are in the fitted record",
+    "Ratio of two volumes from a fast equalisation",
+    unseen="none: the end pressures, which give the other ratio, belong to the fitted recording",
     ours="{value:.3f} ({low:.3f} to {high:.3f}), {verdict}",
     theirs="0.540 from the end pressures",
     when="0.540 lies in the interval, and it is determined",
@@ -282,8 +287,8 @@ def equalised_ratio() -> Figures:
 
 @claim(
     "tanks",
-    "The ratio of two volumes, walls held at a guess and the record cut at the opening",
-    unseen="the end pressures are in the fitted record",
+    "Ratio of two volumes with assumed wall conductances and a recording that starts at the opening",
+    unseen="none: the end pressures belong to the fitted recording",
     ours="{value:.2f} ({low:.2f} to {high:.2f}), {verdict}",
     theirs="0.540 from the end pressures",
     when="0.540 lies in the interval, and it is determined",
@@ -295,11 +300,11 @@ def equalised_ratio_guessed_walls() -> Figures:
 
 @claim(
     "tanks",
-    "A fast equalisation gives the conductance C of its valve",
+    "Conductance C of the valve from a fast equalisation",
     unseen="nothing: one recording, five samples of the flow",
     ours="{value:.2g} ({low:.2g} to {high:.2g}) m^3/(s Pa), {verdict}",
     theirs="not published",
-    when="C is determined",
+    when="the verdict for C is determined",
     holds=lambda f: f["verdict"] == "determined",
 )
 def equalised_conductance() -> Figures:
@@ -311,11 +316,11 @@ def equalised_conductance() -> Figures:
 
 @claim(
     "cylinder",
-    "A leak of a closed chamber gives C/V",
+    "C/V of a leak in a closed chamber",
     unseen="nothing: one recording",
     ours="{value:.2e} ({low:.2e} to {high:.2e}) 1/(s Pa)",
-    theirs="{crude:.2e} from first and last pressure by hand",
-    when="the value by hand lies in the interval",
+    theirs="{crude:.2e} by hand from first and last pressure",
+    when="the interval contains the value by hand",
     holds=lambda f: f["low"] <= f["crude"] <= f["high"],
 )
 def leak() -> Figures:
@@ -337,9 +342,9 @@ def _friction() -> Any:
     "Friction at 1, 3, 5 and 7 bar",
     unseen="nothing: four recordings, ten strokes each",
     ours="{found} N",
-    theirs="{half} N: halves of the difference of the forces, as published with the data 5.3, 7.1, 8.4, 10.4 N",
-    when="within 10 % of the halves. It is not: the pressure is higher while the piston is pulled in, and that part of "
-    "the halves is no friction",
+    theirs="{half} N: half of the force difference; published with the data: 5.3, 7.1, 8.4, 10.4 N",
+    when="within 10 % of the published values. The pressure is higher during retraction, so the published values also "
+    "contain a pressure force",
     holds=lambda f: np.allclose([float(x) for x in f["found"].split(", ")], [5.3, 7.1, 8.4, 10.4], rtol=0.1),
 )
 def friction_levels() -> Figures:
@@ -352,27 +357,29 @@ def friction_levels() -> Figures:
 
 @claim(
     "cylinder",
-    "The pulls give the friction's law",
-    unseen="recordings left out in turn",
-    ours="Coulomb {value:.1f} N ({low:.1f} to {high:.1f}), {verdict}; {open_numbers} other numbers not determined",
+    "Friction law from pull tests",
+    unseen="each recording in turn",
+    ours="Coulomb {value:.1f} N ({low:.1f} to {high:.1f}), {verdict}; {open_numbers} other parameters not determined",
     theirs="not published",
-    when="all is determined",
+    when="all parameters are determined",
     holds=lambda f: f["verdict"] == "determined" and f["open_numbers"] == 0,
 )
 def friction_law() -> Figures:
     result = _friction()
     (coulomb,) = [e for name, e in result.parameters.items() if name.endswith("coulomb_force")]
-    said = [n for n in result.remarks if n.code == "friction.bounded" and n.facts["verdict"] == "not determined"]
-    return {**_interval(coulomb), "open_numbers": len(said)}
+    undetermined = [
+        n for n in result.remarks if n.code == "friction.bounded" and n.facts["verdict"] == "not determined"
+    ]
+    return {**_interval(coulomb), "open_numbers": len(undetermined)}
 
 
 @claim(
     "muscle",
-    "The library's muscle follows its measured map",
-    unseen="nothing: its six numbers are fitted to this map",
+    "Muscle of the library versus its measured force map",
+    unseen="nothing: its six parameters are fitted to this map",
     ours="{rms:.1f} N rms, {share:.2f} % of the largest force; worst point {worst:.0f} N",
     theirs="braid of Chou & Hannaford, fitted to the same points: {braid:.1f} %",
-    when="under 1 %",
+    when="below 1 %",
     holds=lambda f: f["share"] < 1.0,
     is_quick=True,
 )
@@ -397,11 +404,11 @@ def _muscle() -> Any:
 
 @claim(
     "muscle",
-    "Sarosi's law predicts what is held out of the map",
-    unseen="a row of pressures or of contractions at a time",
+    "Prediction of validation points of the map by the law of Sarosi",
+    unseen="each row of pressures or contractions in turn",
     ours="{sarosi:.2f} % of the largest force",
     theirs="straight lines {table:.1f} %, Tondu & Lopez {tondu_lopez:.1f} %, Chou & Hannaford {chou_hannaford:.1f} %",
-    when="better than every other law",
+    when="the error is below that of each other law",
     holds=lambda f: f["sarosi"] < min(f["table"], f["tondu_lopez"], f["chou_hannaford"]),
     is_quick=True,
 )
@@ -415,7 +422,7 @@ def muscle_held_out() -> Figures:
     unseen="a pressure at a time",
     ours="{sarosi:.1f} N rms",
     theirs="straight lines between rows {table:.1f} N",
-    when="better than straight lines",
+    when="the error is below that of straight lines",
     holds=lambda f: f["sarosi"] < f["table"],
     is_quick=True,
 )
@@ -431,11 +438,11 @@ def muscle_between_pressures() -> Figures:
 
 
 def _regulator(bench: str, number: int) -> Figures:
-    """The worst held-out window: NRMSE of circuit and linear models in per cent."""
+    """Return the worst validation window: NRMSE of circuit and linear models [%]."""
     tests = module("published.test_real_regulators")
     names = {tests.GREY_BOX: "circuit", tests.FIRST_ORDER: "first_order", tests.ARX: "arx", "ARX, one step": "one_step"}
-    found = [{names[k]: 100.0 * v for k, v in window.items()} for window in tests.windows(bench, number)]
-    return {**max(found, key=lambda window: float(window["circuit"])), "windows": len(found)}
+    windows = [{names[k]: 100.0 * v for k, v in window.items()} for window in tests.windows(bench, number)]
+    return {**max(windows, key=lambda window: float(window["circuit"])), "windows": len(windows)}
 
 
 def _regulators(source: str, bench: str, number: int, title: str) -> None:
@@ -446,28 +453,31 @@ def _regulators(source: str, bench: str, number: int, title: str) -> None:
     claim(
         source,
         title,
-        unseen="{windows} windows, of which the worst is shown; the structure was chosen while looking at them",
+        unseen="{windows} windows, of which the worst is shown; the model structure was selected with knowledge of "
+        "them",
         ours="{circuit:.2f} % NRMSE",
         theirs="first order with dead time {first_order:.2f} %, ARX {arx:.2f} %",
-        when="better than both linear models",
+        when="the NRMSE is below that of both linear models",
         holds=lambda f: f["circuit"] < min(f["first_order"], f["arx"]),
         rounding=0.05,
     )(measure)
 
 
 for channel in (1, 2, 4, 5):
-    _regulators("softarm", "itv0050", channel, f"Regulator, channel {channel}: free run on held-out windows")
+    _regulators("softarm", "itv0050", channel, f"Regulator, channel {channel}: free run on validation windows")
 for record in (1, 5):
-    _regulators("lung", "test_lung", record, f"Solenoid at a lung, recording {record}: free run on held-out breaths")
+    _regulators(
+        "lung", "test_lung", record, f"Solenoid with a test lung, recording {record}: free run on validation breaths"
+    )
 
 
 @claim(
     "softarm",
-    "Regulator, channel 5: one step ahead",
-    unseen="4 windows, of which that with the worst free run is shown",
-    ours="{circuit:.2f} % NRMSE, running freely",
-    theirs="ARX with every measured sample at hand {one_step:.2f} %",
-    when="better than ARX. To predict one sample, a linear model is enough",
+    "Regulator, channel 5: one-step prediction",
+    unseen="4 windows, of which the one with the worst free run is shown",
+    ours="{circuit:.2f} % NRMSE in a free run",
+    theirs="ARX with all previous measured samples {one_step:.2f} %",
+    when="the NRMSE is below that of ARX. A linear model is sufficient for one-step prediction",
     holds=lambda f: f["circuit"] < f["one_step"],
     rounding=0.05,
 )
@@ -476,16 +486,16 @@ def itv0050_one_step() -> Figures:
 
 
 def _other_days(channel: int) -> Figures:
-    """Over files of other days: mean NRMSE in per cent, and on how many files the circuit is behind."""
+    """Return mean NRMSE [%] of files from other days, and the number of files with a better linear model."""
     days = module("days")
-    found = days.recordings(Path(str(DAYS)), channel)
-    scores, anew = days.judged(channel, found)
-    each = [s for own in scores.values() for s in own]
+    recordings = days.recordings(Path(str(DAYS)), channel)
+    scores, anew = days.judged(channel, recordings)
+    all_scores = [s for own in scores.values() for s in own]
     by_file: dict[str, dict[str, float]] = {}
-    for score in each:
+    for score in all_scores:
         by_file.setdefault(score.response, {})[score.model] = 100.0 * score.nrmse
-    linear = [min(one[days.FIRST_ORDER], one[days.ARX]) for one in by_file.values()]
-    own = [one[days.GREY_BOX] for one in by_file.values()]
+    linear = [min(models[days.FIRST_ORDER], models[days.ARX]) for models in by_file.values()]
+    own = [models[days.GREY_BOX] for models in by_file.values()]
     return {
         "circuit": float(np.mean(own)),
         "linear": float(np.mean(linear)),
@@ -503,11 +513,12 @@ def _on_other_days(channel: int) -> None:
     measure.__name__ = f"other_days_{channel}"
     claim(
         "days",
-        f"Regulator, channel {channel}: the same numbers on other days and step heights",
-        unseen="all: {files} files, fitted on 20 s of another file",
-        ours="{circuit:.1f} % NRMSE, behind on {behind} of {files} files; {anew:.1f} % with two steady numbers anew",
-        theirs="better linear model of each file {linear:.1f} %",
-        when="ahead on every file",
+        f"Regulator, channel {channel}: the same parameters on other days and step heights",
+        unseen="all {files} files; the fit used 20 s of another file",
+        ours="{circuit:.1f} % mean NRMSE, worse than the linear model on {behind} of {files} files; {anew:.1f} % "
+        "after a refit of two steady-state parameters",
+        theirs="better linear model of each file: {linear:.1f} % mean NRMSE",
+        when="better than the linear model on every file",
         holds=lambda f: f["behind"] == 0,
         rounding=0.05,
     )(measure)
@@ -526,33 +537,34 @@ def _paper() -> Any:
 
 @claim(
     "paper",
-    "Warming of the isentropic tank at 5 bar",
+    "Temperature rise of the isentropic tank at 5 bar",
     unseen=NONE_NEEDED,
     ours="{isentrope:.0f} K by the paper's equations, {adiabatic:.0f} K by the energy balance",
     theirs="{reported:.0f} K reported",
-    when="within half of what is reported. The measured tank loses heat to its wall, which the paper leaves out",
+    when="the difference is below 50 % of the reported value. The measured tank loses heat to its wall, which the "
+    "paper omits",
     holds=lambda f: abs(f["isentrope"] - f["reported"]) < 0.5 * f["reported"],
 )
 def paper_warming() -> Figures:
-    (said,) = [
+    (statement,) = [
         s for s in module("poppet.report.varga2012.statements").statements(_paper()) if s.code == "paper.warming"
     ]
-    return {name: said.facts[name] for name in ("isentrope", "adiabatic", "reported")}
+    return {name: statement.facts[name] for name in ("isentrope", "adiabatic", "reported")}
 
 
 @claim(
     "paper",
-    "Statements of the paper, recomputed",
+    "Recomputed statements of the paper",
     unseen=NONE_NEEDED,
-    ours="{holds} hold, {fails} do not, {open} cannot be told",
+    ours="{holds} confirmed, {fails} not confirmed, {open} undecided",
     theirs="{count} statements",
-    when="all hold",
+    when="all are confirmed",
     holds=lambda f: f["holds"] == f["count"],
 )
 def paper_statements() -> Figures:
-    said = module("poppet.report.varga2012.statements")
-    found = [s.verdict.name.lower() for s in said.statements(_paper())]
-    return {"count": len(found), **{name: found.count(name) for name in ("holds", "fails", "open")}}
+    module_ = module("poppet.report.varga2012.statements")
+    verdicts = [s.verdict.name.lower() for s in module_.statements(_paper())]
+    return {"count": len(verdicts), **{name: verdicts.count(name) for name in ("holds", "fails", "open")}}
 
 
 # --- Independent codes -----------------------------------------------------------------------------------------------
@@ -567,7 +579,7 @@ def _cantera(names: Sequence[str]) -> Iterator[float]:
 
 @claim(
     "cantera",
-    "Tanks that fill, empty and equalise, with and without wall heat",
+    "Filling, emptying and equalising tanks, with and without wall heat flow",
     unseen=NONE_NEEDED,
     ours="{worst:.1e} apart in pressure, temperature and mass",
     theirs="relative tolerance 1e-9 asked",
@@ -582,7 +594,7 @@ def cantera_tanks() -> Figures:
 
 @claim(
     "cantera",
-    "A cylinder's two chambers, driven as a sine, open and closed",
+    "Two cylinder chambers with sinusoidal motion, open and closed",
     unseen=NONE_NEEDED,
     ours="{worst:.1e} apart in pressure, temperature and mass",
     theirs="relative tolerance 1e-9 asked",
@@ -608,13 +620,13 @@ def cantera_cylinder() -> Figures:
 def lsoda_staircase() -> Figures:
     bench, peer = module("staircase"), module("peer")
     circuit = bench.loads(bench.CIRCUIT)
-    other = peer.peer_run(peer.peer_rates(circuit.parameters), peer.START, 1e-10)[2]
-    return {"worst": np.max(np.abs(circuit.simulate()["tank.pressure"] / other - 1.0))}
+    reference = peer.peer_run(peer.peer_rates(circuit.parameters), peer.START, 1e-10)[2]
+    return {"worst": np.max(np.abs(circuit.simulate()["tank.pressure"] / reference - 1.0))}
 
 
 @claim(
     "lsoda",
-    "A cylinder lifts 4 kg against dry friction, 2 s",
+    "Cylinder that lifts 4 kg against dry friction, 2 s",
     unseen=NONE_NEEDED,
     ours="{worst:.1e} of the stroke apart, at the default tolerance",
     theirs="LSODA at 1e-9",
@@ -624,17 +636,17 @@ def lsoda_staircase() -> Figures:
 )
 def lsoda_cylinder() -> Figures:
     bench, peer = module("loads"), module("loads_peer")
-    other = peer.peer_run(1e-9)[4]
-    own = bench.loads(bench.CIRCUIT).simulate()["slide.position"]
-    return {"worst": np.max(np.abs(own - other)) / bench.STROKE}
+    reference = peer.peer_run(1e-9)[4]
+    position = bench.loads(bench.CIRCUIT).simulate()["slide.position"]
+    return {"worst": np.max(np.abs(position - reference)) / bench.STROKE}
 
 
 @claim(
     "cvodes",
-    "Gas states of two tanks and of a switched tank by another integrator",
+    "Gas states of two tanks and of a switched tank with another integrator",
     unseen=NONE_NEEDED,
     ours="{worst:.1e} apart in pressure, temperature and mass",
-    theirs="CVODES at 1e-8. The equations are the same ones: this tests the integrator alone",
+    theirs="CVODES at 1e-8. The equations are the same, so the comparison tests only the integrator",
     when="within 1e-6",
     holds=lambda f: f["worst"] < 1e-6,
     rounding=2.0,
@@ -644,18 +656,21 @@ def cvodes_tanks() -> Figures:
     tests = module("cross.test_solvers_agree")
     worst = 0.0
     for circuit in (tests.two_tanks, tests.pulsed_tank):
-        own, other = tests.kernel_run(circuit), circuit().simulate(relative_tolerance=tests.TOLERANCE, solver="cvodes")
-        gas = [name for name, unit in zip(own.names, own.units, strict=True) if unit in ("Pa", "K", "kg")]
-        worst = max(worst, *(float(np.max(np.abs(other[name] / own[name] - 1.0))) for name in gas))
+        kernel_run, reference = (
+            tests.kernel_run(circuit),
+            circuit().simulate(relative_tolerance=tests.TOLERANCE, solver="cvodes"),
+        )
+        gas = [name for name, unit in zip(kernel_run.names, kernel_run.units, strict=True) if unit in ("Pa", "K", "kg")]
+        worst = max(worst, *(float(np.max(np.abs(reference[name] / kernel_run[name] - 1.0))) for name in gas))
     return {"worst": worst}
 
 
 @claim(
     "fmpy",
-    "An FMU of two tanks and of a valve that fills one, in a host",
+    "FMUs of two tanks and of a valve with a tank, in another simulator",
     unseen=NONE_NEEDED,
     ours="{cosimulation:.1e} from the kernel in co-simulation, {exchange:.1e} in model exchange",
-    theirs="FMPy, by CVODE in model exchange. The equations are the exported ones: this tests export and host",
+    theirs="FMPy, with CVODE in model exchange. The equations are the same, so the comparison tests only the export",
     when="within 1e-10 and 1e-5",
     holds=lambda f: f["cosimulation"] < 1e-10 and f["exchange"] < 1e-5,
     rounding=2.0,
@@ -682,17 +697,22 @@ def control_margins() -> Figures:
     tests = module("cross.test_python_control")
     control, (plant, gains) = module("control"), tests.tuned_loop()
     gain, phase = tests.their_margins(control, plant, gains)[:2]
-    own = tests.margins(plant, gains)
-    return {"ours_gain": own.gain_margin, "ours_phase": own.phase_margin, "theirs_gain": gain, "theirs_phase": phase}
+    result = tests.margins(plant, gains)
+    return {
+        "ours_gain": result.gain_margin,
+        "ours_phase": result.phase_margin,
+        "theirs_gain": gain,
+        "theirs_phase": phase,
+    }
 
 
 @claim(
     "eos",
-    "How far a gas is from ideal, as the notes of a run say it",
+    "Real-gas deviation in the notes of a run",
     unseen=NONE_NEEDED,
-    ours="at most {share:.0f} % of the error itself off, {states} states of 8 gases to 200 bar",
+    ours="error of the estimate at most {share:.0f} % of the deviation, in {states} states of 8 gases up to 200 bar",
     theirs="Z and critical flow factor by the reference equations",
-    when="within a fifth of the larger error (and 0.05 %)",
+    when="within 20 % of the larger deviation (and 0.05 %)",
     holds=lambda f: f["outside"] == 0,
     is_quick=True,
 )
@@ -738,17 +758,17 @@ def closed_tanks() -> Figures:
         worst.append(tests.worst(p[choked], law(out[k].time[choked], tests.HIGH, tests.TAU)))
     for k, speed in (("isothermal", 1.0), ("energy", 1.4)):
         p = into[k]["tank.pressure"]
-        before = p <= 0.999 * tests.HIGH
+        is_filling = p <= 0.999 * tests.HIGH
         expected = tests.tanks.charging_pressure(
-            into[k].time[before], tests.LOW, tests.HIGH, tests.B, speed * tests.RATE
+            into[k].time[is_filling], tests.LOW, tests.HIGH, tests.B, speed * tests.RATE
         )
-        worst.append(tests.worst(p[before], expected))
+        worst.append(tests.worst(p[is_filling], expected))
     return {"worst": max(worst)}
 
 
 @claim(
     "closed",
-    "A wave passes a tube at the speed of sound",
+    "Wave in a tube at the speed of sound",
     unseen=NONE_NEEDED,
     ours="arrives after {late:.3f} L/c, 12 cells",
     theirs="1 L/c",
@@ -761,35 +781,35 @@ def closed_tube() -> Figures:
 
 @claim(
     "tanktests",
-    "Intervals of 95 % for C, b and wall heat hold the truth",
-    unseen="the truth, which no fit was told",
-    ours="{C} of {C_said}, {b} of {b_said} and {hA} of {hA_said} that are called determined, in {tests} tests",
+    "Coverage of the 95 % confidence intervals for C, b and wall conductance",
+    unseen="the true values",
+    ours="{C} of {C_said}, {b} of {b_said} and {hA} of {hA_said} determined values, in {tests} tests",
     theirs="95 of 100",
-    when="the counts are those of intervals that hold 93 to 98 %, but for a chance of 0.1 % each",
+    when="each count is consistent with a coverage of 93 to 98 % at a significance of 0.1 %",
     holds=lambda f: all(_is_sound(f[name], f[f"{name}_said"]) for name in ("C", "b", "hA")),
 )
 def tank_intervals() -> Figures:
     tests = module("exact.test_independent_coverage")
     answers, figures = [tests.answer(seed) for seed in range(TANK_TESTS)], {"tests": TANK_TESTS}
     for name in tests.NAMES:
-        sure = [each for each in answers if each.found[name].verdict == "determined"]
-        figures |= {name: sum(each.holds(name) for each in sure), f"{name}_said": len(sure)}
+        determined = [answer for answer in answers if answer.found[name].verdict == "determined"]
+        figures |= {name: sum(answer.holds(name) for answer in determined), f"{name}_said": len(determined)}
     return figures
 
 
-def _is_sound(held: int, count: int) -> bool:
-    """Whether so many of a count are what intervals of 95 % would hold."""
+def _is_sound(contained: int, count: int) -> bool:
+    """Return True if the count is consistent with 95 % intervals."""
     low, high = module("exact.test_independent_coverage").bounds(count)
-    return bool(low <= held <= high)
+    return bool(low <= contained <= high)
 
 
 @claim(
     "tanktests",
-    "What one recording cannot tell is not called determined: a charge with two answers",
-    unseen="the truth, which no fit was told",
-    ours="{determined} of {twins} called determined",
-    theirs="none can be: an adiabatic tank and an isothermal one with 1.4 C have the same pressure",
-    when="none is",
+    "No false verdict for a charge test with two equivalent optima",
+    unseen="the true values",
+    ours="{determined} of {twins} with the verdict determined",
+    theirs="0: an adiabatic tank and an isothermal tank with 1.4 C have the same pressure",
+    when="the count is 0",
     holds=lambda f: f["determined"] == 0,
 )
 def tank_twins() -> Figures:

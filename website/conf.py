@@ -21,14 +21,14 @@ myst_heading_anchors = 4
 myst_dmath_double_inline = True
 suppress_warnings = ["myst.header"]
 
-# Notebooks run at the build, each in an empty folder; `make_site.py` says where they are kept.
+# Notebooks run during the build, each in an empty folder; `make_site.py` sets their cache.
 nb_execution_mode = "cache"
 nb_execution_in_temp = True
 nb_execution_timeout = 240
 nb_execution_raise_on_error = True
 nb_merge_streams = True
 
-# Beside the sources, where `make_site.py` has laid them.
+# Relative to the sources; copied by `make_site.py`.
 mathjax_path = "mathjax.js"
 autodoc_member_order = "bysource"
 autodoc_typehints = "none"
@@ -37,7 +37,7 @@ napoleon_google_docstring = False
 html_theme = "pydata_sphinx_theme"
 html_title = "poppet"
 html_show_sourcelink = False
-# Pages with no others beside them have the width of the list of these.
+# Pages without neighbours use the full width.
 html_sidebars: dict[str, list[str]] = {page: [] for page in ("compare", "validation")}
 html_show_sphinx = False
 html_theme_options: dict[str, Any] = {
@@ -55,7 +55,7 @@ html_theme_options: dict[str, Any] = {
 
 
 def setup(app: Any) -> None:
-    """Static files lie beside the sources, not beside this file."""
+    """Use the static files next to the sources, not next to this file."""
     app.config.html_static_path = [str(Path(app.srcdir) / "static")]
     app.add_css_file("site.css")
     app.add_js_file("site.js")

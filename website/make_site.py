@@ -1,4 +1,7 @@
-"""Build the site: `python website/make_site.py`, then open the page that it names; no server and no network are needed.
+"""Build the website: `python website/make_site.py`, then open the printed page; no server is needed.
+
+The sources are the pages of `docs/`, README, examples and `website/pages`, and pages that are generated from
+declarations. Sphinx converts them to HTML. The cache in the output folder makes a second build fast.
 
 The pages of `docs/`, README and examples are laid beside pages of `website/pages` and pages made from declarations, so
 that their links to each other hold, and Sphinx makes HTML of them. Its cache stays in the folder: a second build is
@@ -24,11 +27,11 @@ ROOT = Path(__file__).resolve().parents[1]
 OWN = Path(__file__).resolve().parent
 COPIED = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "LICENSE", "docs", "examples")
 MATHJAX = ("sphinx-mathjax-offline", "static/mathjax/tex-svg.js")
-"""Package and file of MathJax, which draws letters itself: no fonts, no request."""
+"""Package and file of MathJax, which draws its glyphs without fonts or requests."""
 
 
 def assemble(source: Path) -> None:
-    """Lay all sources of the site into a folder; files that have not changed keep their times."""
+    """Copy all sources of the site into a folder; unchanged files keep their times."""
     fresh = source.with_name("fresh")
     shutil.rmtree(fresh, ignore_errors=True)
     shutil.copytree(OWN / "pages", fresh)
@@ -42,16 +45,16 @@ def assemble(source: Path) -> None:
     (fresh / "static" / "mathjax.js").write_bytes(mathjax())
     for page in fresh.rglob("*.md"):
         page.write_text(_without_folders(page), encoding="utf-8")
-    for made in (reference_pages.pages(), gallery_pages.pages(ROOT / "examples", fresh), validation_pages.pages()):
-        for place, text in made.items():
-            page = fresh / place
+    for generated in (reference_pages.pages(), gallery_pages.pages(ROOT / "examples", fresh), validation_pages.pages()):
+        for name, text in generated.items():
+            page = fresh / name
             page.parent.mkdir(parents=True, exist_ok=True)
             page.write_text(text, encoding="utf-8")
     _replace(fresh, source)
 
 
 def _without_folders(page: Path) -> str:
-    """The text of a page, in which a link to a folder is its words alone: a site has no page for it."""
+    """Return the text of a page without links to folders, for which the site has no page."""
 
     def shown(link: re.Match[str]) -> str:
         return link[1] if (page.parent / link[2]).is_dir() else link[0]
@@ -60,20 +63,20 @@ def _without_folders(page: Path) -> str:
 
 
 def mathjax() -> bytes:
-    """The program that draws formulas, from its package."""
+    """Return the JavaScript of MathJax from its package."""
     package, file = MATHJAX
-    found = resources.files(package).joinpath(file)
-    return found.read_bytes()
+    resource = resources.files(package).joinpath(file)
+    return resource.read_bytes()
 
 
 def _replace(fresh: Path, source: Path) -> None:
-    """Make a folder the same as another; Sphinx builds anew what has a new time."""
+    """Make a folder equal to another one; Sphinx rebuilds pages with new times."""
     source.mkdir(parents=True, exist_ok=True)
-    wanted = {path.relative_to(fresh) for path in fresh.rglob("*") if path.is_file()}
+    names = {path.relative_to(fresh) for path in fresh.rglob("*") if path.is_file()}
     for path in [path for path in source.rglob("*") if path.is_file()]:
-        if path.relative_to(source) not in wanted:
+        if path.relative_to(source) not in names:
             path.unlink()
-    for name in sorted(wanted):
+    for name in sorted(names):
         old, new = source / name, fresh / name
         if not old.exists() or old.read_bytes() != new.read_bytes():
             old.parent.mkdir(parents=True, exist_ok=True)
@@ -82,20 +85,20 @@ def _replace(fresh: Path, source: Path) -> None:
 
 
 def build(folder: Path) -> int:
-    """Assemble the sources and run Sphinx; warnings are errors. Returns Sphinx's exit status."""
+    """Assemble the sources and run Sphinx with warnings as errors; return its exit status."""
     assemble(folder / "source")
     command = [sys.executable, "-m", "sphinx", "-b", "html", "-W", "--keep-going", "-q", "-j", "2", "-c", str(OWN)]
-    # Notebooks are kept until their text or the program changes.
+    # Cached notebooks stay valid until their text or the package changes.
     command += ["-D", f"nb_execution_cache_path={folder / 'notebooks' / gallery_pages.program()}"]
     command += ["-d", str(folder / "doctrees"), str(folder / "source"), str(folder / "html")]
-    # Notebooks call `poppet` as a reader does: that of this environment.
+    # Notebooks call the `poppet` command of this environment.
     shutil.copytree(OWN / "ipython", folder / "ipython", dirs_exist_ok=True)
     path = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
     status = subprocess.run(
         command, check=False, env=os.environ | {"PATH": path, "IPYTHONDIR": str(folder / "ipython")}
     ).returncode
     if status == 0:
-        print(f"The site lies at {folder / 'html' / 'index.html'}")
+        print(f"The website is {folder / 'html' / 'index.html'}")
     return status
 
 

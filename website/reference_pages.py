@@ -1,4 +1,4 @@
-"""Pages of the reference, made of what is declared: parts, sections, commands, codes, file formats, public names."""
+"""Reference pages from declarations: parts, sections, commands, codes, formats, public names."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import poppet
 from poppet.circuit import signal_tables
 from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.schema import circuit_schema
-from poppet.cli.main import COMMANDS, command_parser
+from poppet.cli.commands import COMMANDS
 from poppet.core.message_format import every_code, plain
 from poppet.parts import KINDS
 from poppet.parts.fields import BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, specs
@@ -23,11 +23,11 @@ EXAMPLES, CIRCUITS = ROOT / "examples", ROOT / "website" / "circuits"
 FIELDS = ("field", "meaning", "unit", "default", "limits")
 SECTIONS = {"ambient": Ambient, "gas": GasChoice, "run": Run}
 Pages = dict[str, str]
-"""Place of a page in the sources, and its text in MyST."""
+"""Text of each page in MyST by its path in the sources."""
 
 
 def pages() -> Pages:
-    """All of them."""
+    """Return all reference pages."""
     return {
         **part_pages(),
         **code_pages(),
@@ -39,14 +39,14 @@ def pages() -> Pages:
 
 
 def table(heads: Iterable[str], rows: Iterable[Iterable[str]]) -> str:
-    """A table in Markdown; without rows nothing."""
+    """Return a Markdown table, empty without rows."""
     lines = ["| " + " | ".join(cell.replace("|", "\\|") for cell in row) + " |" for row in rows]
     heads = list(heads)
     return "\n".join(["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|", *lines, ""]) if lines else ""
 
 
 def prose(text: str) -> str:
-    """Text that Markdown leaves as it is."""
+    """Escape text for Markdown."""
     return re.sub(r"([\\`*_{}\[\]<>#|$~@])", r"\\\1", text)
 
 
@@ -54,59 +54,67 @@ def prose(text: str) -> str:
 
 
 def part_pages() -> Pages:
-    """A page for each kind of part, and their list."""
-    driven, shown = series("inputs"), series("outputs")
-    found = {f"reference/parts/{kind}.md": part_page(kind, driven.get(kind, {}), shown.get(kind, {})) for kind in KINDS}
+    """Return a page for each kind of part, and their index."""
+    inputs, outputs = series("inputs"), series("outputs")
+    pages_by_path = {
+        f"reference/parts/{kind}.md": part_page(kind, inputs.get(kind, {}), outputs.get(kind, {})) for kind in KINDS
+    }
     rows = [(f"[{kind}]({kind}.md)", KINDS[kind].summary) for kind in KINDS]
     tree = "\n".join(KINDS)
-    found["reference/parts/index.md"] = (
-        f"# Parts\n\nWhat may stand under `[parts]` of a circuit file.\n\n{table(('kind', 'what it is'), rows)}\n"
+    pages_by_path["reference/parts/index.md"] = (
+        "# Parts\n\nKinds of parts in the `[parts]` table of a circuit file.\n\n"
+        f"{table(('kind', 'description'), rows)}\n"
         f"```{{toctree}}\n:hidden:\n\n{tree}\n```\n"
     )
-    return found
+    return pages_by_path
 
 
-def part_page(kind: str, driven: Mapping[str, str], shown: Mapping[str, str]) -> str:
-    """What a kind of part is, takes and gives."""
+def part_page(kind: str, inputs: Mapping[str, str], outputs: Mapping[str, str]) -> str:
+    """Return the page of a kind of part."""
     part = KINDS[kind]
     text = [f"# `{kind}`", "", f"{part.summary[:1].upper()}{part.summary[1:]}.", ""]
     text += ["## Fields", "", table(FIELDS, fields(part)) or "None.\n"]
-    for title, said, of in (
-        ("Inputs", "Signals and connections may drive them.", driven),
-        ("Outputs", "A recording has them, and connections may take them.", shown),
+    for title, intro, names in (
+        ("Inputs", "Signals and connections can drive these inputs.", inputs),
+        ("Outputs", "Recordings contain these outputs, and connections can use them.", outputs),
     ):
-        if of:
-            rows = [(f"`{name}`", unit) for name, unit in of.items()]
-            text += [f"## {title}", "", f"{said} As examples have them; options and fields may add or remove some.", ""]
+        if names:
+            rows = [(f"`{name}`", unit) for name, unit in names.items()]
+            text += [
+                f"## {title}",
+                "",
+                f"{intro} The list is that of the examples; options and fields can change it.",
+                "",
+            ]
             text += [table((title[:-1].lower(), "SI unit"), rows)]
-    text += [f"In Python: `poppet.{part.__name__}`. [All about circuit files](../../docs/circuit_file.md)", ""]
+    text += [f"In Python: `poppet.{part.__name__}`. [Circuit files](../../docs/circuit_file.md)", ""]
     return "\n".join(text)
 
 
 def fields(kind: Any, prefix: str = "") -> Iterator[tuple[str, str, str, str, str]]:
-    """Rows of the fields of a part or section."""
+    """Yield the rows of the fields of a part or section."""
     for name, spec in specs(kind).items():
-        at = f"`{prefix}{name}`"
+        address = f"`{prefix}{name}`"
         if isinstance(spec, NumberSpec):
             limits = [f"at least {spec.low:g}" if spec.low > -1e300 else f"> {spec.above:g}"]
             limits += [f"at most {spec.high:g}" if spec.high < 1e300 else f"< {spec.below:g}"]
             default = "" if spec.default is None else f"{spec.default}, {spec.source}"
-            yield at, spec.doc, spec.unit, default, ", ".join(each for each in limits if "inf" not in each)
+            yield address, spec.doc, spec.unit, default, ", ".join(limit for limit in limits if "inf" not in limit)
         elif isinstance(spec, OptionSpec):
-            yield at, spec.doc, "one of", spec.choices[0], ", ".join(f"`{choice}`" for choice in spec.choices)
+            yield address, spec.doc, "one of", spec.choices[0], ", ".join(f"`{choice}`" for choice in spec.choices)
         elif isinstance(spec, GroupSpec):
             yield from fields(spec.group, f"{prefix}{name}.")
         elif isinstance(spec, MemberSpec):
             member: Any = spec.part
             if member.kind in KINDS:
-                yield at, spec.doc, "part", "", f"fields of [`{member.kind}`]({member.kind}.md)"
+                yield address, spec.doc, "part", "", f"fields of [`{member.kind}`]({member.kind}.md)"
             else:
                 yield from fields(member, f"{prefix}{name}.")
         elif isinstance(spec, PortSpec | BodySpec):
             what = "a store or `ambient`" if isinstance(spec, PortSpec) else "a mass, joint or guide"
-            yield at, spec.doc, "name", "", f"{what}{', optional' if spec.optional else ''}"
+            yield address, spec.doc, "name", "", f"{what}{', optional' if spec.optional else ''}"
         else:
-            yield at, getattr(spec, "doc", ""), "", "", ""
+            yield address, getattr(spec, "doc", ""), "", "", ""
 
 
 def series(which: str) -> dict[str, dict[str, str]]:
@@ -146,14 +154,14 @@ def section_page() -> str:
 def command_page() -> str:
     """Every command with its options and examples."""
     text = ["# Commands", "", "`poppet COMMAND --help` prints the same.", ""]
-    for name in COMMANDS:
-        parser = command_parser(name)
-        text += [f"## `poppet {name}`", "", str(parser.description), ""]
-        rows = [(f"`{option.usage}`", str(option.declared()["help"]).replace("%%", "%")) for option in parser.options]
+    for name, command in COMMANDS.items():
+        text += [f"## `poppet {name}`", "", f"{command.summary[:1].upper()}{command.summary[1:]}.", ""]
+        text += [*(f"- {limitation}" for limitation in command.limitations), ""] if command.limitations else []
+        rows = [(f"`{option.usage}`", option.meaning) for option in command.options]
         text += [
             table(("option", "meaning"), rows),
             "```console",
-            *(f"$ {line}" for line in parser.examples),
+            *(f"$ {line}" for line in command.examples),
             "```",
             "",
         ]
@@ -164,70 +172,70 @@ def command_page() -> str:
 
 
 def code_pages() -> Pages:
-    """All that the house may say, by the first part of its code, each with an anchor of its own."""
+    """Return the pages of all codes by their first part, with an anchor per code."""
     with (ROOT / "tests" / "golden" / "messages.toml").open("rb") as file:
         cases = tomllib.load(file)
-    rooms: dict[str, list[str]] = {}
+    groups: dict[str, list[str]] = {}
     for code in every_code():
-        rooms.setdefault(code.partition(".")[0], []).append(code)
-    found = {}
-    for room, codes in rooms.items():
-        text = [f"# Codes of `{room}`", ""]
+        groups.setdefault(code.partition(".")[0], []).append(code)
+    pages_by_path = {}
+    for group, codes in groups.items():
+        text = [f"# Codes of `{group}`", ""]
         for code in codes:
             text += [f"(code-{code})=", f"## `{code}`", "", *code_lines(code, cases.get(code, {})), ""]
-        found[f"reference/codes/{room}.md"] = "\n".join(text)
+        pages_by_path[f"reference/codes/{group}.md"] = "\n".join(text)
     rows = [
-        (f"[`{room}`]({room}.md)", ", ".join(f"[`{c}`](#code-{c})" for c in codes)) for room, codes in rooms.items()
+        (f"[`{group}`]({group}.md)", ", ".join(f"[`{c}`](#code-{c})" for c in codes)) for group, codes in groups.items()
     ]
-    found["reference/codes/index.md"] = "\n".join([
-        "# Codes of notes, findings and mistakes",
+    pages_by_path["reference/codes/index.md"] = "\n".join([
+        "# Codes of notes, findings and errors",
         "",
-        "Whatever is said has a code, for programs; `poppet explain CODE` prints what stands here.",
+        "Each message has a code for programs. `poppet explain CODE` prints the same explanation.",
         "",
         table(("begins with", "codes"), rows),
         "```{toctree}\n:hidden:\n",
-        *rooms,
+        *groups,
         "```",
         "",
     ])  # fmt: skip
-    return found
+    return pages_by_path
 
 
 def code_lines(code: str, case: Mapping[str, Any]) -> Iterator[str]:
-    """Meaning and hint of a code, and what it says in a real case."""
+    """Yield the meaning and hint of a code, and its text in a real case."""
     template = every_code()[code]
     if isinstance(template, str):
         yield prose(plain(template))
     else:
-        yield f"**What is wrong:** {prose(plain(template['given'] + ' ' + template['reason']))}"
+        yield f"**Cause:** {prose(plain(template['given'] + ' ' + template['reason']))}"
         yield ""
-        yield f"**What to do:** {prose(plain(template['hint']))}"
-    said = case.get("words") or " ".join(case[part] for part in ("given", "reason", "hint") if part in case)
-    told = " ".join(str(said).split())
-    if told and told != template:  # what has no facts says the same in every case
-        yield from ("", f"> {prose(told)}")
+        yield f"**Remedy:** {prose(plain(template['hint']))}"
+    words = case.get("words") or " ".join(case[part] for part in ("given", "reason", "hint") if part in case)
+    example = " ".join(str(words).split())
+    if example and example != template:  # a text without facts needs no example
+        yield from ("", f"> {prose(example)}")
 
 
 # --- Names of Python --------------------------------------------------------------------------------------------------
 
 
 def api_page() -> str:
-    """Public names with their docstrings."""
-    text = ["# Python", "", "[A tour](../docs/python.md) comes first; here is every public name.", ""]
+    """Return the page of public names with their docstrings."""
+    text = ["# Python", "", "This page lists all public names. Start with the [tour](../docs/python.md).", ""]
     for module, title in (
         ("poppet", "poppet"),
         ("poppet.iso6358", "poppet.iso6358"),
         ("poppet.signals", "poppet.signals"),
     ):
-        found = __import__(module, fromlist=["__all__"])
+        imported = __import__(module, fromlist=["__all__"])
         text += [f"## `{title}`", ""]
-        for name in sorted(found.__all__):
-            thing = getattr(found, name)
-            if isinstance(thing, type):
+        for name in sorted(imported.__all__):
+            member = getattr(imported, name)
+            if isinstance(member, type):
                 body = [f".. autoclass:: {module}.{name}", "   :members:"]
                 if name == "Circuit":  # most of its methods are those of its base class
                     body.append("   :inherited-members:")
-            elif callable(thing):
+            elif callable(member):
                 body = [f".. autofunction:: {module}.{name}"]
             else:
                 continue

@@ -1,4 +1,4 @@
-"""Recordings of a stand-in, a valve of which every figure is known, as a bench would write them."""
+"""Write recordings of a virtual valve with known characteristic values, as a test bench would."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ TRUTH = StandIn(
 LINEAR = StandIn(scale=VOLTS, time_constant=0.05, dead_time=0.01)
 FREQUENCIES = (0.5, 1.0, 2.0, 2.5, 3.15, 4.0, 5.0, 6.3, 8.0)
 NOISE = {"w": (5e-4, 1e-3), "p2": (6e-4, 1.5e-4), "q": (2e-3, 1e-3)}
-"""Standard deviation and step of each column: V, bar, g/s."""
+"""Standard deviation and resolution of each column: V, bar, g/s."""
 
 
 def sweep() -> Trial:
-    """Three slow cycles."""
+    """Return three slow cycles."""
     times, values = [0.0, 2.0], [0.0, 0.0]
     for end in (10.0, 0.0) * 3:
         times += [times[-1] + 40.0, times[-1] + 42.0]
@@ -35,13 +35,13 @@ def sweep() -> Trial:
 
 
 def steps() -> Trial:
-    """A large step and a small one, up and down."""
+    """Return a large and a small step, up and down."""
     times, values = [0.0, 0.5123, 1.5123, 2.5123, 3.5123], [1.0, 9.0, 1.0, 5.0, 1.0]
     return Trial("step", "steps", Steps(times, values), 4.5, 0.0, 2e-3, 1e-3)
 
 
 def sines() -> Trial:
-    """Eight periods of each frequency, one after the other, as a table of points."""
+    """Return eight periods of each frequency in sequence, as a table of points."""
     clock, values, start = [], [], 0.0
     for frequency in FREQUENCIES:
         length = 8.0 / frequency
@@ -53,7 +53,7 @@ def sines() -> Trial:
 
 
 def write(folder: Path, name: str, valve: StandIn, trial: Trial, seed: int) -> None:
-    """Respond, add noise, round, and write what a bench would record."""
+    """Simulate the response, add noise, round, and write the recording."""
     record, random = valve.respond(trial), np.random.default_rng(seed)
     columns = {"w": record.setpoint, "p2": (record.outlet - 1e5) / 1e5}
     if trial.kind == "flow":

@@ -1,4 +1,4 @@
-"""The recordings of these examples: made by the model, with the faults of real sensors, and a fixed seed."""
+"""Write the recordings of these examples: simulations with realistic sensor errors and a fixed seed."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ Array = NDArray[np.float64]
 SEED = 20260101
 HERE = Path(__file__).parent
 CONDUCTANCE, RATIO, WALL, LAG = 1.1e-8, 0.35, 6.0, 0.8
-"""The truth of the discharge: C [m^3/(s Pa)], b, wall conductance [W/K], lag of the thermocouple [s]."""
+"""True values of the discharge: C [m^3/(s Pa)], b, wall conductance [W/K], lag of the thermocouple [s]."""
 VALVE = (2.1e-8, 0.28)
-"""The truth of the flow bench and of the tank test: C [m^3/(s Pa)] and b."""
+"""True values of the flow bench and of the tank test: C [m^3/(s Pa)] and b."""
 REGULATOR = {
     "valve.main_stage.exhaust_seat.sonic_conductance": 7e-9,
     "valve.pilot.fill.sonic_conductance": 1.5e-10,
@@ -31,27 +31,27 @@ REGULATOR = {
     "valve.electronics.inner.gain": 3e-5,
     "valve.electronics.outer.gain": 1.3,
 }
-"""The truth of the complete valve, where it differs from the library's."""
+"""True values of the complete valve that differ from the library."""
 FRICTION = {"coulomb": 6.0, "static": 9.0, "stribeck": 8e-3, "viscous": 40.0, "seal": 8e-6, "bristles": 3e4}
-"""The truth of the cylinder that is pulled, in SI units."""
+"""True values of the pulled cylinder, in SI units."""
 RESOLUTION, TEMPERATURE_NOISE = 0.002, 0.2
-"""Step of the pressure [bar], one sigma of the temperature [K]."""
+"""Resolution of the pressure [bar], standard deviation of the temperature [K]."""
 
 
 def recorded(values: Array, noise: float, step: float, generator: np.random.Generator) -> Array:
-    """What a sensor with noise writes into a file: values in whole steps."""
+    """Return noisy sensor values, rounded to the resolution."""
     return np.asarray(np.round((values + noise * generator.standard_normal(values.size)) / step) * step)
 
 
 def write(folder: Path, name: str, **columns: Array) -> None:
-    """A table with a heading, columns separated by commas."""
+    """Write a table with a heading line and comma-separated columns."""
     np.savetxt(
         folder / name, np.column_stack(list(columns.values())), "%.8g", ",", header=",".join(columns), comments=""
     )
 
 
 def discharge(folder: Path, name: str, start: str, generator: np.random.Generator) -> None:
-    """The vessel of `bench.toml` empties."""
+    """Write the discharge of the vessel of `bench.toml`."""
     truth = {
         "outlet.sonic_conductance": CONDUCTANCE,
         "outlet.critical_ratio": RATIO,
@@ -72,7 +72,7 @@ def discharge(folder: Path, name: str, start: str, generator: np.random.Generato
 
 
 def flow_bench(folder: Path, generator: np.random.Generator) -> None:
-    """Thirteen points of a valve at 6 bar g, from choked flow to a pressure ratio of 0.95."""
+    """Write 13 points of a valve at 6 bar g, from choked flow to a pressure ratio of 0.95."""
     ambient, upstream = 0.987e5, 6.987e5
     downstream = np.linspace(0.16, 0.95, 13) * upstream
     flow = mass_flow_rate(upstream, downstream, 294.15, sonic_conductance=VALVE[0], critical_ratio=VALVE[1])
@@ -88,7 +88,7 @@ def flow_bench(folder: Path, generator: np.random.Generator) -> None:
 
 
 def charged_and_discharged(folder: Path, generator: np.random.Generator) -> None:
-    """A tank of 20 l fills through the valve until it is closed after 8 s; then it empties."""
+    """Write a test in which a 20 l tank fills through the valve for 8 s and then empties."""
     surroundings = poppet.Ambient(pressure="0.987 bar", temperature="21 degC")
     valve = {"sonic_conductance": VALVE[0], "critical_ratio": VALVE[1]}
     tank: dict[str, Any] = {"volume": "20 l", "wall_conductance": 5.0, "initial_temperature": "21 degC"}
@@ -113,7 +113,7 @@ def charged_and_discharged(folder: Path, generator: np.random.Generator) -> None
 
 
 def strokes(folder: Path, generator: np.random.Generator) -> None:
-    """A tank of 10 l fills through the seat of the paper's valve, blocked at eleven strokes."""
+    """Write tests in which a 10 l tank fills through the valve seat of the paper at eleven strokes."""
     seat = poppet.library.characteristic("varga2012")
     (folder / "strokes").mkdir(exist_ok=True)
     for stroke in np.linspace(0.05e-3, 1e-3, 11):
@@ -128,7 +128,7 @@ def strokes(folder: Path, generator: np.random.Generator) -> None:
 
 
 def muscle_map(folder: Path, generator: np.random.Generator) -> None:
-    """Force of a muscle of 10 mm at eight pressures and seven lengths, zero where it hangs loose."""
+    """Write the force of a 10 mm muscle at eight pressures and seven lengths, zero if slack."""
     law = poppet.Muscle(body="rig", data="dmsp_10_250").force_law()
     pressure, contraction = (
         each.ravel() for each in np.meshgrid(np.linspace(1e5, 7e5, 8), np.linspace(0.01, 0.22, 7), indexing="ij")
@@ -139,7 +139,7 @@ def muscle_map(folder: Path, generator: np.random.Generator) -> None:
 
 
 def pulled(folder: Path, pressure: float, generator: np.random.Generator) -> None:
-    """A cylinder of 25 mm is pulled to and fro against its air at five speeds, and turns round within 20 ms."""
+    """Write pull tests of a 25 mm cylinder at five speeds, with reversals within 20 ms."""
     ways = [sign * speed for speed in (2e-3, 5e-3, 12e-3, 30e-3, 80e-3) for sign in (1.0, -1.0)]
     ends = np.cumsum([0.02 / abs(way) for way in ways])
     knots = [0.0, 0.02, *np.ravel([[end, end + 0.02] for end in ends[:-1]]), ends[-1]]
@@ -166,7 +166,7 @@ def pulled(folder: Path, pressure: float, generator: np.random.Generator) -> Non
 
 
 def regulator(folder: Path, generator: np.random.Generator) -> None:
-    """A complete valve follows four steps into one litre; gauges at the outlet and in the pilot chamber."""
+    """Write four setpoint steps of a complete valve with a 1 l volume, with two pressure gauges."""
     (folder / "valve").mkdir(exist_ok=True)
     run = poppet.load(HERE / "valve" / "bench.toml").with_values(dict(REGULATOR)).simulate()
     shown = {"p_tank": "tank.pressure", "p_pilot": "valve.pilot_pressure"}
@@ -175,14 +175,14 @@ def regulator(folder: Path, generator: np.random.Generator) -> None:
 
 
 def main(folder: Path) -> None:
-    """Write every file anew."""
+    """Write all files."""
     generator = np.random.default_rng(SEED)
     discharge(folder, "discharge.csv", "7 bar g", generator)
     discharge(folder, "again.csv", "5 bar g", generator)
     flow_bench(folder, generator)
     charged_and_discharged(folder, generator)
     strokes(folder, generator)
-    # Of its own noise from here on: what comes behind is as it was without it.
+    # A separate generator keeps the following files unchanged.
     muscle_map(folder, copy.deepcopy(generator))
     own = copy.deepcopy(generator)
     for pressure in (1e5, 3e5, 5e5, 7e5):

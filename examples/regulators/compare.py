@@ -1,4 +1,8 @@
-"""Fits the recordings of this folder, compares each circuit with two linear baselines, and draws what was held out.
+"""Fit the recordings of this folder, compare each circuit with two linear models, draw validation windows.
+
+The measured data are not part of the repository; the fit files state their source. Usage:
+
+    python examples/regulators/compare.py [PICTURE.png]
 
 The measured data are not part of the repository; the fit files say where they come from. Usage:
 
@@ -23,11 +27,11 @@ SHOWN = {
     "fit_itv0050_5.toml": "late.arm.pressure",
     "fit_test_lung_1.toml": "held.airway.pressure",
 }
-"""Held-out windows that are drawn."""
+"""Validation windows in the figure."""
 
 
 def compare(name: str) -> tuple[str, dict[str, tuple[np.ndarray, ...]]]:
-    """Table of scores of one fit file, and time and pressures of the window that is drawn."""
+    """Return the table of scores of a fit file, and time and pressures of the drawn window."""
     plan, result = read_fit_file(FOLDER / name), identify_fit(FOLDER / name)
     channel, command = next(iter(FITS[name].items()))
     numbers = "\n".join(f"  {key}: {e.value:.4g} {e.unit}, {e.verdict}" for key, e in result.parameters.items())
@@ -47,7 +51,7 @@ def compare(name: str) -> tuple[str, dict[str, tuple[np.ndarray, ...]]]:
 
 
 def draw(panels: dict[str, dict[str, tuple[np.ndarray, ...]]], path: str) -> None:
-    """One panel for each window."""
+    """Draw one panel per window."""
     import matplotlib
 
     matplotlib.use("Agg")

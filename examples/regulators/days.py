@@ -1,6 +1,6 @@
-"""How the fits of this folder, each of one file of 10 January, fare on recordings of other days.
+"""Validate the fits of this folder, each of one file of 10 January, with recordings of other days.
 
-The recordings are those of ASU-RISE-Lab/4-chamber-softarm-control (MIT), in a copy of that repository. Usage:
+The recordings belong to ASU-RISE-Lab/4-chamber-softarm-control (MIT). The script needs a copy of it. Usage:
 
     python examples/regulators/days.py COPY
 """
@@ -24,19 +24,22 @@ COMMANDS = {"arm.pressure": "controller.setpoint"}
 MONTHS = ("jan", "feb", "mar", "apr")
 FITTED = ("Jan 10-2", "data_collect_1.txt")
 LEAST = 3.9
-"""A command that moves by less says nothing of a channel [psi]."""
+"""Smallest change of a command for an evaluation [psi]."""
 STEADY = ("controller.outer.feed_forward", "controller.outer.bias")
-"""What sets the pressure at rest: the line between gauge and command."""
+"""Steady-state parameters: the line between gauge and command."""
 
 
 def columns(channel: int) -> tuple[int, int]:
-    """Places of the command and the pressure of a channel: time, three commands, three pressures, and so once more."""
+    """Return the column indices of command and pressure of a channel.
+
+    The order is time, three commands, three pressures, then the same for the next three channels.
+    """
     place = channel if channel <= 3 else channel + 3
     return place, place + 3
 
 
 def recordings(copy: Path, channel: int) -> dict[str, list[Path]]:
-    """Files by day and height of the command, where that moves; without the fitted one, and each file once."""
+    """Return the files by day and command height if the command changes, without the fitted file and duplicates."""
     found: dict[tuple[int, int, int], list[Path]] = {}
     seen: set[bytes] = set()
     for path in sorted(copy.rglob("data_collect_*.txt")):
@@ -52,7 +55,7 @@ def recordings(copy: Path, channel: int) -> dict[str, list[Path]]:
 
 
 def table(path: Path, channel: int, use: str) -> str:
-    """The text of a fit file for one recording, from its first sample on; before it the command was 1 psi."""
+    """Return a fit-file table of one recording; the command before its first sample is 1 psi."""
     command, pressure = columns(channel)
     return f"""
 file = "{path.resolve().as_posix()}"
@@ -65,14 +68,14 @@ inputs = {{ "controller.setpoint" = {{ column = {command}, unit = "psi g", hold 
 
 
 def fit_text(channel: int) -> str:
-    """The fit file of a channel with paths that hold everywhere, and only the recording that is fitted."""
+    """Return the fit file of a channel with absolute paths and only the fitted recording."""
     text = (FOLDER / f"fit_itv0050_{channel}.toml").read_text(encoding="utf-8")
     text = re.sub(r'"([^"]+\.(?:csv|toml))"', lambda m: f'"{(FOLDER / m[1]).resolve().as_posix()}"', text)
     return re.sub(r"\[recordings\.(?!seen).*?(?=\n\[)", "", text, flags=re.DOTALL)
 
 
 def judged(channel: int, days: Mapping[str, Sequence[Path]]) -> tuple[dict[str, list[Score]], dict[str, list[float]]]:
-    """Scores of every file by day, and the circuit's NRMSE where its steady numbers alone are fitted to each file."""
+    """Return the scores by day, and the NRMSE after a refit of the steady-state parameters for each file."""
     names = {day: [f"file_{k}_{n}" for n in range(len(days[day]))] for k, day in enumerate(days)}
     named = {name: path for day, paths in days.items() for name, path in zip(names[day], paths, strict=True)}
     text = fit_text(channel)
@@ -82,7 +85,7 @@ def judged(channel: int, days: Mapping[str, Sequence[Path]]) -> tuple[dict[str, 
         file.write_text(text + "".join(tables), encoding="utf-8")
         result = identify_fit(file)
         scores = baselines(read_fit_file(file), COMMANDS, result)
-        # The same circuit, its fitted numbers as they are but for the steady ones.
+        # Only the steady-state parameters are fitted again.
         values = {name: e.value for name, e in result.parameters.items()}
         fixed = ", ".join(f'"{name}" = {value:.17g}' for name, value in values.items() if name not in STEADY)
         free = "".join(f'"{name}" = {{ start = {values[name]:.17g} }}\n' for name in STEADY)
@@ -99,7 +102,7 @@ def judged(channel: int, days: Mapping[str, Sequence[Path]]) -> tuple[dict[str, 
 
 
 def rows(channel: int, scores: Mapping[str, list[Score]], anew: Mapping[str, list[float]]) -> Iterator[str]:
-    """A row for each day: means of the NRMSE over its files."""
+    """Yield a row for each day with the mean NRMSE of its files."""
     for day, own in scores.items():
         mean = {m: 100.0 * np.mean([s.nrmse for s in own if s.model == m]) for m in (GREY_BOX, FIRST_ORDER, ARX)}
         count = len(anew[day])

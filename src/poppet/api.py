@@ -219,8 +219,8 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         requirements : mapping, optional
             Name to requirement, `fill_time < 12 s`; default the table `requirements` of the circuit file.
         **fields
-            Fields of the table `ensemble` of a circuit file: `runs`, `seed`, `sampling`, `numbers`, `metrics`, `keep`,
-            `curves`, `indices`, `levels`, `file`. They override the fields of the circuit file.
+            Fields of the table `ensemble` of a circuit file: `runs`, `seed`, `sampling`, `parameters`, `metrics`,
+            `keep`, `curves`, `indices`, `levels`, `file`. They override the fields of the circuit file.
 
         Returns
         -------
@@ -239,7 +239,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
         >>> ensemble = Circuit({"tank": tank, "vent": vent}).with_values({"run.duration": "1 s"}).ensemble(
         ...     runs=200,
-        ...     numbers={"tank.volume": {"distribution": "uniform", "relative_range": 0.1}},
+        ...     parameters={"tank.volume": {"distribution": "uniform", "relative_range": 0.1}},
         ...     metrics={"end": {"of": "tank.pressure", "metric": "final", "unit": "bar"}},
         ...     requirements={"low": "end < 1.4 bar"},
         ... )

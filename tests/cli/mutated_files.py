@@ -26,7 +26,7 @@ from unittest import mock
 
 import numpy as np
 
-from poppet.cli import check, main
+from poppet.cli import circuit_files, main
 from poppet.timeseries.tables import reading
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -60,7 +60,7 @@ class Tally:
 
 
 def _circuit(path: Path) -> None:
-    check.execute(Namespace(files=[str(path)]))
+    circuit_files.check_files(Namespace(files=[str(path)]))
 
 
 def _fit(path: Path) -> None:

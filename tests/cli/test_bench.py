@@ -111,26 +111,26 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("iso10094",), "a valve is missing. Name a circuit file, or --recording MAP.toml."),
-        (("iso10094", VALVE, "--recording", RECORDINGS), "FILE and --recording exclude each other."),
-        (("iso10094", VALVE, "--valve", "valv"), "valve 'valv' is no part of this circuit. Did you mean valve?"),
+        (("iso10094",), "Specify a circuit file, or --recording MAP.toml."),
+        (("iso10094", VALVE, "--recording", RECORDINGS), "FILE and --recording must not be used together."),
+        (("iso10094", VALVE, "--valve", "valv"), "valve 'valv' is not a part of this circuit. Did you mean valve?"),
         (
             ("iso10094", VALVE, "--valve", "volume"),
-            "has no supply, outlet and exhaust, or no setpoint. Name one of: valve.",
+            "it lacks a supply, outlet or exhaust port, or a setpoint. Use one of: valve.",
         ),
-        (("iso10094", VALVE, "--tests", "stepp"), "test = 'stepp' is unknown. Did you mean step"),
-        (("iso10094", VALVE, "--tests", ""), "tests name no test."),
-        (("iso10094", VALVE, "--full-scale", "0 bar g"), "does not rise."),
-        (("iso10094", VALVE, "--full-scale", "a, b, c"), "is no range."),
-        (("iso10094", VALVE, "--volume", "0 l"), "is not above zero."),
+        (("iso10094", VALVE, "--tests", "stepp"), "test = 'stepp' is not a test. Did you mean step"),
+        (("iso10094", VALVE, "--tests", ""), "tests must contain at least one test."),
+        (("iso10094", VALVE, "--full-scale", "0 bar g"), "must rise:"),
+        (("iso10094", VALVE, "--full-scale", "a, b, c"), "must be one pressure or two."),
+        (("iso10094", VALVE, "--volume", "0 l"), "must be above 0."),
         (("iso10094", VALVE, "--volume", "1 kg"), "--volume"),
-        (("iso10094", VALVE, "--rated-flow", "0 g/s"), "is not above zero."),
+        (("iso10094", VALVE, "--rated-flow", "0 g/s"), "must be above 0."),
         (("iso10094", VALVE, "--set", "valve.prset=fast"), "valve.prset"),
-        (("iso10094", VALVE, "-o", "r.csv"), "names no format"),
+        (("iso10094", VALVE, "-o", "r.csv"), "is not a supported format"),
         (("iso10094", VALVE, "--report", "missing/r.html"), "does not exist"),
         (("iso10094", "nothing.toml"), "does not exist."),
-        (("iso10094", "--recording", RECORDINGS, "--volume", "1 l"), "--volume has no meaning for recordings."),
-        (("iso10094", "--recording", VALVE), "is not a part of a file of recordings."),
+        (("iso10094", "--recording", RECORDINGS, "--volume", "1 l"), "--volume has no effect on recordings."),
+        (("iso10094", "--recording", VALVE), "is not a field of a file of recordings."),
         (("iso6953", VALVE), "iso6953"),
         (("iso10094", VALVE, "--compare", "examples/bench/sweep.csv"), "is not valid TOML"),
     ],
@@ -150,8 +150,8 @@ def test_mistakes_of_a_file_of_recordings_have_their_lines(poppet, bench):
     path.write_text(text)
     code, _, err = poppet("bench", "iso10094", "--recording", RECORDINGS)
     assert code == 2
-    assert "recordings.steps.test = 'steps' is unknown. Did you mean step?" in err
-    assert "recordings.draw.outlet.flow is no channel of the bench." in err
+    assert "recordings.steps.test = 'steps' is not a test. Did you mean step?" in err
+    assert "recordings.draw.outlet.flow is not a channel of the bench." in err
     assert re.search(r"recordings\.toml:\d+", err)
 
 

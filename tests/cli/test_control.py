@@ -189,7 +189,7 @@ def test_both_actions_write_pages(poppet, files, tmp_path):
 @pytest.mark.parametrize("tuned", [(), ("--schedule",)])
 def test_gains_go_into_every_command(poppet, tmp_path, tuned):
     """As if the circuit file had them, a schedule in place of a gain or the other way; an FMU carries them."""
-    from poppet.deploy.fmu.origin import circuit_of, origin
+    from poppet.deploy.fmu.importers import circuit_resources, read_circuit
 
     for name in ("pressure_control.toml", "pressure_control_scheduled.toml"):
         shutil.copy(EXAMPLES / name, tmp_path)
@@ -210,9 +210,10 @@ def test_gains_go_into_every_command(poppet, tmp_path, tuned):
         assert ("regulator.gain" in shown) is not bool(tuned)
     with zipfile.ZipFile(tmp_path / "some.fmu", "w") as archive:
         text = (tmp_path / "pressure_control.toml").read_text()
-        for name, content in origin(text, {"tank.volume": "2 l"}, str(tmp_path / "gains.toml")).items():
+        resources = circuit_resources(text, {"tank.volume": "2 l"}, str(tmp_path / "gains.toml"))
+        for name, content in resources.items():
             archive.writestr(name, content)
-    carried = circuit_of(tmp_path / "some.fmu")
+    carried = read_circuit(tmp_path / "some.fmu")
     assert gains(carried) == pytest.approx(wanted, rel=1e-5)
     assert carried.parts["tank"].volume.value == pytest.approx(2e-3)
 
@@ -220,12 +221,12 @@ def test_gains_go_into_every_command(poppet, tmp_path, tuned):
 @pytest.mark.parametrize(
     ("text", "code"),
     [
-        ('[parts.regulator]\ngian = "2 1/bar"\n', "address.unknown"),
+        ('[parts.regulator]\ngian = "2 1/bar"\n', "names.unknown"),
         ('[parts.controller]\ngain = "2 1/bar"\n', "address.no_owner"),
         ('[parts.regulator]\ngain = "2 bar"\n', "quantity.other_quantity"),
         ("[parts]\nregulator = 2\n", "circuit.no_part"),
         ("parts = 2\n", "circuit.no_part"),
-        ('[parts.regulator]\ngain = "2 1/bar"\n\n[signals]\n', "circuit.unknown_table"),
+        ('[parts.regulator]\ngain = "2 1/bar"\n\n[signals]\n', "fields.unknown"),
         ("[gains]\nregulator = 2\n", "result.unreadable"),
     ],
 )

@@ -77,7 +77,7 @@ def test_an_interruption_keeps_what_is_done(poppet, file, monkeypatch):
         if done:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr(progress.Running, "__call__", interrupt)
+    monkeypatch.setattr(progress.EnsembleProgress, "__call__", interrupt)
     answer = poppet("ensemble", "tank.toml", "--workers", "1")
     assert (answer.code, answer.out) == (130, "")
     assert "300" in answer.err

@@ -5,10 +5,14 @@ from __future__ import annotations
 from poppet.core.message_format import every_code, plain
 
 
-def test_a_mistake_is_told_in_three_parts(poppet):
+def test_an_error_has_cause_example_and_remedy(poppet):
     done = poppet("explain", "fields.out_of_range")
     assert done.code == 0
-    assert [line.split()[0] for line in done.out.splitlines()] == ["fields.out_of_range", "given:", "reason:", "hint:"]
+    first, *lines = done.out.splitlines()
+    assert first == "fields.out_of_range"
+    assert [line.split()[0] for line in lines] == ["cause:", "example:", "remedy:"]
+    assert "<meaning>" in lines[0]
+    assert "duration = 0 s is out of range" in lines[1]
 
 
 def test_a_note_and_several_at_once(poppet):
@@ -16,14 +20,19 @@ def test_a_note_and_several_at_once(poppet):
     assert [line for line in done.out.splitlines() if line and line[0] != " "] == ["finding.area", "finding.capped"]
 
 
-def test_what_codes_begin_with_lists_them(poppet):
+def test_the_first_part_of_codes_lists_them(poppet):
     within = [code for code in every_code() if code.startswith("wiring.")]
-    assert poppet("explain", "wiring").out.split()[3:] == within
+    assert poppet("explain", "wiring").out.split()[-len(within) :] == within
 
 
-def test_without_a_code_it_lists_all_beginnings(poppet):
-    out = poppet("explain").out
-    assert all(code in out for code in every_code() if "." in code)
+def test_without_a_code_it_lists_all_topics_with_titles(poppet):
+    lines = poppet("explain").out.splitlines()
+    assert {line.split()[0] for line in lines} == {code.partition(".")[0] for code in every_code()}
+    assert all(len(line.split()) > 1 for line in lines)
+
+
+def test_a_former_code_leads_to_its_new_code(poppet):
+    assert poppet("explain", "wiring.no_input").out.startswith("wiring.no_input is now names.unknown.\nnames.unknown\n")
 
 
 def test_an_unknown_code_is_refused_with_the_nearest(poppet):

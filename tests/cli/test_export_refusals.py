@@ -49,11 +49,11 @@ def command(target, file, *more):
 
 @pytest.mark.parametrize("target", WHOLE)
 def test_whole_circuits(target, folder):
-    with refused("options.no_duration", "run.duration"):
+    with refused("fields.missing", "run.duration"):
         command(target, "endless.toml", *WHOLE[target])
     with refused("deploy.segments", "signals", most=100_000):
         command(target, "quick.toml", *WHOLE[target])
-    with refused("address.unknown"):
+    with refused("names.unknown"):
         command(target, CONTROL, "--set", "tank.volum=1", *WHOLE[target])
 
 
@@ -69,10 +69,10 @@ def test_whole_circuits(target, folder):
         ("c", JOINT, ("--part", "inverse", *FOLDER), "deploy.controller.unsampled"),
         ("c", CONTROL, ("--substeps", "0", *FOLDER), "deploy.substeps"),
         ("fmu", FILL, ("--input", "ambient.pressure", *FMU), "deploy.fmu.fixed_input"),
-        ("fmu", FILL, ("--input", "tank.volum", *FMU), "deploy.fmu.unknown_input"),
-        ("fmu", FILL, ("-o", "out.fmu", "--platform", "amiga"), "deploy.fmu.platform"),
+        ("fmu", FILL, ("--input", "tank.volum", *FMU), "names.unknown"),
+        ("fmu", FILL, ("-o", "out.fmu", "--platform", "amiga"), "fields.not_an_option"),
         ("live", FILL, ("--number", "ambient.pressure", *PAGE), "deploy.live.tied"),
-        ("live", FILL, ("--number", "tank.volum", *PAGE), "deploy.live.unknown"),
+        ("live", FILL, ("--number", "tank.volum", *PAGE), "names.unknown"),
         ("live", DELAYED, ("--number", "valve.delay", *PAGE), "deploy.live.delay"),
         ("live", DELAYED, ("--number", "valve.sonic_conductance", *PAGE), "deploy.live.derived"),
     ],
@@ -96,7 +96,7 @@ def test_sampled_memory_in_continuous_tools():
     for tool in ("to_casadi", "to_control"):
         with refused("tools.sampled", "regulator.sample"):
             getattr(load(CONTROL), tool)()
-        with refused("tools.no_controller", "tank"):
+        with refused("fields.not_an_option", "without", value="tank"):
             getattr(load(CONTROL), tool)(without="tank")
         with refused("tools.fixed", "ambient.pressure"):
             getattr(load(FILL), tool)(numbers=["ambient.pressure"])
@@ -106,7 +106,7 @@ def test_a_missing_extra_is_named(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "control", None)
     with refused("missing.package", package="control", extra="control"):
         load(FILL).to_control()
-    monkeypatch.setattr("poppet.deploy.fmu.package.compilers", lambda platform: [])
+    monkeypatch.setattr("poppet.deploy.fmu.package.link_commands", lambda platform: [])
     monkeypatch.chdir(tmp_path)
     command("fmu", FILL, *FMU)
     with zipfile.ZipFile("out.fmu") as archive:

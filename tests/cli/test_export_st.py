@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from poppet.cli.main import _dispatch, run
-from poppet.deploy.st.evaluator import FunctionBlock
 from refusals import refused
+from structured_text import FunctionBlock
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CONTROL, JOINT = (str(EXAMPLES / f"{name}.toml") for name in ("pressure_control", "muscle_joint"))
@@ -40,10 +40,7 @@ def test_nothing_is_written_where_something_is_wrong(tmp_path, capsys):
 
 
 def _execute(options, file):
-    from poppet.cli.export_st import execute
-    from poppet.cli.main import command_parser
-
-    execute(command_parser("export st").read([CONTROL, *options, "-o", str(file)]))
+    _dispatch(["export", "st", CONTROL, *options, "-o", str(file)])
 
 
 def test_a_circuit_without_a_controller_is_told_so(tmp_path):

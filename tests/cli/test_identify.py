@@ -40,7 +40,7 @@ from result_keys import undocumented
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "identify"
 PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-DOCUMENT = (ROOT / "docs" / "identify.md").read_text(encoding="utf-8")
+DOCUMENTS = {path.stem: path.read_text(encoding="utf-8") for path in sorted((ROOT / "docs").glob("identify*.md"))}
 WAYS = ("fit", "tank", "flow", "characteristic", "muscle", "friction")
 
 
@@ -73,7 +73,7 @@ def test_the_documents_show_all_ways():
 
 
 def test_shown_files_are_those_of_the_examples():
-    blocks = re.findall(r"^```toml\n(#.*?)^```$", DOCUMENT, re.MULTILINE | re.DOTALL)
+    blocks = re.findall(r"^```toml\n(#.*?)^```$", "".join(DOCUMENTS.values()), re.MULTILINE | re.DOTALL)
     texts = [path.read_text(encoding="utf-8") for path in EXAMPLES.glob("*.toml")]
     assert len(blocks) == len(WAYS) + 1  # and of a design
     assert [block for block in blocks if not any(text.startswith(block) for text in texts)] == []
@@ -94,29 +94,28 @@ def test_a_design_is_printed_and_written(poppet, tmp_path):
     assert all(name in page for name in written["tests"])
 
 
-def part_of(title: str) -> str:
-    prose = re.sub(r"^```.*?^```$", "", DOCUMENT, flags=re.MULTILINE | re.DOTALL)
-    found = re.search(rf"^## {re.escape(title)}(.*?)(?=^## |\Z)", prose, re.MULTILINE | re.DOTALL)
-    assert found, f"docs/identify.md has no section {title}"
-    return found[1]
+def page_of(method: str) -> str:
+    """Return the text of the page of a method, without its code blocks."""
+    page = DOCUMENTS["identify" if method == "fit" else f"identify_{method}"]
+    return re.sub(r"^```.*?^```$", "", page, flags=re.MULTILINE | re.DOTALL)
 
 
 @pytest.mark.parametrize(
-    ("title", "names"),
+    ("method", "names"),
     [
-        ("`identify fit`", fit_file.TOP_LEVEL),
-        ("`identify fit`", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free_parameter.FIELDS)),
-        ("`identify tank`", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
-        ("`identify tank`", OWN),
-        ("`identify flow`", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),
-        ("`identify muscle`", (*muscle_file.TOP_LEVEL, "column", "unit")),
-        ("`identify friction`", (*friction_file.TOP_LEVEL, *friction_file.CHANNEL_FIELDS)),
-        ("`identify design`", (*design_file.TOP_LEVEL, "noise", "offset", "lag")),
-        ("`identify characteristic`", (*characteristic_file.TOP_LEVEL, *characteristic_file.OF_TEST)),
+        ("fit", fit_file.TOP_LEVEL),
+        ("fit", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free_parameter.FIELDS)),
+        ("tank", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
+        ("tank", OWN),
+        ("flow", (*flow_file.TOP_LEVEL, *flow_file.CHANNEL_FIELDS)),
+        ("muscle", (*muscle_file.TOP_LEVEL, "column", "unit")),
+        ("friction", (*friction_file.TOP_LEVEL, *friction_file.CHANNEL_FIELDS)),
+        ("design", (*design_file.TOP_LEVEL, "noise", "offset", "lag")),
+        ("characteristic", (*characteristic_file.TOP_LEVEL, *characteristic_file.OF_TEST)),
     ],
 )
-def test_every_field_is_documented(title, names):
-    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", part_of(title)))))
+def test_every_field_is_documented(method, names):
+    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", page_of(method)))))
     assert [name for name in names if name not in words] == []
 
 
@@ -261,7 +260,7 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
         ("fit", "start = 0.3", "start = 1.5", "outlet.critical_ratio", "free.bounds"),
         ("fit", "start = 0.3", "start = 0.3, prior = { mean = 1 }", "outlet.critical_ratio", "fields.missing"),
         ("fit", 'lag = "free"', 'lag = "0.8 m"', "tank.temperature", "quantity.other_quantity"),
-        ("fit", '"tank.temperature"', '"tank.temprature"', "tank.temprature", "fit.no_output"),
+        ("fit", '"tank.temperature"', '"tank.temprature"', "tank.temprature", "names.unknown"),
         (
             "fit",
             '"tank.initial_pressure" = "free"',
@@ -269,8 +268,8 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
             "start =",
             "quantity.other_quantity",
         ),
-        ("fit", '"tank.initial_pressure" = "free"', '"tank.initial" = "free"', "start =", "free.unknown_number"),
-        ("fit", "[free]", '[free]\nloss = "hubr"', "loss =", "search.loss"),
+        ("fit", '"tank.initial_pressure" = "free"', '"tank.initial" = "free"', "start =", "names.unknown"),
+        ("fit", "[free]", '[free]\nloss = "hubr"', "loss =", "fields.not_an_option"),
         ("fit", "[free]", "[free]\nstarts = 0", "starts =", "search.starts"),
         ("fit", "[free]", "[free]\nseed = -1.5", "seed =", "search.seed"),
         ("fit", "[free]", '[free]\nkicks = "many"', "kicks =", "search.kicks"),
@@ -305,7 +304,7 @@ def test_what_a_fit_reads_itself_may_be_misspelt(bench, way, old, wrong, meant):
     path.write_text(path.read_text(encoding="utf-8").replace(old, wrong, 1), encoding="utf-8")
     with pytest.raises(InputError) as error:
         READERS[way](path)
-    assert error.value.code == "measured.unknown_field"
+    assert error.value.code == "fields.unknown"
     assert meant in error.value.facts["near"].names
 
 
@@ -334,7 +333,7 @@ def test_a_gauge_pressure_read_as_absolute_is_named(poppet, bench):
     assert found.address == "charge.tank.pressure"
     assert found.facts["floor"] < 0.5 * found.facts["ambient"] == pytest.approx(0.4935)
     assert (found.facts["number"], found.facts["verdict"]) == ("valve.critical_ratio", "at bound")
-    assert len([text for text in result.findings if "discharge" in text and "read as absolute" in text]) == 1
+    assert len([note for note in remarks(result, "suspicion.read_as_absolute") if "discharge" in note.address]) == 1
 
 
 def test_a_page_that_cannot_be_drawn_is_told_before_the_fit(poppet, bench, monkeypatch):
@@ -413,7 +412,7 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
     assert profile.address == "valve.critical_ratio"
     assert profile.facts["low"] == result.parameters["valve.critical_ratio"].low == pytest.approx(0.275, abs=0.005)
     # A plain number has no unit behind it.
-    assert str(profile).endswith(f"{profile.facts['linear_high']:.5g} (95 %).")
+    assert str(profile).endswith(f"{profile.facts['linear_high']:.5g} by the linear model.")
     repeated = {note.address: note.facts for note in remarks(result, "finding.bootstrap")}
     assert set(repeated) == set(result.parameters)
     assert repeated["valve.sonic_conductance"]["low"] == pytest.approx(2.1e-8, rel=0.02)
@@ -423,11 +422,11 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (("flow", "flow.toml", "--compare", "fit.toml"), "--compare has no meaning for `identify flow`"),
-        (("tank", "tank.toml", "--library", "x.toml"), "--library has no meaning for `identify tank`"),
-        (("characteristic", "characteristic.toml", "--bootstrap", "9"), "--bootstrap has no meaning"),
-        (("fit", "fit.toml", "--bootstrap", "-1"), "--bootstrap -1 is below zero"),
-        (("fit", "fit.toml", "--profile", "outlet.ratio"), "profile = outlet.ratio is not free"),
+        (("flow", "flow.toml", "--compare", "fit.toml"), "--compare is not an option of `identify flow`"),
+        (("tank", "tank.toml", "--library", "x.toml"), "--library is not an option of `identify tank`"),
+        (("characteristic", "characteristic.toml", "--bootstrap", "9"), "--bootstrap is not an option"),
+        (("fit", "fit.toml", "--bootstrap", "-1"), "--bootstrap -1 must be at least 0"),
+        (("fit", "fit.toml", "--profile", "outlet.ratio"), "profile = outlet.ratio is not a free parameter"),
         (("fit", "fit.toml", "-o", "x.xls"), "x.xls"),
         (("fit", "nowhere.toml"), "nowhere.toml"),
         (("fit", "tank.toml"), "is not a valid field of a fit file"),
@@ -482,11 +481,11 @@ def rising(rows):
 
 
 REFUSED = [
-    (with_pressure("nan"), "holds no numbers"),
-    (with_pressure("ERROR"), "holds text such as"),
-    (backwards, "runs backwards"),
-    (lambda rows: rows[:5], "has 5 samples, fewer than 8"),
-    (lambda rows: [], "holds no lines of numbers"),
+    (with_pressure("nan"), "contains no numbers"),
+    (with_pressure("ERROR"), "contains text such as"),
+    (backwards, "the time must not decrease"),
+    (lambda rows: rows[:5], "has 5 samples; at least 8 are required"),
+    (lambda rows: [], "contains no lines of numbers"),
 ]
 RECORDINGS = [("fit", "discharge.csv"), ("tank", "tank_discharge.csv"), ("characteristic", "strokes/240.csv")]
 
@@ -512,9 +511,9 @@ def test_empty_files_are_refused(poppet, bench, way, file):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (with_pressure("5.0"), "hardly changes"),
-        (rising, "which is no discharge"),
-        (with_pressure("nan"), "holds no numbers"),
+        (with_pressure("5.0"), "is nearly constant"),
+        (rising, "which is not a discharge"),
+        (with_pressure("nan"), "contains no numbers"),
     ],
 )
 def test_a_tank_that_does_not_empty_is_refused(poppet, bench, change, message):
@@ -529,13 +528,13 @@ def test_a_tank_fuller_than_its_supply_is_refused(poppet, bench):
     path.write_text(path.read_text().replace('supply_pressure = "7 bar g"', 'supply_pressure = "4 bar"'))
     code, _, err = poppet("identify", "tank", str(path))
     assert code == 2
-    assert "above the supply of 400000 Pa" in err
+    assert "above the supply pressure of 400000 Pa" in err
 
 
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda rows: rows[:2], "are too few for 2 free numbers"),
+        (lambda rows: rows[:2], "are too few to check a fit of 2 free parameters"),
         (with_pressure("nan"), "pressure_1"),
         (lambda rows: [[row[0], row[2], row[1], row[3]] for row in rows], "pressure_2"),
     ],
@@ -548,7 +547,7 @@ def test_points_that_cannot_be_are_refused(poppet, bench, change, message):
 
 
 @pytest.mark.parametrize("way", ["fit", "tank", "flow"])
-@pytest.mark.parametrize(("unit", "message"), [("K", '"Pa"'), ("baar", "which is unknown")])
+@pytest.mark.parametrize(("unit", "message"), [("K", '"Pa"'), ("baar", "which is not a unit")])
 def test_wrong_units_are_refused(poppet, bench, way, unit, message):
     path = bench / f"{way}.toml"
     path.write_text(path.read_text().replace('unit = "bar g"', f'unit = "{unit}"'))
@@ -567,7 +566,7 @@ def doubtful(path: Path) -> Result:
 def test_a_sensor_that_does_not_move_is_suspected(bench):
     rewrite(bench / "discharge.csv", with_pressure("5.0"))
     result = doubtful(bench / "fit.toml")
-    assert "is the sensor connected?" in " ".join(result.findings)
+    assert "Check the connection of the sensor." in " ".join(result.findings)
     # Nothing flows, or so little that no number fits: the last digit decides.
     assert result.parameters["outlet.sonic_conductance"].verdict in ("not determined", "at bound")
 
@@ -581,9 +580,9 @@ def test_a_pressure_that_rises_in_a_discharge_does_not_fit(bench):
 def test_gauge_read_as_absolute_is_suspected(bench):
     path = bench / "fit.toml"
     path.write_text(path.read_text().replace('"bar g"', '"bar"'))
-    assert "a gauge pressure read as absolute?" in " ".join(doubtful(path).findings)
+    assert "If it is a gauge pressure" in " ".join(doubtful(path).findings)
 
 
 def test_repeated_stamps_are_merged_and_counted(bench):
     rewrite(bench / "discharge.csv", lambda rows: [row for row in rows for _ in range(2)])
-    assert "301 repeated time stamps were merged" in " ".join(identify_fit(bench / "fit.toml").findings)
+    assert "301 samples with repeated times were merged" in " ".join(identify_fit(bench / "fit.toml").findings)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import os
 import shlex
 import subprocess
@@ -13,6 +14,8 @@ import pytest
 
 from poppet import __version__
 from poppet.cli import main
+from poppet.cli.commands import COMMANDS
+from poppet.core.provenance import LEAST_CERTAIN_FIRST
 
 SOURCES = Path(main.__file__).parents[2]
 
@@ -60,7 +63,7 @@ def test_version(poppet):
 def test_help_lists_every_command(poppet):
     code, out, _ = poppet("--help")
     assert code == 0
-    assert [name for name, summary in main.COMMANDS.items() if f"  {name} " not in out or summary not in out] == []
+    assert [name for name, command in COMMANDS.items() if f"  {name} " not in out or command.summary not in out] == []
 
 
 def test_without_a_command_the_help_goes_to_stderr(poppet):
@@ -69,7 +72,7 @@ def test_without_a_command_the_help_goes_to_stderr(poppet):
     assert "commands:" in err
 
 
-@pytest.mark.parametrize("name", main.COMMANDS)
+@pytest.mark.parametrize("name", COMMANDS)
 def test_every_help_ends_with_two_or_three_examples(poppet, name):
     code, out, _ = poppet(name, "--help")
     examples = out.partition("examples:\n")[2].splitlines()
@@ -78,12 +81,11 @@ def test_every_help_ends_with_two_or_three_examples(poppet, name):
     assert all(line.startswith(f"  poppet {name}") for line in examples)
 
 
-@pytest.mark.parametrize("name", main.COMMANDS)
+@pytest.mark.parametrize("name", COMMANDS)
 def test_every_example_can_be_parsed(name):
-    parser = main.command_parser(name)
-    for line in parser.examples:
+    for line in COMMANDS[name].examples:
         program, *words = shlex.split(line)
-        command, arguments = main.command_of(words)
+        command, arguments = main.split_command(words)
         # A group shows what is in it.
         assert program == "poppet"
         assert f"{command} ".startswith(f"{name} ")
@@ -114,6 +116,61 @@ def test_the_version_needs_no_command(poppet):
     assert poppet("--version", "simulate") == (0, f"poppet {__version__}\n", "")
 
 
+@pytest.mark.parametrize("name", COMMANDS)
+def test_every_command_has_quiet(poppet, monkeypatch, tmp_path, name):
+    """The output is suppressed, notes are not."""
+
+    def execute(options):
+        assert options.quiet
+        print("text")
+        print("note: text", file=sys.stderr)
+
+    module, _, function = COMMANDS[name].function.partition(":")
+    monkeypatch.setattr(importlib.import_module(f"poppet.cli.{module}"), function, execute)
+    words = shlex.split(COMMANDS[name].examples[0])[1:]
+    assert main.split_command(words)[0] == name
+    assert poppet(*words, "--quiet") == (0, "", "note: text\n")
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "simulate tanks.toml",
+        "check tanks.toml",
+        "show tanks.toml",
+        "linearise tanks.toml",
+        "new",
+        "new two-tanks",
+        "schema",
+        "library",
+        "explain wiring",
+        'convert "6 bar g" --to bar',
+        "draw tanks.toml -o tanks.svg",
+        "export c tanks.toml -o folder",
+    ],
+)
+def test_quiet_commands_print_nothing(poppet, tanks, line):
+    assert poppet(*shlex.split(line)).out
+    answer = poppet(*shlex.split(line), "--quiet", *(["--force"] if line.startswith("new t") else []))
+    assert (answer.code, answer.out) == (0, "")
+
+
+def test_an_old_name_of_an_option_is_accepted_with_a_note(poppet, tanks):
+    old = poppet("live", str(tanks), "--number=low.volume=10 l..30 l", "-o", "old.html")
+    assert (old.code, old.err) == (
+        0,
+        "note: --number is now --parameter; the old name is accepted until version 1.0.\n",
+    )
+    new = poppet("live", str(tanks), "--parameter", "low.volume=10 l..30 l", "-o", "new.html")
+    assert (new.code, new.err) == (0, "")
+    assert Path("old.html").read_bytes() == Path("new.html").read_bytes()
+
+
+def test_the_help_lists_the_kinds_of_sources():
+    (option,) = (option for option in COMMANDS["show"].options if option.name == "kind")
+    assert option.help == f"one kind of source: {', '.join(LEAST_CERTAIN_FIRST)}"
+
+
 def failing(error: BaseException):
     def execute(options):
         raise error
@@ -136,7 +193,7 @@ def failing(error: BaseException):
 )
 def test_an_exception_becomes_one_sentence(poppet, monkeypatch, error, code, sentence):
     monkeypatch.delenv("POPPET_DEBUG", raising=False)
-    monkeypatch.setattr("poppet.cli.library.execute", failing(error))
+    monkeypatch.setattr("poppet.cli.reference.show_library", failing(error))
     answer = poppet("library")
     assert answer.code == code
     assert answer.err.startswith(f"error: {sentence}")
@@ -145,7 +202,7 @@ def test_an_exception_becomes_one_sentence(poppet, monkeypatch, error, code, sen
 
 def test_debugging_shows_the_traceback(poppet, monkeypatch):
     monkeypatch.setenv("POPPET_DEBUG", "1")
-    monkeypatch.setattr("poppet.cli.library.execute", failing(ZeroDivisionError("here")))
+    monkeypatch.setattr("poppet.cli.reference.show_library", failing(ZeroDivisionError("here")))
     with pytest.raises(ZeroDivisionError, match="here"):
         poppet("library")
 
@@ -179,7 +236,7 @@ def test_help_and_version_import_nothing_heavy(tmp_path, arguments):
 def test_a_cold_process_simulates(tmp_path, tanks):
     done = cold("simulate", tanks.name, "-o", "out.csv", cwd=tmp_path)
     assert done.returncode == 0, done.stderr
-    assert done.stdout == "out.csv: 11 rows, 11 series, 0 ... 5 s. The run reached its end.\n"
+    assert done.stdout == "out.csv: 11 rows, 11 series, 0 ... 5 s. The run is complete.\n"
     assert (tmp_path / "out.csv").read_text().startswith("time [s],high.pressure [Pa],")
 
 
@@ -188,6 +245,6 @@ def test_a_cold_process_refuses_bad_input(tmp_path):
     assert (done.returncode, done.stdout) == (2, "")
     assert (
         done.stderr
-        == "error: missing.toml does not exist. Check the path. `poppet new` writes a circuit to start from.\n"
+        == "error: missing.toml does not exist. Check the path. `poppet new` writes a circuit as a starting point.\n"
         "more: poppet explain toml.no_file\n"
     )

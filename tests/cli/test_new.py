@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import poppet as house
-from poppet.cli.new import templates
+from poppet.cli.circuit_files import TEMPLATES
 
 NAMES = (
     "bleed-regulator", "datasheet-valve", "emptying", "muscle-joint", "pressure-control", "pressure-regulator",
@@ -23,11 +23,11 @@ def test_lists_the_templates(poppet):
 @pytest.mark.parametrize("name", NAMES)
 def test_a_template_is_written_checks_and_runs(poppet, tmp_path, name):
     assert poppet("new", name).code == 0
-    assert (tmp_path / f"{name}.toml").read_bytes() == templates()[name].read_bytes()
+    assert (tmp_path / f"{name}.toml").read_bytes() == TEMPLATES[name].read_bytes()
     assert poppet("check", f"{name}.toml").code == 0
     code, out, _ = poppet("simulate", f"{name}.toml", "-o", "out.csv")
     assert code == 0
-    assert "The run reached its end" in out.partition("\n")[0] or name == "emptying"
+    assert "The run is complete" in out.partition("\n")[0] or name == "emptying"
     recording = house.Recording.read("out.csv")
     assert np.all(np.isfinite(recording.values))
     assert not any("not conserved" in note for note in recording.notes)
@@ -44,7 +44,7 @@ def test_the_regulator_template_regulates(poppet):
 def test_the_emptying_template_ends_when_the_tank_is_empty(poppet):
     poppet("new", "emptying")
     _, out, _ = poppet("simulate", "emptying.toml")
-    assert "A stop condition was met. tank.pressure < 0.02 bar g" in out
+    assert "A stop condition was met: tank.pressure < 0.02 bar g" in out
 
 
 def test_an_existing_file_is_kept_unless_forced(poppet, tmp_path):
@@ -58,14 +58,14 @@ def test_an_existing_file_is_kept_unless_forced(poppet, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "code", "nearest"),
+    ("arguments", "code", "address", "nearest"),
     [
-        (("two-tank",), "cli.template.unknown", "two-tanks"),
-        (("two-tanks", "-o", "rig.tml"), "files.suffix", ".toml"),
-        (("two-tanks", "-o", "no/rig.toml"), "files.no_folder", ""),
+        (("two-tank",), "fields.not_an_option", "template", "two-tanks"),
+        (("two-tanks", "-o", "rig.tml"), "files.suffix", "", ".toml"),
+        (("two-tanks", "-o", "no/rig.toml"), "files.no_folder", "", ""),
     ],
 )
-def test_refusals(poppet, tmp_path, arguments, code, nearest):
+def test_refusals(poppet, tmp_path, arguments, code, address, nearest):
     answer = poppet("new", *arguments)
-    assert (answer.code, answer.errors) == (2, [(code, "", None, nearest)])
+    assert (answer.code, answer.errors) == (2, [(code, address, None, nearest)])
     assert list(tmp_path.iterdir()) == []

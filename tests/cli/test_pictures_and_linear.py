@@ -139,7 +139,7 @@ def test_linearise_at_the_end_of_a_recording_and_save(poppet, fill, asked, tmp_p
 @pytest.mark.parametrize(
     ("arguments", "mistake"),
     [
-        (("--set-input", "hole.openin=1"), ("inputs.unknown", "hole.openin", None, "hole.opening")),
+        (("--set-input", "hole.openin=1"), ("names.unknown", "hole.openin", None, "hole.opening")),
         (("--set-input", "hole.opening=1 bar"), ("quantity.other_quantity", "hole.opening", None, "")),
         (("--set-input", "hole.opening"), ("cli.assignment", "", None, "")),
         (("--set-input", "hole.opening=1", "--at", "fill.csv"), ("cli.usage", "", None, "")),

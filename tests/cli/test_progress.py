@@ -8,7 +8,7 @@ import pytest
 
 from poppet.circuit.options import Run
 from poppet.cli import progress
-from poppet.cli.progress import Counting, Running, Waiting
+from poppet.cli.progress import EnsembleProgress, FitProgress, Spinner
 from poppet.engine.problem import Outcome
 from poppet.engine.solve import solve
 
@@ -27,7 +27,7 @@ class Terminal(io.StringIO):
 def test_says_what_is_being_done(monkeypatch, stream, is_quiet, is_shown):
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
-    with Waiting("The model is made ready", is_quiet=is_quiet) as waiting:
+    with Spinner("The model is made ready", is_quiet=is_quiet) as waiting:
         if waiting._timer is not None:
             waiting._timer.join()
     assert ("The model is made ready" in stream.getvalue()) == is_shown
@@ -37,7 +37,7 @@ def test_what_is_soon_done_is_not_spoken_of(monkeypatch):
     stream = Terminal()
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 60.0)
-    with Waiting("The model is made ready"):
+    with Spinner("The model is made ready"):
         pass
     assert stream.getvalue() == ""
 
@@ -46,7 +46,7 @@ def test_what_has_an_end_is_shown_as_a_part_of_it(monkeypatch):
     stream = Terminal()
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
-    with Counting("evaluations") as counting:
+    with FitProgress() as counting:
         counting.stages("bootstrap fits", 3, 200)
     assert "3 of 200 bootstrap fits, 0 s" in stream.getvalue()
 
@@ -55,7 +55,7 @@ def test_an_ensemble_counts_the_runs_that_were_asked_for(monkeypatch):
     stream = Terminal()
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
-    with Running() as running:
+    with EnsembleProgress() as running:
         running(512, 1000, "runs")
         (task,) = running._line.tasks
         assert (task.completed, task.total) == (512, 1000)

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 import poppet as house
-from poppet.cli.progress import Progress
+from poppet.cli.progress import RunProgress
 from poppet.core.note_groups import grouped
 from poppet.engine.problem import Outcome
-from poppet.engine.solve import kernel_run
+from poppet.engine.solve import run_kernel
 
 DRAIN = """
 [parts.tank]
@@ -43,8 +43,8 @@ def drain(tmp_path):
 def test_the_summary_tells_outcome_series_balances_and_steps(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml")
     assert (code, err) == (0, "")
-    assert out.startswith("Two tanks\nThe run reached its end.\n\n11 rows, 11 series, 0 ... 5 s\nseries ")
-    assert "4 checked, all kept" in out
+    assert out.startswith("Two tanks\nThe run is complete.\n\n11 rows, 11 series, 0 ... 5 s\nseries ")
+    assert "4 checked, all within limits" in out
     assert "Steps: " in out
     rows = [line.split() for line in out.splitlines()]
     assert ["high.pressure", "bar", "7", "5.3237", "5.3237", "7"] in rows
@@ -52,7 +52,7 @@ def test_the_summary_tells_outcome_series_balances_and_steps(poppet, tanks):
 
 def test_an_output_file_holds_what_the_circuit_gives(poppet, tanks, tmp_path):
     code, out, _ = poppet("simulate", "tanks.toml", "-o", "out.csv")
-    assert (code, out) == (0, "out.csv: 11 rows, 11 series, 0 ... 5 s. The run reached its end.\n")
+    assert (code, out) == (0, "out.csv: 11 rows, 11 series, 0 ... 5 s. The run is complete.\n")
     read, run = house.Recording.read("out.csv"), house.load(tanks).simulate()
     assert read.names == run.names
     assert np.array_equal(read.values, run.values)
@@ -100,7 +100,7 @@ def test_a_picture_that_cannot_be_drawn_is_told_before_the_run(poppet, tanks, mo
 
 def test_set_on_a_driven_input_replaces_its_signal_and_says_so(poppet, tanks):
     code, _, err = poppet("simulate", "tanks.toml", "--set", "hole.opening=0.5", "-o", "out.csv")
-    assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is left out.\n")
+    assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is ignored.\n")
     assert set(house.Recording.read("out.csv")["hole.opening"]) == {0.5}
 
 
@@ -129,16 +129,16 @@ def test_stop_conditions_add_up(poppet, tanks):
     late, early = "low.pressure > 9 bar", "high.pressure < 6 bar g"
     code, out, _ = poppet("simulate", "tanks.toml", "--stop-when", late, "--stop-when", "high.pressure < 6 bar")
     assert code == 0
-    assert "A stop condition was met. high.pressure < 6 bar at t = " in out
+    assert "A stop condition was met: high.pressure < 6 bar at t = " in out
     tanks.write_text(tanks.read_text() + f'stop_when = "{early}"\n')
     _, out, _ = poppet("simulate", "tanks.toml", "--stop-when", late)
-    assert f"A stop condition was met. {early} at t = 1" in out
+    assert f"A stop condition was met: {early} at t = 1" in out
 
 
 def test_notes_go_to_stderr(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml", "--duration", "0.5 s", "--quiet")
     assert (code, out) == (0, "")
-    assert err == "note: hole.opening: 1 of 2 steps lie at or after the run's end, t = 0.5 s.\n"
+    assert err == "note: hole.opening: 1 of 2 steps are at or after the end of the run, t = 0.5 s.\n"
 
 
 MISSING = """
@@ -232,7 +232,7 @@ def test_plot(poppet, tanks, tmp_path, suffix):
         (("-o", "no/out.csv"), "files.no_folder", "", ""),
         (("-o", "folder.csv"), "cli.output.is_folder", "", ""),
         (("--plot", "out.jpeg"), "files.suffix", "", ".png"),
-        (("--set", "high.volmue=1 l"), "address.unknown", "high.volmue", "high.volume"),
+        (("--set", "high.volmue=1 l"), "names.unknown", "high.volmue", "high.volume"),
         (("--set", "hihg.volume=1 l"), "address.meant", "hihg.volume", ""),
         (("--set", "high.volume"), "cli.assignment", "", ""),
         (("--set", "high.volume="), "cli.assignment", "", ""),
@@ -278,7 +278,7 @@ def test_all_mistakes_of_set_at_once(poppet, tanks):
 def test_a_file_without_duration(poppet, tanks):
     tanks.write_text(tanks.read_text().replace('duration = "5 s"', ""))
     answer = poppet("simulate", "tanks.toml")
-    assert (answer.code, answer.errors) == (2, [("options.no_duration", "run.duration", 25, "")])
+    assert (answer.code, answer.errors) == (2, [("fields.missing", "run.duration", 25, "")])
     assert answer.err.startswith("error: tanks.toml:25: ")
     assert poppet("simulate", "tanks.toml", "--duration", "1 s").code == 0
 
@@ -301,7 +301,7 @@ def test_a_failed_run_without_output_still_shows_its_summary(poppet, drain):
 
 def test_a_run_that_fails_at_its_start_writes_no_file(poppet, tanks, tmp_path, monkeypatch):
     def failing(problem, *_):
-        run = kernel_run(problem)
+        run = run_kernel(problem)
         nothing = {"time": run.time[:0], "values": run.values[:, :0]}
         return dataclasses.replace(run, outcome=Outcome.NOT_FINITE, **nothing)
 
@@ -317,7 +317,7 @@ def test_ctrl_c_keeps_a_partial_result(poppet, tanks, monkeypatch):
         if reached > 0.0:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr(Progress, "__call__", interrupt)
+    monkeypatch.setattr(RunProgress, "__call__", interrupt)
     long = ("--duration", "1e6 s", "--output-step", "1e3 s", "--set", "run.maximum_step=10 ms")
     answer = poppet("simulate", "tanks.toml", *long, "-o", "out.csv")
     assert (answer.code, answer.codes) == (130, ["run.ended.interrupted"])
@@ -340,7 +340,7 @@ def test_a_progress_bar_only_after_a_second_on_a_terminal(monkeypatch, stream, i
     clock = itertools.count(0.0, 0.6)
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr("poppet.cli.progress.time.monotonic", lambda: next(clock))
-    with Progress(10.0, is_quiet=is_quiet) as progress:
+    with RunProgress(10.0, is_quiet=is_quiet) as progress:
         progress(2.5)
         assert stream.getvalue() == ""
         monkeypatch.setattr("poppet.cli.progress.PATIENCE", 0.0)

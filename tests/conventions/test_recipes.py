@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -12,12 +12,20 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import loads
+from poppet import library, loads
 from poppet.circuit.schema import circuit_schema
+from poppet.cli.main import run
 from poppet.core import message_format
+from poppet.core.command_options import Option
 from poppet.core.errors import OutOfRangeError
+from poppet.core.provenance import printed
 from poppet.core.symbolic import where
+from poppet.deploy.export_model import build_export_model
+from poppet.deploy.parity.parity_check import KernelReference, ParityCheck, TargetResult
+from poppet.deploy.parity.parity_table import compare_targets
+from poppet.deploy.targets import TARGETS, CircuitSource, Export, Target
 from poppet.laws.iso6358.domain import Domain, check
+from poppet.library import gases
 from poppet.parts import KINDS
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.part import Flow, GasState, Passage, PassageFlows, Scope
@@ -60,6 +68,7 @@ class Membrane(Passage):
         return PassageFlows((Flow("flow", "from", "to", flow, enthalpy),), {"mass_flow_rate": (flow, "kg/s")})
 
 
+SIZE = 'sonic_conductance = "1 dm^3/(s bar)"\ncritical_ratio = 0.3'
 CIRCUIT = """
 [parts.supply]
 kind = "reservoir"
@@ -113,6 +122,31 @@ def test_a_part(monkeypatch):
     assert circuit.linearise(at=recording).A.shape[0] == len(circuit.model.states)
 
 
+def test_a_gas(monkeypatch):
+    assert "## Adding a gas" in GUIDE
+    toy = gases._from_molar_mass("toy gas", 0.05, 1.25, gases.NOT_FOR_THIS, gases.GASES["argon"].real)
+    monkeypatch.setattr(gases, "GASES", {**gases.GASES, toy.name: toy})
+    assert "toy gas" in library.gas_names()
+    assert library.gas("Toy_Gas") is toy
+    assert "toy gas: an ideal gas" in library.describe("toy gas")
+    circuit = loads('[gas]\nname = "toy gas"\n' + CIRCUIT.replace('kind = "membrane"', 'kind = "orifice"\n' + SIZE))
+    assert circuit.surroundings.gas_constant == pytest.approx(8.314462618 / 0.05)
+    assert circuit.numbers()["gas.gas_constant"].source.kind == "standard"
+
+
+def test_a_parameter_set(monkeypatch):
+    assert "## Adding a parameter set" in GUIDE
+    volume = printed(7e-6, "m^3", "a toy, page 1")
+    toy = library.ParameterSet(
+        "a toy", {"pilot_stage": {"": library.numbers("vppm_6l", "pilot_stage") | {"volume": volume}}}
+    )
+    monkeypatch.setitem(library._SETS, "toy_set", toy)
+    assert "toy_set" in library.sets()
+    pilot = poppet.PilotStage(supply="supply", exhaust="ambient", data="toy_set")
+    assert pilot.volume == volume
+    assert replace(pilot, data="vppm_6l").volume == library.numbers("vppm_6l", "pilot_stage")["volume"]
+
+
 def test_a_format_of_recordings(monkeypatch, tmp_path):
     assert "## Adding a format of recordings" in GUIDE
 
@@ -138,6 +172,48 @@ def test_a_report(tmp_path):
     text = write_page(tmp_path / "toy.html", page).read_text(encoding="utf-8")
     assert "<td>2</td>" in text.replace(' class="number"', "")
     assert "Cold &amp; wet." in text
+
+
+def export_names(circuit: Any, source: CircuitSource, *, separator: str | None = None) -> Export:
+    """Export the addresses of the parameters."""
+    export_model = build_export_model(circuit)
+    addresses = [parameter.address for parameter in export_model.parameters if parameter.is_free]
+    return Export({"names.txt": (separator or "\n").join(addresses)}, f"{len(addresses)} parameters")
+
+
+def run_toy(reference: KernelReference, folder: Path) -> TargetResult:
+    """Return the values of the kernel as those of the target."""
+    return TargetResult(reference.rows.values, 1.0)
+
+
+NAMES = Target(
+    "names",
+    "export the addresses of the parameters",
+    export_names,
+    (Option("--separator TEXT", "separator of the addresses"),),
+    ("poppet export names tank.toml -o names.txt",),
+    (".txt",),
+    limitations=("Parameters on which others depend are omitted.",),
+    checks=lambda: [ParityCheck("names", "a toy", 1e-9, "all", run_toy)],
+)
+
+
+def test_an_export_target(monkeypatch, tmp_path, capsys):
+    assert "## Adding an export target" in GUIDE
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setitem(TARGETS, "names", NAMES)
+    Path("tank.toml").write_text(CIRCUIT.replace("membrane", 'orifice"\neffective_area = "1 mm^2'), encoding="utf-8")
+    assert run(["export", "names", "tank.toml", "--set", "tank.volume=2 l", "--separator", ",", "-o", "names.txt"]) == 0
+    assert capsys.readouterr().out == "11 parameters\nnames.txt: written.\n"
+    assert "tank.volume" in Path("names.txt").read_text(encoding="utf-8").split(",")
+    assert run(["export", "names", "--help"]) == 0
+    text = capsys.readouterr().out
+    assert "Parameters on which others depend are omitted." in text
+    assert text.endswith("  poppet export names tank.toml -o names.txt\n")
+    assert run(["export"]) == 2
+    assert "export the addresses" in capsys.readouterr().out
+    (row,) = compare_targets(poppet.load("tank.toml"), only=["names"]).rows
+    assert (row.verdict, row.greatest) == ("within", 0.0)
 
 
 def test_a_printer():

@@ -38,7 +38,7 @@ def test_a_reader_finds_all_of_a_claim(name, results):
 
 
 def test_what_fails_stands_first(results):
-    first = validation_pages.page(results).partition("## What does not hold")[2].partition("\n## ")[0]
+    first = validation_pages.page(results).partition("## Claims that do not hold")[2].partition("\n## ")[0]
     failed = [name for name, claim in CLAIMS.items() if not validation_pages.holds(claim, results)]
     assert failed
     assert first.count("(#validation-") == len(failed)

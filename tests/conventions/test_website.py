@@ -13,7 +13,7 @@ from pathlib import Path
 import pytest
 
 import poppet
-from poppet.cli.main import COMMANDS
+from poppet.cli.commands import COMMANDS
 from poppet.core.message_format import every_code
 from poppet.parts import KINDS
 

@@ -12,7 +12,7 @@ from poppet.bench.agreement import SineRig, agreement, without_bands
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sampled_model import SampledModel, sampled_model
-from poppet.engine.problem import Problem, held_coefficients
+from poppet.engine.problem import Problem, constant_coefficients
 from poppet.engine.solve import solve
 from poppet.parts import Chamber, Orifice, ProportionalValve, Reservoir
 from poppet.signals import Constant
@@ -84,7 +84,7 @@ def motion(name: str, pole: complex, count: int) -> np.ndarray:
     v = model.x + 1e-5 * mode / np.max(np.abs(mode)) * model.sizes
     x0, p = point.at_clock(v)
     begin = point.clock.start
-    held = held_coefficients(np.array(list(rest.u.values())), begin)
+    held = constant_coefficients(np.array(list(rest.u.values())), begin)
     grid = model.sample_time * np.arange(count)
     grid[1:] += 1e-9  # just after the instants
     once = np.array([begin]), np.zeros(1, dtype=np.int64)

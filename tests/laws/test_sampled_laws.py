@@ -78,7 +78,7 @@ def test_a_cascade_of_samplers_follows_a_plain_loop(found, values):
 @pytest.mark.parametrize("count", [40, pytest.param(2000, marks=pytest.mark.slow)])
 def test_random_valves_never_fail(count: int) -> None:
     for problem, drawn in valves(np.random.default_rng(2012), count):
-        run = solve(problem, hands_over=False)
+        run = solve(problem, repeats_stalled=False)
         assert run.outcome is Outcome.DONE, drawn
         assert np.isfinite(run.values).all(), drawn
         assert all(residual.is_kept for residual in residuals(problem, run)), drawn

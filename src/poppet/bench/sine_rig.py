@@ -9,12 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
-from poppet.circuit.linear_model import SteadyState, place
+from poppet.circuit.linear_model import SteadyState, index_of
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.core.codes import Note
 from poppet.core.errors import SimulationError
 from poppet.engine.call import Call
-from poppet.engine.problem import Problem, RawRun, StopCondition, held_coefficients
+from poppet.engine.problem import Problem, RawRun, StopCondition, constant_coefficients
 from poppet.engine.solve import solve
 
 Array = NDArray[np.float64]
@@ -58,8 +58,8 @@ class SineRig:
         relative_tolerance: float = 1e-7,
     ) -> None:  # fmt: skip
         model = instance.model
-        self.input = place(tuple(item.name for item in model.inputs), input, "input")
-        self.output = place(model.columns[0], output, "output")
+        self.input = index_of(tuple(item.name for item in model.inputs), input, "input")
+        self.output = index_of(model.columns[0], output, "output")
         self.kernel, self.tolerance = instance.kernel, relative_tolerance
         self.u = instance.held_inputs({}) if rest is None else np.array(list(rest.u.values()))
         self.point = SampledPoint(instance, self.u)
@@ -92,8 +92,8 @@ class SineRig:
         clock = self.point.clock
         end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
         x, p = self.point.first()
-        call = Call(self._problem(held_coefficients(self.u), 0.0, np.array([end]), x, p))
-        run = call.made()
+        call = Call(self._problem(constant_coefficients(self.u), 0.0, np.array([end]), x, p))
+        run = call.run()
         if not run.outcome.is_success:
             raise SimulationError(
                 Note("limits.unsettled", outcome=run.outcome.value, text=str(Note(run.outcome.value)))
@@ -112,7 +112,7 @@ class SineRig:
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
         """Run with a sine added to the constant input."""
-        coefficients = held_coefficients(self.u, self.begin)
+        coefficients = constant_coefficients(self.u, self.begin)
         coefficients[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(coefficients, self.begin, self.begin + grid, self.x, self.p))
 
@@ -137,7 +137,7 @@ class SineRig:
 
     def rise(self, change: float, expected: float, part: float, longest: float) -> float:
         """Return the time from a step of the input until the output has made its change."""
-        coefficients = held_coefficients(self.u, self.begin)
+        coefficients = constant_coefficients(self.u, self.begin)
         coefficients[0, self.input, 0] += change
         sign = float(np.sign(expected))
         goal = self.level + part * expected

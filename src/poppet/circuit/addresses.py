@@ -1,8 +1,9 @@
-"""Change numbers by address: `tank.volume`, `valve.lower_spring.rate`, `ambient.pressure`, `run.duration`."""
+"""Changes of values by address: `tank.volume`, `valve.lower_spring.rate`, `ambient.pressure`, `run.duration`."""
 
 from __future__ import annotations
 
 import dataclasses
+from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
@@ -14,111 +15,111 @@ from poppet.parts.fields import GroupSpec, MemberSpec, Spec, attribute, specs
 from poppet.parts.part import Part
 
 
-def replaced(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Frozen parts with some of their fields changed."""
+def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
+    """Return frozen parts and sections with changed fields."""
     if not isinstance(values, Mapping):
         raise InputError("address.no_mapping", values=values)
     result = dict(owners)
-    by_owner: dict[str, dict[str, Any]] = {}
+    changes_by_owner: dict[str, dict[str, Any]] = defaultdict(dict)
     with ErrorCollector() as errors:
         for address, value in values.items():
             name, _, path = address.partition(".") if isinstance(address, str) else (address, "", "")
             if name not in owners or not path:
-                errors.extend([_nowhere(address, owners)])
+                errors.extend([_unknown_owner(str(address), owners)])
             else:
-                by_owner.setdefault(name, {})[path] = value
-        # All changes of a part at once: two that only fit together must not meet the old value of each other.
-        for name, changes in by_owner.items():
+                changes_by_owner[name][path] = value
+        # All changes of a part together: two values can be valid only in combination.
+        for name, changes in changes_by_owner.items():
             with errors.collecting():
-                result[name] = _changed(owners[name], name, changes)
+                result[name] = _change_owner(owners[name], name, changes)
     return result
 
 
-def _nowhere(given: Any, owners: Mapping[str, Any]) -> InputError:
-    """The mistake of what begins with no owner's name, or is nothing but one."""
-    known = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
-    # First what is nearly right, then the addresses of which one word was written.
-    given = str(given)
-    near = get_close_matches(given, known, n=3) or [
-        address
-        for word in (given, *get_close_matches(given, {address.partition(".")[2] for address in known}, n=1))
-        for address in known
-        if word in address.split(".")
+def _unknown_owner(address: str, owners: Mapping[str, Any]) -> InputError:
+    """Return the error for an address that does not begin with the name of an owner."""
+    addresses = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
+    # Similar addresses first, then addresses that contain the single word.
+    suggestions = get_close_matches(address, addresses, n=3) or [
+        candidate
+        for word in (address, *get_close_matches(address, {a.partition(".")[2] for a in addresses}, n=1))
+        for candidate in addresses
+        if word in candidate.split(".")
     ]
-    if near:
-        return InputError("address.meant", given, names=near[:3])
-    return InputError("address.no_owner", given, owners=[*owners])
+    if suggestions:
+        return InputError("address.meant", address, names=suggestions[:3])
+    return InputError("address.no_owner", address, owners=[*owners])
 
 
-def _changed(owner: Any, name: str, changes: Mapping[str, Any], told: Sequence[str] = ()) -> Any:
-    """A part with changes of its fields, except those that the part around it tells it."""
-    by_field: dict[str, dict[str, Any]] = {}
+def _change_owner(owner: Any, name: str, changes: Mapping[str, Any], inherited: Sequence[str] = ()) -> Any:
+    """Return a part with changed fields; fields `inherited` from the enclosing part cannot change."""
+    changes_by_field: dict[str, dict[str, Any]] = defaultdict(dict)
     for path, value in changes.items():
-        head, _, rest = path.partition(".")
-        by_field.setdefault(head, {})[rest] = value
+        field, _, subpath = path.partition(".")
+        changes_by_field[field][subpath] = value
     fields = {}
     with ErrorCollector() as errors:
-        for head, inner in by_field.items():
+        for field, subchanges in changes_by_field.items():
             with errors.collecting():
-                _check_field(owner, name, head, inner, told)
-                # Read here and not in the constructor, so that mistakes of several fields are told together.
-                fields[attribute(head)] = _field(owner, name, head, inner)
+                _check_field(owner, name, field, subchanges, inherited)
+                # Here, not in the constructor: errors of several fields are reported together.
+                fields[attribute(field)] = _change_field(owner, name, field, subchanges)
     try:
         return dataclasses.replace(owner, **fields)
     except InputError as error:
         raise error.within(name) from None
 
 
-def _check_field(owner: Any, name: str, head: str, changes: Mapping[str, Any], told: Sequence[str]) -> None:
-    if head in told:
-        raise InputError("address.told", f"{name}.{head}", whole=name.rpartition(".")[0])
-    known = [key for key in specs(type(owner)) if key not in told]
-    # Inputs that are no numbers as well: signals drive them, and nothing else.
-    if isinstance(owner, Part) and head not in known and head in {item.name for item in owner.inputs()}:
-        raise InputError("address.is_input", f"{name}.{head}")
-    if head not in known:
-        # Where a number inside a group was meant, its group is left out as often as its name is misspelt.
-        path = next(f"{head}.{rest}" if rest else head for rest in changes)
-        deeper = [key for key in getattr(owner, "numbers", dict)() if key.endswith(f".{path}")]
-        raise _unknown(name, path, deeper or known)
+def _check_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> None:
+    if field in inherited:
+        raise InputError("address.told", f"{name}.{field}", whole=name.rpartition(".")[0])
+    valid = [key for key in specs(type(owner)) if key not in inherited]
+    if field in valid:
+        return
+    # Only signals can drive an input that is not a parameter.
+    if isinstance(owner, Part) and field in {item.name for item in owner.inputs()}:
+        raise InputError("address.is_input", f"{name}.{field}")
+    # A missing group name is as common as a misspelt field.
+    path = next(f"{field}.{subpath}" if subpath else field for subpath in changes)
+    nested = [key for key in getattr(owner, "numbers", dict)() if key.endswith(f".{path}")]
+    raise _unknown_field(name, path, nested or valid)
 
 
-def _field(owner: Any, name: str, head: str, changes: Mapping[str, Any]) -> Any:
-    """A field of a part after its changes, which belong together: one alone may contradict what others mend."""
+def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any]) -> Any:
+    """Return a field of a part after all its changes: a single one can contradict the others."""
     if "" in changes:
         if len(changes) > 1:
-            raise InputError("address.whole_and_part", f"{name}.{head}")
+            raise InputError("address.whole_and_part", f"{name}.{field}")
         return changes[""]
-    spec, current = specs(type(owner))[head], getattr(owner, attribute(head))
+    spec, current = specs(type(owner))[field], getattr(owner, attribute(field))
     if isinstance(spec, MemberSpec):
-        return _changed(current, f"{name}.{head}", changes, spec.inherited)
+        return _change_owner(current, f"{name}.{field}", changes, spec.inherited)
     with ErrorCollector() as errors:
         for path, value in changes.items():
             with errors.collecting():
-                current = _with_inner(current, spec, f"{name}.{head}", path, value)
+                current = _change_nested(current, spec, f"{name}.{field}", path, value)
     return current
 
 
-def _with_inner(current: Any, spec: Spec, name: str, path: str, value: Any) -> Any:
-    """A group or characteristic with one of its numbers changed."""
+def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -> Any:
+    """Return a group or characteristic with one changed parameter."""
     if hasattr(current, "with_numbers"):
         numbers = current.numbers()
         if path not in numbers:
-            raise _unknown(name, path, numbers)
+            raise _unknown_field(name, path, numbers)
         if not isinstance(value, Number):
             unit, text = numbers[path].unit, value if isinstance(value, str) else ""
             read = quantity(value, unit, name=f"{name}.{path}")
-            # What was typed stays with the number: it is shown as it was written.
+            # The text is stored: the value is displayed in its original form.
             value = Number(read.value, unit, Source("given"), read.reference, text)
         return current.with_numbers({path: value})
-    known = specs(spec.group) if isinstance(spec, GroupSpec) else {}
-    if not isinstance(spec, GroupSpec) or path not in known:
-        raise _unknown(name, path, known)
-    # A group that was left out begins with the number that is set.
+    valid = specs(spec.group) if isinstance(spec, GroupSpec) else {}
+    if not isinstance(spec, GroupSpec) or path not in valid:
+        raise _unknown_field(name, path, valid)
+    # An omitted group is created with this value.
     group = spec.group() if current is None else current
     return dataclasses.replace(group, **{attribute(path): value})
 
 
-def _unknown(name: str, path: str, known: Iterable[str]) -> InputError:
-    near = NameSuggestion(f"{name}.{path}", [f"{name}.{key}" for key in known])
-    return InputError("address.unknown", f"{name}.{path}", near=near)
+def _unknown_field(name: str, path: str, valid: Iterable[str]) -> InputError:
+    near = NameSuggestion(f"{name}.{path}", [f"{name}.{key}" for key in valid])
+    return InputError("names.unknown", f"{name}.{path}", meaning="an address of this circuit", near=near)

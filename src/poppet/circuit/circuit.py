@@ -1,4 +1,4 @@
-"""A circuit: named parts, signals and run options, joined into a model that runs."""
+"""Circuit of named parts, signals and run options, with the model derived from them."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 import numpy as np
 
-from poppet.circuit.addresses import replaced
-from poppet.circuit.ideal_gas import far_from_ideal
+from poppet.circuit.addresses import change_values
+from poppet.circuit.ideal_gas import real_gas_notes
 from poppet.circuit.instance import Array, Drive, Instance, Series
 from poppet.circuit.options import ABOUT_CONDUCTANCES, Ambient, GasChoice, Run
-from poppet.circuit.placed_part import PlacedPart, doubtful_numbers, doubtful_signals
+from poppet.circuit.placed_part import PlacedPart, signal_notes, value_notes
 from poppet.circuit.trace import SURROUNDINGS
 from poppet.circuit.wiring import (
     PartWiring,
@@ -24,7 +24,7 @@ from poppet.circuit.wiring import (
     check_signals,
     check_starts,
     check_wiring,
-    met_at_cells,
+    connect_tube_cells,
 )
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, SimulationError
@@ -46,17 +46,14 @@ if TYPE_CHECKING:
 
 _SECTIONS = ("ambient", "gas", "run")
 RUNS = 4
-"""Runs of a circuit whose arrays are kept: most repeat the last one."""
+"""Number of runs whose arrays are cached: most runs repeat the last one."""
 
 
 class Origin(NamedTuple):
-    """The tables of a circuit file as they were written, and the folder to which paths in them refer."""
+    """Tables of a circuit file and the folder for its relative paths."""
 
     tables: Mapping[str, Any]
     folder: Path
-
-
-NOWHERE = Origin({}, Path())
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +78,7 @@ class BaseCircuit(HtmlMixin):
     gas: GasChoice = field(default_factory=GasChoice)
     title: str = ""
     connections: Mapping[str, str] = field(default_factory=dict)
-    origin: Origin = field(default=NOWHERE, repr=False)
+    origin: Origin = field(default=Origin({}, Path()), repr=False)
     like: InitVar[BaseCircuit | None] = None
 
     _placed: Mapping[str, PlacedPart] = field(init=False, repr=False)
@@ -91,35 +88,31 @@ class BaseCircuit(HtmlMixin):
     def __post_init__(self, like: BaseCircuit | None) -> None:
         if isinstance(self.gas, Gas):
             object.__setattr__(self, "gas", GasChoice.of(self.gas))
-        # Alone and first: what follows takes the fields for what they are declared to be.
+        # First: the code below relies on the declared types of the fields.
         check_kinds(self)
-        # Whoever holds what was given may change it, and a circuit stays as it was made.
-        object.__setattr__(self, "parts", MappingProxyType(met_at_cells(self.parts)))
+        # Copies: the caller can change its mappings, a circuit is immutable.
+        object.__setattr__(self, "parts", MappingProxyType(connect_tube_cells(self.parts)))
         for name in ("signals", "connections"):
-            if not isinstance(given := getattr(self, name), MappingProxyType):
-                object.__setattr__(self, name, MappingProxyType(dict(given)))
-        # Gauge values of a part are referred to the surroundings: with others every part is placed anew.
-        is_near = like is not None and like.surroundings == self.surroundings
-        known = like._placed if like is not None and is_near else {}
+            if not isinstance(mapping := getattr(self, name), MappingProxyType):
+                object.__setattr__(self, name, MappingProxyType(dict(mapping)))
+        # Gauge values of parts depend on the surroundings: parts are reused only if the surroundings are equal.
+        reusable = like._placed if like is not None and like.surroundings == self.surroundings else {}
         placed: dict[str, PlacedPart] = {}
         with ErrorCollector() as errors:
             for name, part in self.parts.items():
-                if name in known and known[name].part is part:
-                    placed[name] = known[name]
+                if name in reusable and reusable[name].part is part:
+                    placed[name] = reusable[name]
                     continue
                 with errors.collecting(name):
                     placed[name] = PlacedPart.of(name, part, self.surroundings)
-        is_driven_alike = like is not None and like.signals is self.signals
-        drive = like._drive if like is not None and is_driven_alike else Drive(self.signals)
-        # The only way to set a field of a frozen dataclass.
+        has_same_signals = like is not None and like.signals is self.signals
+        drive = like._drive if like is not None and has_same_signals else Drive(self.signals)
+        # The dataclass is frozen.
         for attribute, value in {"_placed": placed, "_drive": drive, "_problems": LruCache(RUNS)}.items():
             object.__setattr__(self, attribute, value)
-        self._check(like, {name for name in placed if is_driven_alike and placed[name] is known.get(name)})
-
-    def _check(self, like: BaseCircuit | None, checked: set[str]) -> None:
-        """Refuse wrong names, ports, connections, and signals of parts that were not `checked` with them before."""
+        checked = {name for name in placed if has_same_signals and placed[name] is reusable.get(name)}
         with ErrorCollector() as errors:
-            # A fit makes a new circuit for every number that others follow from; its wiring was right before.
+            # A fit creates many circuits with the same wiring, which is checked once.
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(errors, self._wiring)
                 check_connections(errors, self.connections, self.parts, self.inputs, self.signals)
@@ -128,9 +121,9 @@ class BaseCircuit(HtmlMixin):
             check_signals(errors, signals, self.inputs, self.parameters)
 
     def __reduce__(self) -> Any:
-        """The fields alone, for copies and other processes: what follows from them is worked out anew there."""
-        given = (getattr(self, f.name) for f in fields(self) if f.init)
-        return type(self), tuple(dict(each) if isinstance(each, MappingProxyType) else each for each in given)
+        # Copies and other processes get only the fields and derive the rest.
+        values = (getattr(self, f.name) for f in fields(self) if f.init)
+        return type(self), tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in values)
 
     def __repr__(self) -> str:
         lines = [f"Circuit {self.title!r}: {len(self.parts)} parts"]
@@ -140,7 +133,7 @@ class BaseCircuit(HtmlMixin):
             lines.append(f"  {name:<{width}}  {type(part).__name__} {ports}".rstrip())
         return "\n".join([*lines, *(f"  driven: {address}" for address in self.signals)])
 
-    # What is in it -----------------------------------------------------------------------------------------------
+    # Contents ----------------------------------------------------------------------------------------------------
 
     @cached_property
     def surroundings(self) -> Surroundings:
@@ -150,104 +143,102 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def parameters(self) -> dict[str, float]:
-        """Run-time value of every number by its address, SI and absolute."""
-        values = {address: value for each in self._placed.values() for address, value in each.parameters.items()}
+        """Address of each parameter to its run-time value, SI and absolute."""
+        values = {address: value for part in self._placed.values() for address, value in part.parameters.items()}
         s = self.surroundings
-        # What the gas makes of C and b follows from it: it has places in p and stands in no section.
+        # Includes the factors of the gas on C and b, which no section of the file contains.
         return values | dict(zip(SURROUNDINGS, (getattr(s, f.name) for f in fields(s)), strict=True))
 
     def numbers(self) -> dict[str, Number]:
-        """Every number with its unit and source, by address.
+        """Return all values with unit and source by address.
 
         Returns
         -------
         dict
             Parts in file order, then the surroundings.
         """
-        own = {address: n for each in self._placed.values() for address, n in each.numbers.items()}
-        return own | self._shared_numbers()
+        return {a: n for part in self._placed.values() for a, n in part.numbers.items()} | self._shared_numbers()
 
     def _shared_numbers(self) -> dict[str, Number]:
-        own = {f"ambient.{key}": n for key, n in self.ambient.numbers().items()}
-        return own | {f"gas.{key}": n for key, n in self.gas.numbers().items()}
+        sections = {"ambient": self.ambient, "gas": self.gas}
+        return {f"{name}.{key}": n for name, section in sections.items() for key, n in section.numbers().items()}
 
     @cached_property
     def inputs(self) -> dict[str, Input]:
-        """Every input of a part by its address, connected ones among them."""
-        return {address: item for each in self._placed.values() for address, item in each.inputs.items()}
+        """Address of each input of the parts to its declaration, including connected inputs."""
+        return {address: item for part in self._placed.values() for address, item in part.inputs.items()}
 
     @cached_property
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """Address of each stroke to the characteristic that holds over a range of it, and its end stops."""
-        return {address: curve for each in self._placed.values() for address, curve in each.domains.items()}
+        """Address of each stroke to its characteristic and end stops, if the characteristic has a limited domain."""
+        return {address: curve for part in self._placed.values() for address, curve in part.domains.items()}
 
     @property
     def _wiring(self) -> dict[str, PartWiring]:
-        return {name: each.wired for name, each in self._placed.items()}
+        return {name: part.wired for name, part in self._placed.items()}
 
     @cached_property
     def structure(self) -> Hashable:
-        """What decides the model: kinds, options, wiring, names. Numbers are not in it."""
-        parts = tuple(each.structure for each in self._placed.values())
+        """Key of the model: kinds, options, wiring and names, without parameter values."""
+        parts = tuple(part.structure for part in self._placed.values())
         return parts, tuple(sorted(self.connections.items()))
 
     @cached_property
     def static_notes(self) -> tuple[Note, ...]:
-        """What a reader of any result has to know about the circuit's numbers."""
-        of_parts = (note for each in self._placed.values() for note in each.notes)
-        doubts = (
-            *self._volumes_of_air(),
-            *self._heat_as_of_air(),
-            *doubtful_numbers(self._shared_numbers()),
-            *doubtful_signals(self.signals, self.inputs),
-        )
+        """Notes on the values of parameters, signals and the gas, which apply to all results."""
+        placed = self._placed.values()
         gas_notes = self.gas.notes()
-        # Areas, Kv, Cv and nominal flows have one meaning each.
-        if not any(n.unit == "m^3/(s Pa)" for each in self._placed.values() for n in each.numbers.values()):
+        # Areas, Kv, Cv and nominal flows do not depend on the gas of the measurement.
+        if not any(number.unit == "m^3/(s Pa)" for part in placed for number in part.numbers.values()):
             gas_notes = tuple(note for note in gas_notes if note.code not in ABOUT_CONDUCTANCES)
-        return *gas_notes, *self._far_from_ideal(self._at_start), *of_parts, *doubts, *self._uncontrolled()
 
-    def _at_start(self, address: str) -> Array:
-        name, _, quantity = address.partition(".")
-        values = self._placed[name].parameters
-        return np.array([values.get(f"{name}.initial_{quantity}", values.get(address, 0.0))])
+        def initial_value(address: str) -> Array:
+            name, _, quantity = address.partition(".")
+            values = self._placed[name].parameters
+            return np.array([values.get(f"{name}.initial_{quantity}", values.get(address, 0.0))])
 
-    def _far_from_ideal(self, series: Series) -> Iterator[Note]:
-        """Stores whose gas is not ideal; `series` has their pressures and temperatures."""
+        return (
+            *gas_notes,
+            *self._real_gas_notes(initial_value),
+            *(note for part in placed for note in part.notes),
+            *self._other_gas_notes(),
+            *value_notes(self._shared_numbers()),
+            *signal_notes(self.signals, self.inputs),
+            *self._open_loop_notes(),
+        )
+
+    def _real_gas_notes(self, series: Series) -> Iterator[Note]:
+        """Yield notes on gas nodes whose gas is not ideal; `series` returns their pressures and temperatures."""
         gas = self.gas.of_library()
         for name, part in self.parts.items():
             if gas is not None and isinstance(part, Store):
-                yield from far_from_ideal(name, series(f"{name}.pressure"), series(f"{name}.temperature"), gas)
+                yield from real_gas_notes(name, series(f"{name}.pressure"), series(f"{name}.temperature"), gas)
 
-    def _volumes_of_air(self) -> Iterator[Note]:
-        """Mass flow rates that were written as flows at ANR or normal, where something else than air flows."""
+    def _other_gas_notes(self) -> Iterator[Note]:
+        """Yield notes on flows at ANR and heat transfer of air if the gas is not air."""
         for address, number in {} if self.gas.is_air else self.numbers().items():
             if number.unit == "kg/s" and counted_at(number.text):
                 yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
-
-    def _heat_as_of_air(self) -> Iterator[Note]:
-        """Walls whose heat transfer is reckoned with the viscosity and conductivity of air, beside another gas."""
         gas = self.gas.of_library()
         for name, part in self.parts.items() if gas is None or not gas.is_like_air else ():
             law, thermal = (part.options().get(key, "") for key in ("heat_transfer", "thermal"))
             if thermal == "energy" and law not in ("", "constant"):
                 yield Note("gas.heat_as_of_air", f"{name}.heat_transfer", law=law)
 
-    def _uncontrolled(self) -> Iterator[Note]:
-        """Controllers that nobody tells what they are to measure."""
+    def _open_loop_notes(self) -> Iterator[Note]:
+        """Yield notes on controllers whose measured input has no signal and no connection."""
         for name, part in self.parts.items():
             for local in part.measured if isinstance(part, Controller) else ():
                 address = f"{name}.{local}"
                 if address not in self.signals and address not in self.connections:
                     item = self.inputs[address]
-                    default = item.default
-                    value = self.parameters[f"{name}.{default}"] if isinstance(default, str) else default
+                    value = self.parameters[f"{name}.{item.default}"] if isinstance(item.default, str) else item.default
                     yield Note("circuit.uncontrolled", address, value=value, unit=item.unit)
 
-    # Variations --------------------------------------------------------------------------------------------------
+    # Variants ----------------------------------------------------------------------------------------------------
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """The same circuit with other numbers or options.
+        """Return the circuit with other values or options.
 
         Parameters
         ----------
@@ -262,10 +253,10 @@ class BaseCircuit(HtmlMixin):
         Raises
         ------
         InputError
-            If an address is unknown or a value impossible.
+            If an address is unknown or a value is invalid.
         """
         sections = {name: getattr(self, name) for name in _SECTIONS}
-        changed = replaced({**self.parts, **sections}, values)
+        changed = change_values({**self.parts, **sections}, values)
         parts = {name: changed[name] for name in self.parts}
         return replace(self, parts=parts, like=self, **{name: changed[name] for name in _SECTIONS})
 
@@ -280,27 +271,26 @@ class BaseCircuit(HtmlMixin):
         return replace(self, signals=signals, like=self)
 
     def resumed(self, recording: Recording) -> Self:
-        """The same circuit starting where a recording ends.
+        """Return the circuit with the last row of a recording as its initial state.
 
         Parameters
         ----------
         recording : Recording
-            Holds the states' series under this circuit's names, in any units.
+            Contains a series for each state, in any unit.
 
         Returns
         -------
         Circuit
-            With initial values taken from the last row. Its signals, and the clocks of what is sampled or switched,
-            begin anew at t = 0; of sampled memory the integrals go on.
+            Signals and clocks restart at t = 0. Integrals of the discrete state continue.
 
         Raises
         ------
         InputError
-            If the recording lacks a series that a state needs.
+            If the recording lacks the series of a state.
         """
         if not hasattr(recording, "names"):
             raise InputError("circuit.no_recording", value=recording)
-        # Parts without states or memory have nothing to go on with.
+        # Only parts with states or discrete states have initial values.
         targets = {
             f"{name}.{output}": (name, target)
             for name, part in self.parts.items()
@@ -316,35 +306,31 @@ class BaseCircuit(HtmlMixin):
             return self
         units = dict(self.model.outputs)
         last = recording.select(targets).converted({address: units[address] for address in targets}).last()
-        return self.with_values(
-            {f"{name}.{key}": self._within(name, key, last[address]) for address, (name, key) in targets.items()}
-        )
+        values = {}
+        for address, (name, key) in targets.items():
+            spec, value = number_spec(self.parts[name], key), last[address]
+            # The error of the integrator can move a state slightly beyond its limits.
+            limited = min(max(value, spec.low), spec.high)
+            is_close = abs(value - limited) <= 1e-6 * (abs(limited) + spec.high - spec.low)
+            values[f"{name}.{key}"] = limited if is_close else value
+        return self.with_values(values)
 
-    def _within(self, name: str, key: str, value: float) -> float:
-        """A state as an initial value: the integrator's error may have carried it a hair past its limits."""
-        spec = number_spec(self.parts[name], key)
-        held = min(max(value, spec.low), spec.high)
-        return held if abs(value - held) <= 1e-6 * (abs(held) + spec.high - spec.low) else value
-
-    # The model ---------------------------------------------------------------------------------------------------
+    # Model -------------------------------------------------------------------------------------------------------
 
     @property
     def kernel(self) -> Kernel:
-        """The compiled model; compiled once for every structure."""
-        from poppet.engine.kernel import KERNELS
-
-        # By structure, not by identity: a changed number is another circuit with the same kernel.
-        return KERNELS.get(self.structure, self._compiled)
-
-    def _compiled(self) -> Kernel:
+        """Compiled model, compiled once per structure."""
         from poppet.circuit.trace import trace
-        from poppet.engine.kernel import compile_kernel
+        from poppet.engine.kernel import KERNELS, compile_kernel
 
-        return compile_kernel(trace(self.parts, tuple(self.parameters), self.connections))
+        # Circuits that differ only in values have the same structure and share the kernel.
+        return KERNELS.get(
+            self.structure, lambda: compile_kernel(trace(self.parts, tuple(self.parameters), self.connections))
+        )
 
     @property
     def model(self) -> Model:
-        """The traced model: states, inputs, parameters, outputs and their symbolic expressions."""
+        """Traced model: states, inputs, parameters, outputs and their symbolic expressions."""
         return self.kernel.model
 
     @cached_property
@@ -374,18 +360,18 @@ class BaseCircuit(HtmlMixin):
         series : callable
             Function from the address of an output, or `time`, to its values at the rows of the run.
         """
-        yield from self._far_from_ideal(series)
+        yield from self._real_gas_notes(series)
         for name, part in self.parts.items():
             for remark in part.remarks(name, series):
                 yield remark.within(name)
 
     def problem(self, run: Run) -> Problem:
-        """The plain arrays of one run, to be handed to `poppet.engine.solve.solve`.
+        """Return the arrays of one run, the argument of `poppet.engine.solve.solve`.
 
         Parameters
         ----------
         run : Run
-            With a duration.
+            Run options with a duration.
 
         Returns
         -------
@@ -393,7 +379,7 @@ class BaseCircuit(HtmlMixin):
         """
         return self._problems.get(run, lambda: self.instance.problem(run))
 
-    # Running -----------------------------------------------------------------------------------------------------
+    # Analyses ----------------------------------------------------------------------------------------------------
 
     def simulate(
         self,
@@ -412,31 +398,31 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         duration : float or str, optional
-            Length of the run [s]; default that of `run`.
+            Duration [s]; default that of `run`.
         output_step : float or str, optional
             Time between rows [s]; default a thousandth of the duration.
         relative_tolerance : float, optional
-            Results are within about ten times this of the exact solution; default 1e-6.
+            The error of the results is at most about ten times this value; default 1e-6.
         stop_when : str or list of str, optional
-            Conditions that end the run early, `tank.pressure > 5 bar`.
+            Conditions that end the run early, for example `tank.pressure > 5 bar`.
         solver : str, optional
-            `rosenbrock`, or for a check `cvodes`, `lsoda`, `bdf`, `radau`.
+            `rosenbrock`; or `cvodes`, `lsoda`, `bdf`, `radau` to check the result.
         start : Recording, optional
-            Start where it ends.
+            The last row is the initial state.
         progress : callable, optional
-            Called with the time reached [s]; also makes Ctrl-C end the run with a partial result.
+            Called with the time reached [s]. With it, Ctrl-C ends the run with a partial result.
         throw : bool, optional
-            Raise when the run fails; else return the partial recording, whose `outcome` says why.
+            Raise an error if the run fails; otherwise return the partial recording with the reason in `outcome`.
 
         Returns
         -------
         Recording
-            Every state, output and input of every part, SI and absolute.
+            All states, outputs and inputs of all parts, SI and absolute.
 
         Raises
         ------
         SimulationError
-            If the run ended before its time; it holds the partial recording.
+            If the run failed. Its `recording` contains the partial result.
         """
         from poppet.circuit.notes import make_recording
         from poppet.engine.problem import ending, is_failure
@@ -455,14 +441,14 @@ class BaseCircuit(HtmlMixin):
         return recording
 
     def steady_state(self, inputs: Mapping[str, Any] | None = None) -> SteadyState:
-        r"""The state at rest that the circuit reaches from its initial state while its inputs are held.
+        r"""Return the steady state that the circuit reaches from its initial state with constant inputs.
 
         .. math:: f(x, u) = 0
 
         Parameters
         ----------
         inputs : mapping, optional
-            Address to value, SI or text with a unit; default what each input is at the start of a run.
+            Address to value, SI or text with a unit; default the value of each input at the start of a run.
 
         Returns
         -------
@@ -472,18 +458,18 @@ class BaseCircuit(HtmlMixin):
         Raises
         ------
         SimulationError
-            If it comes to no rest.
+            If the circuit has no steady state or none was found.
 
         Notes
         -----
-        A transient of growing length, up to 30 years of model time, brings the circuit near its rest; Newton's method
-        with the exact Jacobian does the rest. What the network conserves (the gas in a closed network) keeps the value
-        of the initial state. Where a valve has a dead zone, any state in it is one of rest: the one is found at which
-        the transient arrives. Where the transient never ends, as with a valve that hunts, the rest is sought with the
-        gas slowed down, which moves no rest but lets the mechanics follow; the message then says so.
+        A transient of increasing length, up to 30 years of model time, approaches the steady state. Newton's method
+        with the exact Jacobian then refines it. Conserved quantities (the gas in a closed network) keep their initial
+        values. In the dead zone of a valve, all states are steady: the result is the one that the transient reaches.
+        If the transient does not end, because a valve hunts, the search continues with slower gas dynamics. Slower gas
+        does not change the steady state, but the mechanics can follow it. A note reports this method.
 
-        With sampled memory the rest is one of the states and of the memory alike: no instant changes anything any
-        more, clocks and their counters left aside.
+        If the circuit is sampled, states and discrete states are both steady: no sample instant changes them, except
+        for clocks and their counters.
 
         Examples
         --------
@@ -499,7 +485,7 @@ class BaseCircuit(HtmlMixin):
         return steady_state(self.instance, inputs)
 
     def linearise(self, inputs: Mapping[str, Any] | None = None, *, at: Recording | None = None) -> LinearModel:
-        r"""Linear model at rest, or where a recording ends, by exact derivatives.
+        r"""Return the linear model at the steady state, or at the end of a recording, from exact derivatives.
 
         .. math::
             A = \frac{\partial f}{\partial x}, \quad B = \frac{\partial f}{\partial u}, \quad
@@ -510,12 +496,12 @@ class BaseCircuit(HtmlMixin):
         inputs : mapping, optional
             Address to value, SI or text with a unit.
         at : Recording, optional
-            Where it ends; default the state at rest.
+            The last row is the operating point; default the steady state.
 
         Returns
         -------
         LinearModel
-            With names and units; a `SampledModel` of a circuit with sampled memory.
+            With names and units; a `SampledModel` if the circuit is sampled.
 
         Examples
         --------

@@ -1,4 +1,4 @@
-"""Circuit files: TOML in, circuit out, with every mistake of a file at once and the line where it stands."""
+"""Reader of circuit files, which reports all errors of a file with their lines."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from poppet.circuit.circuit import BaseCircuit, Origin
 from poppet.circuit.options import Ambient, GasChoice, Run
-from poppet.circuit.signal_tables import checked_table, read_signal
+from poppet.circuit.signal_tables import check_signal_table, read_signal
 from poppet.circuit.wiring import (
     PartWiring,
     check_connections,
@@ -26,7 +26,7 @@ from poppet.parts.part import Input, Store, Surroundings
 
 TOP_LEVEL = ("title", "parts", "signals", "connections", "ambient", "gas", "run")
 ABOVE = ("ensemble", "requirements")
-"""Tables that a circuit hands on to the rooms above, which read them."""
+"""Tables that the packages above read."""
 
 
 CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
@@ -61,9 +61,9 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
         data = file.content
         for key in data:
             if key not in TOP_LEVEL + ABOVE:
-                errors.add("circuit.unknown_table", key, near=NameSuggestion(key, TOP_LEVEL + ABOVE))
+                errors.add("fields.unknown", key, table="circuit file", near=NameSuggestion(key, TOP_LEVEL + ABOVE))
         tables = {name: _table(errors, name, data.get(name, {})) for name in TOP_LEVEL[1:] if name != "gas"}
-        # `gas = "nitrogen"` is short for a table with a name, so it is none of the tables above.
+        # `gas = "nitrogen"` is short for a table with a name.
         gas_table = data.get("gas", {})
         ambient, gas, run = Ambient(), GasChoice(), Run()
         with errors.collecting("ambient"):
@@ -78,24 +78,24 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
         signals = parts.signals(tables["signals"])
         check_signals(errors, signals, parts.inputs, parts.numbers)
         check_starts(errors, parts.made, signals, "parts.")
-        connections = dict(_flattened(tables["connections"]))
-        # A part that could not be made has inputs and outputs that nobody knows: no second mistake for the first.
+        connections = dict(_flatten(tables["connections"]))
+        # An invalid part has unknown inputs and outputs: connections are checked only if all parts are valid.
         if len(parts.made) == len(tables["parts"]):
             check_connections(errors, connections, parts.made, parts.inputs, signals)
-    # Outside of the block above, which raises what it has collected: the circuit itself finds nothing new.
+    # After the block above, which raises the collected errors.
     origin = Origin(data, file.folder)
     return circuit_class(parts.made, signals, run, ambient, gas, str(data.get("title", "")), connections, origin)
 
 
-def _table(errors: ErrorCollector, name: str, given: Any) -> Mapping[str, Any]:
-    if isinstance(given, Mapping):
-        return given
-    errors.add("circuit.no_table", name, value=given)
+def _table(errors: ErrorCollector, name: str, value: Any) -> Mapping[str, Any]:
+    if isinstance(value, Mapping):
+        return value
+    errors.add("circuit.no_table", name, value=value)
     return {}
 
 
 class _Parts:
-    """The parts of a file as far as they can be made, and what is known of those that cannot."""
+    """Valid parts of a file, with inputs, parameters and wiring; invalid parts have only a wiring."""
 
     def __init__(
         self, errors: ErrorCollector, tables: Mapping[str, Any], ambient: Ambient, gas: GasChoice, folder: Path
@@ -108,34 +108,34 @@ class _Parts:
         self.numbers: dict[str, float] = {}
         self.wiring: dict[str, PartWiring] = {}
         for name, table in tables.items():
-            # Of a kind that is a mistake: it may be anything, so its connections count as right.
-            given = table.items() if isinstance(table, Mapping) else ()
-            anything = {"": name} | {k: v for k, v in given if isinstance(v, str) and v in tables}
-            self.wiring[name] = PartWiring(Store, anything, ("",))
+            entries = table.items() if isinstance(table, Mapping) else ()
+            # If the kind is invalid, all names of parts count as valid ports.
+            ports = {"": name} | {key: value for key, value in entries if isinstance(value, str) and value in tables}
+            self.wiring[name] = PartWiring(Store, ports, ("",))
             with errors.collecting(f"parts.{name}"):
                 kind = _kind(table)
                 self.wiring[name] = PartWiring.of_table(kind, table)
-                part = from_table(kind, {key: self._value(key, value) for key, value in given if key != "kind"})
+                part = from_table(kind, {key: self._value(key, value) for key, value in entries if key != "kind"})
                 self.made[name], self.wiring[name] = part, PartWiring.of(part)
                 self.inputs |= {f"{name}.{item.name}": item for item in part.inputs()}
-                # Last, for a gauge value may lie below vacuum.
+                # Last, because a gauge value below vacuum raises an error here.
                 self.numbers |= {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
 
-    def _value(self, key: str, given: Any) -> Any:
-        # Relative to the file, as the paths of signals are, not to where the program runs.
-        is_path = key == "characteristic" and isinstance(given, str) and given.endswith(".toml")
-        return str(self.folder / given) if is_path else given
+    def _value(self, key: str, value: Any) -> Any:
+        # Paths are relative to the folder of the file, as for signals.
+        is_path = key == "characteristic" and isinstance(value, str) and value.endswith(".toml")
+        return str(self.folder / value) if is_path else value
 
     def signals(self, tables: Mapping[str, Any]) -> dict[str, Any]:
-        """Signals of the file by address."""
+        """Return the signals of the file by address."""
         signals = {}
-        for address, table in _flattened(tables):
+        for address, table in _flatten(tables):
             owner = address.partition(".")[0]
             with self.errors.collecting(f"signals.{address}"):
                 if address in self.inputs:
                     signals[address] = read_signal(table, self.inputs[address], self.ambient_pressure, self.folder)
-                elif owner in self.wiring and owner not in self.made:  # with mistakes, so that its inputs are unknown
-                    checked_table(table)
+                elif owner in self.wiring and owner not in self.made:  # an invalid part has unknown inputs
+                    check_signal_table(table)
                 else:
                     self.errors.extend([unknown_input(address, self.inputs)])
         return signals
@@ -148,17 +148,19 @@ def _kind(table: Any) -> type[Part]:
         raise InputError("circuit.no_kind", "kind", known=[*KINDS])
     kind = table["kind"]
     if not isinstance(kind, str) or kind not in KINDS:
-        raise InputError("circuit.unknown_kind", "kind", value=kind, near=NameSuggestion(str(kind), KINDS))
+        raise InputError(
+            "fields.not_an_option", "kind", value=kind, meaning="kind of part", near=NameSuggestion(str(kind), KINDS)
+        )
     return KINDS[kind]
 
 
-def _flattened(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
-    """Signals by address; [signals.valve.pilot_pressure] without quotes is a nested table and means the same."""
-    found: list[tuple[str, Any]] = []
+def _flatten(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
+    """Return signals with their addresses; nested tables, as of [signals.valve.pilot_pressure], are flattened."""
+    signals: list[tuple[str, Any]] = []
     for key, table in tables.items():
-        # An input's address has a dot, so a table under a name without one is not a signal yet.
+        # The address of an input has a dot: a table with a name without a dot contains signals.
         if isinstance(table, Mapping) and "." not in f"{prefix}{key}" and "kind" not in table:
-            found += _flattened(table, f"{key}.")
+            signals += _flatten(table, f"{key}.")
         else:
-            found.append((f"{prefix}{key}", table))
-    return found
+            signals.append((f"{prefix}{key}", table))
+    return signals

@@ -1,4 +1,4 @@
-"""Stores in which the gas is not ideal: where, and what that means."""
+"""Notes on gas nodes whose gas is not ideal."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from poppet.core.codes import Note
 from poppet.laws.physics.real_gas import deviation
 from poppet.library import Gas
 
-TRUSTED = 0.01
-"""Error of mass and of choked flow up to which nothing is said."""
-EVERYDAY = {
+TOLERANCE = 0.01
+"""Error of mass and choked flow without a note."""
+MAX_PRESSURES = {
     "air": 10e5,
     "argon": 7e5,
     "helium": 17e5,
@@ -20,33 +20,34 @@ EVERYDAY = {
     "nitrogen": 12e5,
     "oxygen": 7e5,
 }
-"""Absolute pressures up to which a gas is that close to ideal anywhere in `MILD` [Pa]: of most runs nothing need be
-reckoned, which takes as long as a third of a run."""
-MILD = (250.0, 400.0)
-"""[K]"""
-OF_STATES = ("gas.not_ideal", "gas.no_gas")
-"""Codes of what is said of states, those at the start or those of a run."""
+"""Absolute pressures up to which the error of each gas is below `TOLERANCE` at `TEMPERATURES` [Pa].
+
+Most runs stay below them and need no evaluation of the real gas, which takes a third of the time of a run."""
+TEMPERATURES = (250.0, 400.0)
+"""Temperature range of `MAX_PRESSURES` [K]."""
+STATE_CODES = ("gas.not_ideal", "gas.no_gas")
+"""Codes of notes on gas states, at the start or during a run."""
 
 
-def far_from_ideal(name: str, pressures: Array, temperatures: Array, gas: Gas) -> Iterator[Note]:
-    """The note on a store, from (n_times,) states, where it is furthest from the library's ideal gas."""
-    is_everyday = pressures.max() <= EVERYDAY.get(gas.name, 0.0)
-    if is_everyday and MILD[0] <= temperatures.min() and temperatures.max() <= MILD[1]:
+def real_gas_notes(name: str, pressures: Array, temperatures: Array, gas: Gas) -> Iterator[Note]:
+    """Yield a note on the (n_times,) state of a gas node with the largest deviation from the ideal gas."""
+    low, high = TEMPERATURES
+    if pressures.max() <= MAX_PRESSURES.get(gas.name, 0.0) and low <= temperatures.min() and temperatures.max() <= high:
         return
-    known, kappa, worst, note = gas.as_real, float(gas.isentropic_exponent), TRUSTED, None
-    # Not every row: the worst lies at the highest pressure or at an extreme of temperature, or near it.
+    kappa, worst, note = float(gas.isentropic_exponent), TOLERANCE, None
+    # The largest deviation is at or near the highest pressure or an extreme temperature.
     for row in {int(pressures.argmax()), int(temperatures.argmax()), int(temperatures.argmin())}:
         pressure, temperature = float(pressures[row]), float(temperatures[row])
         if pressure <= 0.0:
             continue
         facts = {"gas": gas.name, "pressure_bar": pressure / 1e5, "temperature": temperature}
-        found = deviation(pressure, temperature, known, kappa)
-        if found is None:
+        errors = deviation(pressure, temperature, gas.as_real, kappa)
+        if errors is None:
             note = Note("gas.no_gas", name, **facts)
             break
-        error = max(abs(found.mass), abs(found.flow))
+        error = max(abs(errors.mass), abs(errors.flow))
         if error > worst:
-            errors = {"mass_percent": 100.0 * found.mass, "flow_percent": 100.0 * found.flow}
-            worst, note = error, Note("gas.not_ideal", name, **facts, compressibility=found.compressibility, **errors)
+            percent = {"mass_percent": 100.0 * errors.mass, "flow_percent": 100.0 * errors.flow}
+            worst, note = error, Note("gas.not_ideal", name, **facts, compressibility=errors.compressibility, **percent)
     if note:
         yield note

@@ -177,7 +177,8 @@ class Instance:
         with ErrorCollector() as errors:
             for name in values:
                 if name not in inputs:
-                    errors.add("inputs.unknown", name, near=NameSuggestion(name, inputs))
+                    near = NameSuggestion(name, inputs)
+                    errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
             for name, item in inputs.items():
                 signal = self.signals.get(name)
                 if name in values:

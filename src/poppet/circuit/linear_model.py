@@ -1,7 +1,8 @@
-"""A linear model: matrices, names and point; eigenvalues, frequency response, files, python-control."""
+"""Linear model with names and operating point: eigenvalues, frequency response, files, python-control."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, ClassVar, Protocol
@@ -56,26 +57,26 @@ class ControlStateSpace(ControlSystem, Protocol):
 
 @dataclass(frozen=True, eq=False)
 class SteadyState:
-    """A state in which nothing changes while the inputs are held.
+    """State that does not change while the inputs are constant.
 
     Parameters
     ----------
     x : (n_states,) array
         Controlled states, in the order of `circuit.model.states`.
     y : dict
-        Address of every output to its value, SI.
+        Address of each output to its value, SI.
     u : dict
-        Address of every input to its value, SI.
+        Address of each input to its value, SI.
     residual : float
-        Largest rate of change left, per size of the state [1/s].
+        Largest remaining rate of change, per size of the state [1/s].
     found : tuple of Note
-        How it was found, and what the circuit does instead of staying there where it would not.
+        Method of the search, and the motion of the circuit if the state is unstable.
     memory : dict
-        Address of every element of the sampled memory to its value, SI; clocks as they are at the start of a run.
+        Address of each discrete state to its value, SI; clocks have their values at the start of a run.
     notes : tuple of Note
-        Kinks at this point, beyond which a linear model does not hold.
+        Kinks near this state, which limit the validity of a linear model.
     is_stable : bool
-        False where the circuit would not stay there.
+        False if the circuit leaves the state after a small disturbance.
     """
 
     x: Array
@@ -89,13 +90,13 @@ class SteadyState:
 
     @property
     def message(self) -> str:
-        """How it was found, in words."""
+        """Text of `found`."""
         return " ".join(map(str, self.found))
 
 
 @dataclass(frozen=True, eq=False)
 class LinearModel(HtmlMixin):
-    r"""A circuit for small changes about a point.
+    r"""Linear model of a circuit for small changes about an operating point.
 
     .. math:: \dot{\delta x} = A\,\delta x + B\,\delta u, \qquad \delta y = C\,\delta x + D\,\delta u
 
@@ -106,16 +107,16 @@ class LinearModel(HtmlMixin):
     states, inputs, outputs : tuple of str
         Addresses, in the order of rows and columns.
     x, u, y : (n,), (n_u,), (n_y,) arrays
-        The point, SI.
+        Operating point, SI.
     rates : (n,) array
-        x' at the point, SI per second: zero at rest. Away from rest it adds to the first equation.
+        x' at the operating point, SI per second: zero for a steady state, otherwise a term of the first equation.
 
     Notes
     -----
-    Valid for amplitudes that change no regime of flow and cross no contact. Between two stores at rest this is the
-    regularised zone of the flow law, 0.1 % of the upstream pressure by default (`laminar_ratio`): beyond it the flow
-    grows with the root of the pressure drop, slower than the linear model says. On a kink the derivative is that of
-    one side.
+    The model is valid for amplitudes that do not change the flow regime and do not open or close a contact. Between two
+    gas nodes at equal pressure, it is valid in the regularised zone of the flow law, by default 0.1 % of the upstream
+    pressure (`laminar_ratio`). Beyond it, the flow increases with the root of the pressure drop, more slowly than in
+    the linear model. On a kink, the derivatives are those of one side.
     """
 
     A: Array
@@ -131,28 +132,28 @@ class LinearModel(HtmlMixin):
     rates: Array = field(repr=False)
 
     more: ClassVar[tuple[str, ...]] = ()
-    """Further attributes that a file of it holds."""
+    """Additional attributes in files."""
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Eigenvalues of A, slowest first."""
-        # Unbalanced, the rounding of the largest entries would drown slow eigenvalues.
-        scale = balance(self.A)
+        """Return the eigenvalues of A, slowest first."""
+        # Without balancing, rounding errors of the largest elements exceed slow eigenvalues.
+        scale = balancing_scale(self.A)
         values = np.linalg.eigvals(self.A * scale[None, :] / scale[:, None]).astype(np.complex128)
         return values[np.lexsort((values.imag, np.abs(values)))]
 
     def poles(self) -> NDArray[np.complex128]:
-        """Poles of the motion in time: here the eigenvalues of A, of a sampled model ln(z)/T."""
+        """Return the poles: the eigenvalues of A, or ln(z)/T for a sampled model."""
         return self.eigenvalues()
 
     def frequency_response(self, frequencies: ArrayLike, input: str, output: str) -> NDArray[np.complex128]:
-        r"""Response of one output to one input.
+        r"""Return the frequency response of one output to one input.
 
         .. math:: G(\mathrm{i}\omega) = C\,(\mathrm{i}\omega I - A)^{-1} B + D, \qquad \omega = 2\pi f
         """
-        column, row = place(self.inputs, input, "input"), place(self.outputs, output, "output")
+        column, row = index_of(self.inputs, input, "input"), index_of(self.outputs, output, "output")
         identity = np.eye(len(self.states))
         gains = [
-            # One solve for each frequency instead of eigenvectors, which are useless near a multiple eigenvalue.
+            # One solve per frequency: eigenvectors are inaccurate near a multiple eigenvalue.
             self.C[row] @ np.linalg.solve(2j * np.pi * f * identity - self.A, self.B[:, column]) + self.D[row, column]
             for f in np.atleast_1d(np.asarray(frequencies, dtype=float))
         ]
@@ -163,56 +164,50 @@ class LinearModel(HtmlMixin):
         with needed("control", "A control.StateSpace", "control"):
             import control
         groups = {"states": self.states, "inputs": self.inputs, "outputs": self.outputs}
-        # python-control takes a dot for the border between system and signal.
+        # In python-control, a dot separates system and signal.
         names = {kind: [name.replace(".", "__") for name in group] for kind, group in groups.items()}
-        # States that do not reach an output are of interest here: they have names and eigenvalues.
+        # States without influence on an output remain: they have names and eigenvalues.
         system: ControlStateSpace = control.ss(self.A, self.B, self.C, self.D, **names, remove_useless_states=False)
         return system
 
     def save(self, path: str | Path) -> Path:
-        """Write the matrices, names and point; an existing file is replaced as a whole or not at all."""
+        """Write matrices, names and operating point as `.json`, `.mat` or `.npz`; a file is replaced completely."""
         path = Path(path)
-        writer = by_suffix(path, {".json": _write_json, ".mat": _write_mat, ".npz": _write_npz})
-        return write_whole(path, lambda stream: writer(self, stream))
+        writers: dict[str, Callable[..., None]] = {".json": _write_json, ".mat": _write_mat, ".npz": np.savez}
+        writer = by_suffix(path, writers)
+        content = {name: getattr(self, name) for name in (*LinearModel.__dataclass_fields__, *self.more)}
+        return write_whole(path, lambda stream: writer(stream, **content))
 
 
-def place(names: tuple[str, ...], name: str, kind: str) -> int:
-    """Place of an address, or an error that names the nearest."""
+def index_of(names: tuple[str, ...], name: str, kind: str) -> int:
+    """Return the index of an address; raise InputError with a suggestion if it is unknown."""
     if name not in names:
-        raise InputError("linear.unknown", name, kind=kind, near=NameSuggestion(name, names))
+        near = NameSuggestion(name, names)
+        raise InputError("names.unknown", name, meaning=f"an {kind} of the linear model", near=near)
     return names.index(name)
 
 
-def balance(matrix: Array) -> Array:
-    """Sizes that make rows and columns alike: pressures and masses are ten decades apart."""
+def balancing_scale(matrix: Array) -> Array:
+    """Return factors that equalise rows and columns: pressures and masses differ by ten decades."""
     from scipy.linalg import matrix_balance
 
     if not matrix.size:
         return np.ones(0)
-    # SciPy makes integers of the sizes as well, for the permutations that are not asked for.
+    # SciPy also converts the factors to integers, for permutations that are not used here.
     with np.errstate(invalid="ignore"):
         return np.asarray(matrix_balance(matrix, permute=False, separate=True)[1][0])
 
 
-def _content(model: LinearModel) -> dict[str, Any]:
-    return {name: getattr(model, name) for name in (*LinearModel.__dataclass_fields__, *model.more)}
-
-
-def _write_json(model: LinearModel, stream: Any) -> None:
+def _write_json(stream: Any, **content: Any) -> None:
     import json
 
-    plain = {key: np.array(value).tolist() for key, value in _content(model).items()}
-    stream.write((json.dumps(plain, indent=1) + "\n").encode())
+    lists = {key: np.array(value).tolist() for key, value in content.items()}
+    stream.write((json.dumps(lists, indent=1) + "\n").encode())
 
 
-def _write_mat(model: LinearModel, stream: Any) -> None:
+def _write_mat(stream: Any, **content: Any) -> None:
     from scipy.io import savemat
 
     # Objects become cell arrays in MATLAB; text arrays would be padded with blanks.
-    content = {k: v if isinstance(v, np.ndarray) else np.array(v, dtype=object) for k, v in _content(model).items()}
-    savemat(stream, content, oned_as="column")
-
-
-def _write_npz(model: LinearModel, stream: Any) -> None:
-    arrays: dict[str, Any] = {key: np.array(value) for key, value in _content(model).items()}
-    np.savez(stream, **arrays)
+    arrays = {k: v if isinstance(v, np.ndarray) else np.array(v, dtype=object) for k, v in content.items()}
+    savemat(stream, arrays, oned_as="column")

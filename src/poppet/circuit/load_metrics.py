@@ -1,4 +1,4 @@
-"""What an engineer asks first of a run with loads: stroke time, end-stop speed, air used, work, efficiency."""
+"""Metrics of a run with loads: stroke time, end-stop speed, air consumption, work, efficiency."""
 
 from __future__ import annotations
 
@@ -19,75 +19,75 @@ from poppet.laws.physics.heat_transfer import GRAVITY
 from poppet.parts.part import AMBIENT, Surroundings
 
 TURNED = 0.2
-"""Part of the whole travel by which a body must come back before a new stroke has begun."""
-LEFT, REACHED = 0.02, 0.98
-"""Parts of a stroke at which its time begins and ends."""
-NONE = 1e-9
-"""Travels below this are no stroke [m] or [rad]."""
+"""Fraction of the travel by which a body must return before a new stroke begins."""
+STROKE_START, STROKE_END = 0.02, 0.98
+"""Fractions of a stroke at which its time begins and ends."""
+MIN_TRAVEL = 1e-9
+"""Travel of the shortest stroke [m] or [rad]."""
 
 
 @dataclass(frozen=True)
-class Stroke:
-    """A motion of a body from one turning point to the next."""
+class BodyStroke:
+    """Motion of a body from one turning point to the next."""
 
     body: str
     unit: str  # of the travel
-    start: float  # time at which 2 % of the travel are passed [s]
-    duration: float  # from there to 98 % [s]
+    start: float  # time at 2 % of the travel [s]
+    duration: float  # time from 2 % to 98 % of the travel [s]
     travel: float  # with its sign
-    mean_speed: float  # 96 % of the travel over the duration
+    mean_speed: float  # 96 % of the travel divided by the duration
     peak_speed: float
 
 
 @dataclass(frozen=True)
 class Arrival:
-    """An end stop that is met at more than 10 mm/s or 10 mrad/s."""
+    """Contact with an end stop at more than 10 mm/s or 10 mrad/s."""
 
     part: str  # the cylinder or body with the stop
     body: str
     time: float  # [s]
-    velocity: float  # its sign says at which end
+    velocity: float  # the sign identifies the end
     unit: str
 
 
 @dataclass(frozen=True)
-class Work:
-    """Energy of a body over a run [J]: done - returned = on_load + lost + what its kinetic energy has gained."""
+class BodyWork:
+    """Energy of a body over a run [J]: done - returned = on_load + lost + increase in kinetic energy."""
 
     body: str
-    done: float  # by its actuators, in the strokes in which they drive it
-    returned: float  # to its actuators, in the strokes in which it drives them
-    on_load: float  # against weight and load, less what these gave back
-    lost: float  # in friction and end stops, those of its cylinders among them
+    done: float  # by the actuators, in strokes in which they drive the body
+    returned: float  # to the actuators, in strokes in which the body drives them
+    on_load: float  # net work against weight and load
+    lost: float  # in friction and end stops, including those of its cylinders
 
 
 @dataclass(frozen=True)
-class Figures:
-    """Figures of a run, SI.
+class LoadMetrics:
+    """Metrics of a run with loads, SI.
 
     Parameters
     ----------
-    strokes : tuple of Stroke
-        From turning point to turning point: a new stroke begins where a body has come back by more than 20 % of its
-        whole travel, so that rebounds and stick-slip do not part one.
+    strokes : tuple of BodyStroke
+        Motions between turning points. A new stroke begins after a body has returned by more than 20 % of its whole
+        travel, so rebounds and stick-slip do not divide a stroke.
     arrivals : tuple of Arrival
-        End stops that were met.
-    works : tuple of Work
-        One for each body.
+        Contacts with end stops.
+    works : tuple of BodyWork
+        One element per body.
     air : mapping
-        Reservoir to the air that it gave, less what it took back, as volume at ANR [m^3].
+        Reservoir to its net air consumption, as volume at ANR [m^3].
     exergy : float
-        Work that the air of all reservoirs could have done down to the ambient state [J].
+        Work that the consumed air could do down to the ambient state [J].
     stored : float
-        What all volumes hold more of it at the end than at the start [J]; NaN where one of them shows no state.
+        Increase in exergy of all volumes [J]; NaN if the state of a volume is not an output.
 
     Notes
     -----
-    The flow exergy of an ideal gas, e = c_p (T - T_a) - T_a (c_p ln(T/T_a) - R ln(p/p_a)), is that of compressed air
-    without its preparation; with supply at ambient temperature it is R T_a ln(p/p_a). A run that ends with full
-    chambers has paid for air that is still there (`stored`): compare whole cycles. Masses of air are integrals of the
-    integrator and do not depend on rows, nor does the work on a constant load; the work of actuators is one where no
-    end stop is met. All else is summed up over rows.
+    The flow exergy of an ideal gas, e = c_p (T - T_a) - T_a (c_p ln(T/T_a) - R ln(p/p_a)), excludes the preparation of
+    the compressed air. With a supply at ambient temperature it is R T_a ln(p/p_a). A run that ends with full chambers
+    has consumed air that is still available (`stored`): compare complete cycles. Masses of air, the work on a constant
+    load, and the work of actuators without contact with an end stop are integrals of the integrator and do not depend
+    on the rows. All other values are sums over rows.
 
     References
     ----------
@@ -95,35 +95,35 @@ class Figures:
     of flowing compressed air, for the exergy ("available energy") of air.
     """
 
-    strokes: tuple[Stroke, ...]
+    strokes: tuple[BodyStroke, ...]
     arrivals: tuple[Arrival, ...]
-    works: tuple[Work, ...]
+    works: tuple[BodyWork, ...]
     air: Mapping[str, float]
     exergy: float
     stored: float
 
     @property
     def air_used(self) -> float:
-        """Air that all reservoirs above ambient pressure gave [m^3 ANR]."""
+        """Air consumption from all reservoirs above ambient pressure [m^3 ANR]."""
         return sum(self.air.values())
 
     @property
     def work(self) -> float:
-        """Work that all actuators did on their bodies [J]."""
+        """Work of all actuators on their bodies [J]."""
         return sum(work.done for work in self.works)
 
     @property
     def efficiency(self) -> float:
-        """Work over the exergy of the air; NaN where no exergy was drawn."""
+        """Work divided by the exergy of the air; NaN without consumed exergy."""
         return self.work / self.exergy if self.exergy > 0.0 else math.nan
 
-    def met(self, stroke: Stroke) -> Arrival | None:
-        """The hardest arrival at an end stop at the end of a stroke, before the next one of its body.
+    def met(self, stroke: BodyStroke) -> Arrival | None:
+        """Return the fastest arrival at an end stop during a stroke, None without contact.
 
         Parameters
         ----------
-        stroke : Stroke
-            One of `strokes`.
+        stroke : BodyStroke
+            Element of `strokes`.
 
         Returns
         -------
@@ -132,42 +132,42 @@ class Figures:
         later = (s.start for s in self.strokes if s.body == stroke.body and s.start > stroke.start)
         end = min(later, default=math.inf)
         met = [a for a in self.arrivals if a.body == stroke.body and stroke.start <= a.time < end]
-        return max(met, key=lambda each: abs(each.velocity), default=None)
+        return max(met, key=lambda arrival: abs(arrival.velocity), default=None)
 
     def as_dict(self) -> dict[str, Any]:
-        """All figures as plain tables, lists and numbers, for JSON.
+        """Return all metrics as tables, lists and numbers for JSON.
 
         Returns
         -------
         dict
-            Fields under their names, with `air_used`, `work` and `efficiency`; what is not a number is None.
+            All fields, `air_used`, `work` and `efficiency`; None in place of NaN.
         """
-        found = asdict(self) | {name: getattr(self, name) for name in ("air_used", "work", "efficiency")}
-        return {k: None if isinstance(v, float) and math.isnan(v) else v for k, v in found.items()}
+        values = asdict(self) | {name: getattr(self, name) for name in ("air_used", "work", "efficiency")}
+        return {k: None if isinstance(v, float) and math.isnan(v) else v for k, v in values.items()}
 
 
 @dataclass(frozen=True)
-class Facts:
-    """What figures need of a run, in plain data."""
+class LoadData:
+    """Data of a run for its load metrics."""
 
     raw: RawRun
-    names: tuple[tuple[str, str], ...]  # outputs with their units
+    outputs: tuple[tuple[str, str], ...]  # names and units
     flows: tuple[FlowInfo, ...]
     stores: tuple[StoreInfo, ...]
     bodies: tuple[tuple[str, tuple[int, ...]], ...]
     parameters: Mapping[str, float]
     surroundings: Surroundings
-    holders: Mapping[str, str]  # cylinder to its body
+    body_of: Mapping[str, str]  # actuator to its body
 
     @classmethod
-    def of(cls, instance: Instance, raw: RawRun) -> Facts:
-        """Of a run of an instance."""
+    def of(cls, instance: Instance, raw: RawRun) -> LoadData:
+        """Return the data of a run of an instance."""
         m, air = instance.model, instance.surroundings
         return cls(raw, m.outputs, m.flows, m.stores, m.bodies, instance.parameters, air, instance.bodies)
 
     def __getitem__(self, address: str) -> Array:
-        """Rows of an output; the open air has its state as well."""
-        for k, (name, _) in enumerate(self.names):
+        """Return the rows of an output, or of the ambient state."""
+        for k, (name, _) in enumerate(self.outputs):
             if name == address:
                 row: Array = self.raw.values[k]
                 return row
@@ -176,169 +176,169 @@ class Facts:
         return np.full(self.raw.time.size, getattr(self.surroundings, quantity))
 
     def unit(self, address: str) -> str:
-        """Unit of an output, empty where there is none of that name."""
-        return dict(self.names).get(address, "")
+        """Return the unit of an output, empty if the output does not exist."""
+        return dict(self.outputs).get(address, "")
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
-        """Outputs of end stops with the owner, and what the names of a piston's motion begin with."""
-        known = dict(self.names)
-        for name in known:
+        """Yield the outputs of end stops, with the owner and the prefix of its motion: `piston_` or empty."""
+        names = dict(self.outputs)
+        for name in names:
             owner, _, local = name.rpartition(".")
             if local in ("stop_force", "stop_torque"):
-                yield name, owner, "piston_" if f"{owner}.piston_position" in known else ""
+                yield name, owner, "piston_" if f"{owner}.piston_position" in names else ""
 
 
-def figures_of(facts: Facts) -> Figures | None:
-    """Figures of a run; None where it has no two rows."""
-    if facts.raw.time.size < 2:
+def load_metrics(run: LoadData) -> LoadMetrics | None:
+    """Return the metrics of a run, None with fewer than two rows."""
+    if run.raw.time.size < 2:
         return None
-    bodies = [name for name, _ in facts.bodies]
-    gave = dict(_given(facts))
-    return Figures(
-        tuple(stroke for name in bodies for stroke in _strokes(facts, name)),
-        tuple(_arrivals(facts)),
-        tuple(_work(facts, *each) for each in facts.bodies),
-        {name: mass / _density(facts.surroundings) for name, (mass, _, pressure) in gave.items() if pressure > 1.0},
-        sum(exergy for _, exergy, _ in gave.values()),
-        _stored(facts),
+    supplied = dict(_supplied_air(run))
+    # Gas density at ANR; that of air is the value of the standard, for moist air.
+    density = ANR.density * AIR_GAS_CONSTANT / run.surroundings.gas_constant
+    return LoadMetrics(
+        tuple(stroke for name, _ in run.bodies for stroke in _strokes(run, name)),
+        tuple(_arrivals(run)),
+        tuple(_work(run, body, integrals) for body, integrals in run.bodies),
+        {name: float(mass / density) for name, (mass, _, pressure) in supplied.items() if pressure > 1.0},
+        sum(exergy for _, exergy, _ in supplied.values()),
+        _stored_exergy(run),
     )
-
-
-def _density(air: Surroundings) -> float:
-    """Of the gas at ANR; that of air is the one of the standard, which is moist."""
-    return float(ANR.density * AIR_GAS_CONSTANT / air.gas_constant)
 
 
 # Motion ----------------------------------------------------------------------------------------------------------
 
 
-def _strokes(facts: Facts, body: str) -> Iterator[Stroke]:
-    time, position, speed = facts.raw.time, facts[f"{body}.position"], np.abs(facts[f"{body}.velocity"])
-    unit = facts.unit(f"{body}.position")
+def _strokes(run: LoadData, body: str) -> Iterator[BodyStroke]:
+    time, position, speed = run.raw.time, run[f"{body}.position"], np.abs(run[f"{body}.velocity"])
+    unit = run.unit(f"{body}.position")
     turns = turning_points(position)
     for first, last in pairwise(turns):
         travel = float(position[last] - position[first])
-        way = (position[first : last + 1] - position[first]) / travel
-        # The last time that it leaves and the first time that it arrives.
-        arrived = int(np.argmax(way >= REACHED))
-        left = int(np.flatnonzero(way[: arrived + 1] <= LEFT)[-1])
-        rows = time[first : last + 1]
-        start, end = (_crossing(rows, way, k, level) for k, level in ((left, LEFT), (arrived - 1, REACHED)))
+        fraction = (position[first : last + 1] - position[first]) / travel
+        # The first row at the end of the stroke, and the last row before it at the start.
+        end_row = int(np.argmax(fraction >= STROKE_END))
+        start_row = int(np.flatnonzero(fraction[: end_row + 1] <= STROKE_START)[-1])
+        start, end = (
+            _crossing_time(time[first : last + 1], fraction, k, level)
+            for k, level in ((start_row, STROKE_START), (end_row - 1, STROKE_END))
+        )
         peak = float(speed[first : last + 1].max())
-        mean = (REACHED - LEFT) * abs(travel) / (end - start)
-        yield Stroke(body, unit, start, end - start, travel, mean, peak)
+        mean = (STROKE_END - STROKE_START) * abs(travel) / (end - start)
+        yield BodyStroke(body, unit, start, end - start, travel, mean, peak)
 
 
-def _crossing(time: Array, way: Array, k: int, level: float) -> float:
-    """When a level is passed behind row k."""
-    step = way[k + 1] - way[k]
-    return float(time[k] + (time[k + 1] - time[k]) * (level - way[k]) / step)
+def _crossing_time(time: Array, values: Array, k: int, level: float) -> float:
+    """Return the time at which values cross a level after row k."""
+    step = values[k + 1] - values[k]
+    return float(time[k] + (time[k + 1] - time[k]) * (level - values[k]) / step)
 
 
 def turning_points(position: Array) -> list[int]:
-    """Rows at which a body turns, and its first and last; comings back of less than a fifth of its travel are none.
+    """Return the rows at which a body turns by at least a fifth of its travel, with the first and last row.
 
     Examples
     --------
     >>> turning_points(np.array([0.0, 0.5, 0.45, 1.0, 0.9, 1.0, 0.0]))
     [0, 3, 6]
     """
-    least = TURNED * float(np.ptp(position))
-    if least < TURNED * NONE:
+    min_return = TURNED * float(np.ptp(position))
+    if min_return < TURNED * MIN_TRAVEL:
         return []
-    turns, extreme, way = [0], 0, 0.0
+    turns, extreme, direction = [0], 0, 0.0
     for k in range(1, position.size):
-        if (position[k] - position[extreme]) * way > 0.0 or (way == 0.0 and position[k] != position[extreme]):
-            if way == 0.0 and abs(position[k] - position[0]) < least:
+        change = position[k] - position[extreme]
+        if change * direction > 0.0 or (direction == 0.0 and change != 0.0):
+            if direction == 0.0 and abs(position[k] - position[0]) < min_return:
                 continue
-            way, extreme = float(np.sign(position[k] - position[extreme])), k
-        elif abs(position[k] - position[extreme]) >= least:
+            direction, extreme = float(np.sign(change)), k
+        elif abs(change) >= min_return:
             turns.append(extreme)
-            way, extreme = -way, k
+            direction, extreme = -direction, k
     return [*turns, extreme] if extreme != turns[-1] else turns
 
 
-def _arrivals(facts: Facts) -> Iterator[Arrival]:
-    from poppet.parts.bodies import arrivals  # which runs without bodies do not need
+def _arrivals(run: LoadData) -> Iterator[Arrival]:
+    from poppet.parts.bodies import find_impacts  # only runs with bodies need it
 
-    for name, owner, kind in facts.stops():
-        stops = tuple(facts.parameters.get(f"{owner}.{end}_stop.position", math.nan) for end in ("lower", "upper"))
-        if kind:
-            stops = 0.0, facts.parameters[f"{owner}.piston.stroke_length"]
-        position, velocity = facts[f"{owner}.{kind}position"], facts[f"{owner}.{kind}velocity"]
-        unit = facts.unit(f"{owner}.{kind}velocity")
-        for time, speed in arrivals(facts.raw.time, position, velocity, facts[name], stops):
-            yield Arrival(owner, facts.holders.get(owner, owner), time, speed, unit)
+    for name, owner, prefix in run.stops():
+        stops = tuple(run.parameters.get(f"{owner}.{end}_stop.position", math.nan) for end in ("lower", "upper"))
+        if prefix:
+            stops = 0.0, run.parameters[f"{owner}.piston.stroke_length"]
+        position, velocity = run[f"{owner}.{prefix}position"], run[f"{owner}.{prefix}velocity"]
+        unit = run.unit(f"{owner}.{prefix}velocity")
+        for time, speed in find_impacts(run.raw.time, position, velocity, run[name], stops):
+            yield Arrival(owner, run.body_of.get(owner, owner), time, speed, unit)
 
 
 # Energy ----------------------------------------------------------------------------------------------------------
 
 
-def _work(facts: Facts, body: str, places: tuple[int, ...]) -> Work:
-    position, velocity, time = facts[f"{body}.position"], facts[f"{body}.velocity"], facts.raw.time
-    effort, inertia = ("force", "mass") if facts.unit(f"{body}.load_force") else ("torque", "inertia")
-    amount = facts.parameters[f"{body}.{inertia}"]
-    weight = amount * GRAVITY * math.sin(facts.parameters.get(f"{body}.inclination", 0.0))
-    on_load = _integral(facts[f"{body}.load_{effort}"], position) + weight * float(position[-1] - position[0])
-    power, is_free = facts[f"{body}.actuator_{effort}"] * velocity, True
-    for name, owner, kind in facts.stops():
-        # A cylinder pushes its body with its covers too, which is no work of the air.
-        if kind and facts.holders.get(owner) == body:
-            power, is_free = power - facts[name] * facts[f"{owner}.{kind}velocity"], is_free and not facts[name].any()
+def _work(run: LoadData, body: str, integrals: tuple[int, ...]) -> BodyWork:
+    position, velocity, time = run[f"{body}.position"], run[f"{body}.velocity"], run.raw.time
+    effort, inertia = ("force", "mass") if run.unit(f"{body}.load_force") else ("torque", "inertia")
+    mass = run.parameters[f"{body}.{inertia}"]
+    weight = mass * GRAVITY * math.sin(run.parameters.get(f"{body}.inclination", 0.0))
+    on_load = _load_work(run[f"{body}.load_{effort}"], position) + weight * float(position[-1] - position[0])
+    power, is_free = run[f"{body}.actuator_{effort}"] * velocity, True
+    for name, owner, prefix in run.stops():
+        # The end stops of a cylinder also push its body, which is not work of the air.
+        if prefix and run.body_of.get(owner) == body:
+            power, is_free = power - run[name] * run[f"{owner}.{prefix}velocity"], is_free and not run[name].any()
     turns = turning_points(position) or [0, time.size - 1]
     parts = [float(np.trapezoid(power[a : b + 1], time[a : b + 1])) for a, b in pairwise(turns)]
     if turns[-1] < time.size - 1:
         parts[-1] += float(np.trapezoid(power[turns[-1] :], time[turns[-1] :]))
-    if is_free:  # the integrator has the sum
-        parts[int(np.argmax(np.abs(parts)))] += float(facts.raw.x[places[0]]) + on_load - sum(parts)
-    gained = 0.5 * amount * float(velocity[-1] ** 2 - velocity[0] ** 2)
+    if is_free:  # the integrator computes the exact sum
+        parts[int(np.argmax(np.abs(parts)))] += float(run.raw.x[integrals[0]]) + on_load - sum(parts)
+    kinetic = 0.5 * mass * float(velocity[-1] ** 2 - velocity[0] ** 2)
     done, returned = (sum(max(sign * part, 0.0) for part in parts) for sign in (1.0, -1.0))
-    return Work(body, done, returned, on_load, done - returned - on_load - gained)
+    return BodyWork(body, done, returned, on_load, done - returned - on_load - kinetic)
 
 
-def _integral(value: Array, over: Array) -> float:
-    """Of a series over another: one that mostly rests holds from its row to the next, others are straight between."""
-    steps = np.diff(over)
-    is_staircase = np.count_nonzero(np.diff(value)) < 0.1 * value.size
-    return float(np.sum((value[:-1] if is_staircase else 0.5 * (value[:-1] + value[1:])) * steps))
+def _load_work(load: Array, position: Array) -> float:
+    """Return the integral of a load over the position; a load that is mostly constant is a staircase."""
+    steps = np.diff(position)
+    is_staircase = np.count_nonzero(np.diff(load)) < 0.1 * load.size
+    return float(np.sum((load[:-1] if is_staircase else 0.5 * (load[:-1] + load[1:])) * steps))
 
 
-def _given(facts: Facts) -> Iterator[tuple[str, tuple[float, float, float]]]:
-    """Reservoir to the mass [kg] and exergy [J] that it gave, and its mean pressure over the ambient one."""
-    inside, air = {store.name for store in facts.stores}, facts.surroundings
-    ends = dict.fromkeys(end for flow in facts.flows for end in (flow.source, flow.target) if end is not None)
+def _supplied_air(run: LoadData) -> Iterator[tuple[str, tuple[float, float, float]]]:
+    """Yield each reservoir with its supplied mass [kg], exergy [J], and ratio of mean pressure to ambient pressure."""
+    stores, air = {store.name for store in run.stores}, run.surroundings
+    ends = dict.fromkeys(end for flow in run.flows for end in (flow.source, flow.target) if end is not None)
     for name in ends:
-        if name in inside:
+        if name in stores:
             continue
-        pressure, temperature = facts[f"{name}.pressure"], facts[f"{name}.temperature"]
+        pressure, temperature = run[f"{name}.pressure"], run[f"{name}.temperature"]
         specific = flow_exergy(pressure, temperature, air)
         mass = exergy = 0.0
-        for flow in facts.flows:
+        for flow in run.flows:
             sign = (flow.source == name) - (flow.target == name)
-            given = sign * float(facts.raw.x[flow.mass])
-            mass += given
-            if sign and np.ptp(specific) > 0.0 and facts.unit(flow.name):
-                exergy += sign * float(np.trapezoid(facts[flow.name] * specific, facts.raw.time))
+            flow_mass = sign * float(run.raw.x[flow.mass])
+            mass += flow_mass
+            if sign and np.ptp(specific) > 0.0 and run.unit(flow.name):
+                exergy += sign * float(np.trapezoid(run[flow.name] * specific, run.raw.time))
             else:
-                exergy += given * float(specific.mean())
+                exergy += flow_mass * float(specific.mean())
         yield name, (mass, exergy, float(pressure.mean()) / air.pressure)
 
 
 def flow_exergy(pressure: Any, temperature: Any, air: Surroundings) -> Any:
-    """Work that flowing gas can do down to the ambient state [J/kg]."""
+    """Return the work that flowing gas can do down to the ambient state [J/kg]."""
     heat, ratio = air.heat_capacity_pressure, temperature / air.temperature
     entropy = heat * np.log(ratio) - air.gas_constant * np.log(pressure / air.pressure)
     return heat * (temperature - air.temperature) - air.temperature * entropy
 
 
-def _stored(facts: Facts) -> float:
-    """What the volumes hold more of exergy at the end than at the start [J]."""
-    air, total = facts.surroundings, 0.0
-    for store in facts.stores:
-        if not all(facts.unit(f"{store.name}.{each}") for each in ("pressure", "temperature", "mass")):
+def _stored_exergy(run: LoadData) -> float:
+    """Return the increase in exergy of all volumes over the run [J]."""
+    air, total = run.surroundings, 0.0
+    for store in run.stores:
+        names = [f"{store.name}.{quantity}" for quantity in ("pressure", "temperature", "mass")]
+        if not all(map(run.unit, names)):
             return math.nan
-        p, t, m = (facts[f"{store.name}.{each}"][[0, -1]] for each in ("pressure", "temperature", "mass"))
-        # Of closed gas: flow exergy less the work of displacing the surroundings, (p - p_a) V.
-        held = m * flow_exergy(p, t, air) - (p - air.pressure) * m * air.gas_constant * t / p
-        total += float(held[1] - held[0])
+        p, t, m = (run[name][[0, -1]] for name in names)
+        # Exergy of enclosed gas: flow exergy minus the work of displacing the surroundings, (p - p_a) V.
+        exergy = m * flow_exergy(p, t, air) - (p - air.pressure) * m * air.gas_constant * t / p
+        total += float(exergy[1] - exergy[0])
     return total

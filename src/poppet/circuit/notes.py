@@ -1,4 +1,4 @@
-"""From the arrays of a run to a recording that says what a reader has to know."""
+"""Recording of a run with its notes."""
 
 from __future__ import annotations
 
@@ -7,9 +7,9 @@ from functools import lru_cache, partial
 
 import numpy as np
 
-from poppet.circuit.ideal_gas import OF_STATES
+from poppet.circuit.ideal_gas import STATE_CODES
 from poppet.circuit.instance import Array, Instance
-from poppet.circuit.load_metrics import Facts, figures_of
+from poppet.circuit.load_metrics import LoadData, load_metrics
 from poppet.core.codes import Note
 from poppet.engine.balances import Residual, residuals
 from poppet.engine.problem import Outcome, Problem, RawRun, ending, is_failure
@@ -36,23 +36,35 @@ def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recordi
         residuals=balances,
         ambient_pressure=instance.surroundings.pressure,
         inner=instance.inner,
-        figures=partial(figures_of, Facts.of(instance, raw)) if problem.kernel.model.bodies else None,
+        figures=partial(load_metrics, LoadData.of(instance, raw)) if problem.kernel.model.bodies else None,
     )
 
 
 def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
     """Yield static notes and the notes on signals, domains, parts and balances."""
     # Notes on gas states at the start are replaced by notes on the gas states of the run.
-    yield from (note for note in instance.notes if not (raw.time.size and note.code in OF_STATES))
-    # Of a run that failed at once there is no row, but its signals still have something to say.
+    yield from (note for note in instance.notes if not (raw.time.size and note.code in STATE_CODES))
+    # A run that failed in its first step has no row, but its signals can have notes.
     end = float(raw.time[-1] if raw.time.size else problem.grid[-1])
     for item in problem.kernel.model.inputs:
         if item.name in instance.signals:
             delay = instance.parameters[item.delay] if item.delay else 0.0
             yield from instance.signals[item.name].notes(end, item.name, delay)
     yield from _domain_notes(instance, problem, raw)
-    yield from _remarks(instance, problem, raw)
-    # A condition that held at the start is nearly always written the wrong way round.
+    if raw.time.size:
+        indices = {name: k for k, (name, _) in enumerate(problem.kernel.model.outputs)}
+
+        def series(address: str) -> Array:
+            if address == "time":
+                return raw.time
+            if address in indices:
+                row: Array = raw.values[indices[address]]
+                return row
+            assert address == f"{AMBIENT}.pressure", address
+            return np.full(raw.time.size, instance.surroundings.pressure)
+
+        yield from instance.circuit.result_notes(series)
+    # A condition that is true at the start has usually the wrong direction.
     if raw.outcome is Outcome.STOPPED and raw.time.size == 1 and not is_failure(problem, raw):
         yield Note("run.nothing_ran", **problem.stop_conditions[raw.stop].reason.facts)
     if raw.outcome.is_success:
@@ -60,20 +72,6 @@ def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tupl
             if not r.is_kept:
                 facts = {"quantity": r.quantity, "error": r.error, "unit": r.unit, "allowed": r.allowed}
                 yield Note("run.not_conserved", r.store, **facts)
-
-
-def _remarks(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:
-    """What parts say about their own results."""
-    places = {name: k for k, (name, _) in enumerate(problem.kernel.model.outputs)}
-    held = {f"{AMBIENT}.pressure": instance.surroundings.pressure}
-
-    def series(address: str) -> Array:
-        if address == "time":
-            return raw.time
-        return raw.values[places[address]] if address in places else np.full(raw.time.size, held[address])
-
-    if raw.time.size:
-        yield from instance.circuit.result_notes(series)
 
 
 def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:

@@ -1,4 +1,4 @@
-"""What surrounds the parts of a circuit: ambient, gas, and how to run."""
+"""Sections of a circuit: surroundings, gas and run options."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.provenance import Number
+from poppet.core.tables import Field, missing_field
 from poppet.laws.iso6358 import factors_from_air
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.fields import (
@@ -26,7 +27,7 @@ from poppet.parts.fields import (
     declared,
     default_number,
     flatten,
-    forget,
+    forget_library,
     number,
     option,
     reference,
@@ -35,25 +36,25 @@ from poppet.parts.fields import (
 MOST_ROWS = 20_000_000
 DEFAULT_ROWS = 1000
 ABOUT_CONDUCTANCES = ("options.conductances_from_air", "options.conductances_as_given")
-"""Codes of what is said about numbers of C, which may hold for air or for the gas."""
+"""Codes of notes on values of C, which can apply to air or to the gas."""
 
 
-class _Section:
-    """A section of a circuit file whose fields are declared as those of parts are."""
+class _OptionSection:
+    """Section of a circuit file with the same field declarations as parts."""
 
     def numbers(self) -> dict[str, Number]:
-        """Numbers by name."""
+        """Return the values by name."""
         return dict(self._numbers)
 
     @cached_property
     def _numbers(self) -> dict[str, Number]:
-        # Kept: a fit makes many circuits that share their sections, and each of them asks.
+        # Cached: the circuits of a fit share their sections.
         return {name: value for name, _, value in flatten(self)}
 
 
 @dataclass(frozen=True)
-class Ambient(_Section):
-    """The surroundings: what gauge pressures, open plates and open walls refer to.
+class Ambient(_OptionSection):
+    """Surroundings, to which gauge pressures, open plates and open walls refer.
 
     Parameters
     ----------
@@ -74,21 +75,21 @@ class Ambient(_Section):
 
 
 @dataclass(frozen=True)
-class GasChoice(_Section):
-    """The gas in the circuit, an ideal gas of constant heat capacity.
+class GasChoice(_OptionSection):
+    """Gas in the circuit, an ideal gas with constant heat capacity.
 
     Parameters
     ----------
     name : str, optional
-        A gas of the library, whose numbers are used where none are given.
+        Gas of the library, which supplies omitted values.
     gas_constant : number
         Specific gas constant R [J/(kg K)]; default that of air.
     isentropic_exponent : number
         Ratio of heat capacities kappa; default that of air.
     conductances : str
-        `as given` (default): sonic conductances and critical ratios hold for this gas. `from air`: they were measured
-        with air, and are turned into those of this gas. What is given as an area is always one of this gas, and a Kv, a
-        Cv and a nominal flow are always turned.
+        `as given` (default): sonic conductances and critical ratios apply to this gas. `from air`: they were measured
+        with air and are converted to this gas. Areas always apply to this gas; Kv, Cv and nominal flows are always
+        converted.
     """
 
     name: Any = reference(doc="gas of the library")
@@ -103,28 +104,28 @@ class GasChoice(_Section):
     def __post_init__(self) -> None:
         defaults = {name: default_number(name, spec) for name, _, spec in declared(GasChoice, NumberSpec)}
         air = {name: value for name, value in defaults.items() if value}
-        # A changed name must not leave the numbers of the old gas behind as if they had been given.
-        forget(self, [air, *map(_gas_numbers, library.gas_names())])
+        # After a change of the name, values of the previous gas must not remain.
+        forget_library(self, [air, *map(_gas_numbers, library.gas_names())])
         try:
-            known = {} if self.name is None else _gas_numbers(str(self.name))
+            values = {} if self.name is None else _gas_numbers(str(self.name))
         except InputError as error:
             raise error.located(address="name") from None
-        complete(self, known)
+        complete(self, values)
 
     @classmethod
     def of(cls, gas: library.Gas) -> GasChoice:
-        """A gas as `poppet.library.gas` returns it, or one that somebody made of numbers of their own."""
+        """Return the choice of a gas of the library, by its name, or of another gas, by its values."""
         if gas in library.gases.GASES.values():
             return cls(name=gas.name)
 
-        # With a source of their own: numbers of the library's gases are dropped when a name is missing.
-        def own(number: Number) -> Number:
+        # With another source: values that equal those of a library gas are dropped if the name is missing.
+        def with_note(number: Number) -> Number:
             return replace(number, source=replace(number.source, note=f"of the gas {gas.name!r}"))
 
-        return cls(gas_constant=own(gas.gas_constant), isentropic_exponent=own(gas.isentropic_exponent))
+        return cls(gas_constant=with_note(gas.gas_constant), isentropic_exponent=with_note(gas.isentropic_exponent))
 
     def values(self) -> tuple[float, float, float, float]:
-        """Gas constant [J/(kg K)], isentropic exponent, factor on sonic conductances, shift of critical ratios."""
+        """Return gas constant [J/(kg K)], isentropic exponent, factor on C, and shift of b."""
         return self._values
 
     @cached_property
@@ -135,14 +136,14 @@ class GasChoice(_Section):
         return constant, exponent, *factors_from_air(exponent, constant)
 
     def notes(self) -> tuple[Note, ...]:
-        """What to know when the gas is not air, or is given twice."""
+        """Return notes if the gas is not air or if its values differ from the library."""
         factor = self.values()[2]
-        known = {} if self.name is None else _gas_numbers(str(self.name))
-        # Both were given, the gas and some numbers of its own: these win, and a note says so.
+        library_values = {} if self.name is None else _gas_numbers(str(self.name))
         unknown = () if self.of_library() else (Note("gas.unknown", "gas"),)
-        over = tuple(name for name, value in known.items() if float(getattr(self, name)) != float(value))
-        if over:
-            return (Note("options.own_gas_numbers", "gas", numbers=over, count=len(over), name=str(self.name)),)
+        # Values of the file override those of the library.
+        changed = tuple(name for name, value in library_values.items() if float(getattr(self, name)) != float(value))
+        if changed:
+            return (Note("options.own_gas_numbers", "gas", numbers=changed, count=len(changed), name=str(self.name)),)
         if self.is_air:
             return ()
         if self.conductances == "from air":
@@ -151,16 +152,16 @@ class GasChoice(_Section):
 
     @property
     def is_air(self) -> bool:
-        """True when its numbers are those of air."""
+        """True if the values are those of air."""
         return self.values()[:2] == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
 
     def of_library(self) -> library.Gas | None:
-        """The gas by name, or air by its numbers.
+        """Return the gas of the library.
 
         Returns
         -------
         Gas or None
-            None of a gas that is known by other numbers alone.
+            None for a gas without a name whose values are not those of air.
         """
         if self.name is None and not self.is_air:
             return None
@@ -174,13 +175,13 @@ def _gas_numbers(name: str) -> dict[str, Number]:
 
 
 @dataclass(frozen=True)
-class Run(_Section):
-    """How to run a circuit.
+class Run(_OptionSection):
+    """Options of a run.
 
     Parameters
     ----------
     duration : number
-        Length of the run [s].
+        Duration [s].
     output_step : number
         Time between rows [s]; default a thousandth of the duration.
     relative_tolerance : number
@@ -188,9 +189,9 @@ class Run(_Section):
     maximum_step : number
         Longest step of the integrator [s].
     stop_when : str or list of str
-        Conditions that end the run early, `tank.pressure > 5 bar`.
+        Conditions that end the run early, for example `tank.pressure > 5 bar`.
     solver : str
-        `rosenbrock`, or for a check `cvodes`, `lsoda`, `bdf`, `radau`.
+        `rosenbrock`; or `cvodes`, `lsoda`, `bdf`, `radau` to check the result.
     """
 
     duration: NumberLike = number("s", optional=True, doc="duration", above=0.0)
@@ -203,7 +204,7 @@ class Run(_Section):
     def __post_init__(self) -> None:
         complete(self, {})
         if self.stop_when is not None:
-            # A tuple, for a run is the key of the problems that are kept.
+            # Hashable: a run is the key of cached problems.
             texts = tuple(self.stop_when) if isinstance(self.stop_when, list | tuple) else (self.stop_when,)
             if not all(isinstance(text, str) for text in texts):
                 raise InputError("options.no_condition", "stop_when", value=self.stop_when)
@@ -211,7 +212,7 @@ class Run(_Section):
 
     @property
     def stop_texts(self) -> tuple[str, ...]:
-        """Stop conditions as written."""
+        """Texts of the stop conditions."""
         return self.stop_when or ()
 
     @property
@@ -221,31 +222,31 @@ class Run(_Section):
 
     @property
     def longest_step(self) -> float:
-        """Longest step [s], infinite when not limited."""
+        """Longest step [s], infinite without a limit."""
         return math.inf if self.maximum_step is None else float(self.maximum_step)  # type: ignore[arg-type]
 
     def changed(self, **options: Any) -> Run:
-        """This run with the options that are not None; itself when none is given.
+        """Return the run with all options that are not None.
 
         Parameters
         ----------
         **options
-            As in `Run`.
+            Fields of `Run`.
         """
         changes = {name: value for name, value in options.items() if value is not None}
         return replace(self, **changes) if changes else self
 
     def grid(self) -> NDArray[np.float64]:
-        """Output times: 0, step, 2 step, ..., and the duration always [s]."""
+        """Return the output times: 0, step, 2 step, ..., and the duration [s]."""
         return self._grid
 
     @cached_property
     def _grid(self) -> NDArray[np.float64]:
         if self.duration is None:
-            raise InputError("options.no_duration", "run.duration")
+            raise missing_field("run.duration", Field(meaning="duration of a run", example='duration = "120 s"'))
         duration = float(self.duration)  # type: ignore[arg-type]
         step = duration / DEFAULT_ROWS if self.output_step is None else float(self.output_step)  # type: ignore[arg-type]
-        # Before the arrays are made: a step in the wrong unit would ask for all memory.
+        # Before the arrays are created: a step in a wrong unit could need all memory.
         if duration / step > MOST_ROWS:
             rows = duration / step
             raise OutOfRangeError("options.too_many_rows", "run.output_step", step=step, rows=rows, most=MOST_ROWS)
@@ -253,27 +254,27 @@ class Run(_Section):
 
 
 def _multiples(step: float, count: int) -> NDArray[np.float64]:
-    """0, step, ..., count step, each the double nearest to the decimal that is meant.
+    """Return 0, step, ..., count step, each rounded once from the decimal value.
 
-    A row then falls on a breakpoint written as a decimal: 3 * 0.1 is not 0.3, but 3 / 10 is.
+    Rows then coincide with breakpoints written as decimals: 3 * 0.1 differs from 0.3, but 3 / 10 does not.
     """
     _, digits, exponent = Decimal(repr(step)).as_tuple()
-    whole = int("".join(map(str, digits)))
-    # 10^22 is the largest power of ten that a double holds exactly, and 2^53 the last whole number without gaps.
-    if isinstance(exponent, int) and -22 <= exponent < 0 and whole * count < 2**53:
-        return np.arange(count + 1, dtype=np.float64) * float(whole) / 10.0**-exponent
+    mantissa = int("".join(map(str, digits)))
+    # 10^22 is the largest power of ten, and 2^53 the largest range of integers, that doubles represent exactly.
+    if isinstance(exponent, int) and -22 <= exponent < 0 and mantissa * count < 2**53:
+        return np.arange(count + 1, dtype=np.float64) * float(mantissa) / 10.0**-exponent
     return np.arange(count + 1, dtype=np.float64) * step
 
 
 @lru_cache(maxsize=64)
 def _output_times(duration: float, step: float) -> NDArray[np.float64]:
-    # A whole number of steps is one, whatever rounding makes of the quotient.
+    # The tolerance includes a last step that rounding of the quotient would lose.
     count = math.floor(duration / step * (1.0 + 1e-12))
     times = _multiples(step, count)
     if duration - times[-1] > 1e-9 * step:
         times = np.append(times, duration)
-    # Also where the last multiple differs from it by rounding only.
+    # The last multiple can differ from the duration by rounding.
     times[-1] = duration
-    # Cached: whoever wrote into them would change the rows of other runs.
+    # Read-only, because other runs share the cached array.
     times.flags.writeable = False
     return times

@@ -1,4 +1,4 @@
-"""A part at its place in a circuit: what the circuit asks of it again and again, with whole addresses."""
+"""Part of a circuit with the complete addresses of its parameters, inputs and outputs."""
 
 from __future__ import annotations
 
@@ -24,31 +24,30 @@ _USUAL = {
     "kg": (0.0, 5e3, "g"),
     "rad": (0.0, 7.0, "deg"),
 }
-"""Unit to the range of usual values, and the unit in which numbers outside it are usually meant."""
-_LARGER = {"length": 200.0, "nominal_length": 20.0, "height": 20.0, "wall_area": 100.0}
-"""Fields, of tubes, muscles and vessels, whose usual values go further."""
+"""Unit to its range of usual values, and to the unit that is probably meant for values outside the range."""
+_UPPER_LIMITS = {"length": 200.0, "nominal_length": 20.0, "height": 20.0, "wall_area": 100.0}
+"""Upper limits of fields of tubes, muscles and vessels with larger usual values."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlacedPart:
-    """What a part says of itself, asked once: circuits that differ in other parts share it."""
+    """Properties of a named part, which variants of a circuit share if the part is unchanged."""
 
     part: Part
     wired: PartWiring
-    # By address; parameters are the run-time values of numbers, domains the characteristics that hold over a range,
-    # and end stops.
+    # By address; `parameters` are run-time values, `domains` are characteristics with a limited domain and end stops.
     inputs: Mapping[str, Input]
     numbers: Mapping[str, Number]
     parameters: Mapping[str, float]
     domains: Mapping[str, tuple[Any, tuple[float, float]]]
-    initial: Mapping[str, str]  # address of an output to the number that it begins at
-    inner: frozenset[str]  # addresses of series that show how it works inside
-    structure: Hashable  # what decides its equations and the addresses of its numbers
-    notes: tuple[Note, ...]  # what a reader of any result has to know about its numbers
+    initial: Mapping[str, str]  # address of an output to the parameter of its start value
+    inner: frozenset[str]  # addresses of internal outputs
+    structure: Hashable  # key of its equations and of the addresses of its parameters
+    notes: tuple[Note, ...]  # notes on its values
 
     @classmethod
     def of(cls, name: str, part: Part, surroundings: Surroundings) -> PlacedPart:
-        """A part under its name; its gauge values are referred to the surroundings, which may lie below vacuum."""
+        """Return a named part; raise InputError if a gauge value is below vacuum in these surroundings."""
         numbers = {f"{name}.{key}": number for key, number in part.numbers().items()}
         parameters = {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
         return cls(
@@ -61,47 +60,47 @@ class PlacedPart:
             {f"{name}.{output}": f"{name}.{key}" for output, key in part.resume.items()},
             frozenset(f"{name}.{series}" for series in part.list_internal_outputs()),
             (name, part.structure(), tuple(parameters)),
-            (*(note.within(name) for note in part.notes()), *doubtful_numbers(numbers), *open_flows(numbers)),
+            (*(note.within(name) for note in part.notes()), *value_notes(numbers), *_volume_flow_notes(numbers)),
         )
 
 
-def doubtful_numbers(numbers: Mapping[str, Number]) -> Iterator[Note]:
-    """Notes on bare numbers that look as if their unit had been left out: a bare 6 is 6 Pa, not 6 bar."""
+def value_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
+    """Yield notes on unusual values without a unit, whose unit is probably missing: 6 is 6 Pa, not 6 bar."""
     for address, number in numbers.items():
-        low, high, meant = _USUAL.get(number.unit, (0.0, math.inf, ""))
-        high = _LARGER.get(address.rpartition(".")[2], high)
-        # A gauge value was written with its unit, and differences have no usual size.
+        low, high, intended_unit = _USUAL.get(number.unit, (0.0, math.inf, ""))
+        high = _UPPER_LIMITS.get(address.rpartition(".")[2], high)
+        # A gauge value has a unit in its text, and a difference has no usual range.
         if number.reference in ("difference", "gauge") or low <= number.value <= high or number.value <= 0.0:
             continue
-        if number.source.kind not in ("given", "measured"):  # nobody typed it here
+        if number.source.kind not in ("given", "measured"):  # not from this file or program
             continue
-        if ".characteristic." in address:  # coefficients have the unit of C without being one
+        if ".characteristic." in address:  # coefficients have the unit of C, but other ranges
             continue
-        if number.display() != number.text:  # without a unit of its own
-            yield Note("doubt.bare_number", address, value=number.value, unit=number.unit, meant=meant)
+        if number.display() != number.text:  # the text has no unit
+            yield Note("doubt.bare_number", address, value=number.value, unit=number.unit, meant=intended_unit)
 
 
-def open_flows(numbers: Mapping[str, Number]) -> Iterator[Note]:
-    """Notes on volume flows that leave open at which state they are counted."""
+def _volume_flow_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
+    """Yield notes on volume flows without a reference state."""
     for address, number in numbers.items():
         if number.unit in ("kg/s", "m^3/s ANR"):
-            yield from (note.within(address) for note in open_flow(number.text, number.value, number.unit))
+            yield from (note.within(address) for note in volume_flow_note(number.text, number.value, number.unit))
 
 
-def open_flow(text: str, value: float, unit: str) -> Iterator[Note]:
-    """How a volume flow was read that leaves open at which state it is counted."""
+def volume_flow_note(text: str, value: float, unit: str) -> Iterator[Note]:
+    """Yield a note on the assumed reference state of a volume flow, if its text names none."""
     state = counted_at(text) if text else ""
     if state in ("open", "standard"):
         yield Note(f"doubt.{state}_flow", shown=text, stated=with_state(text), value=value, unit=unit)
 
 
-def doubtful_signals(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
-    """Notes on signals of pressures and temperatures that stay unusually low, and on how their values were read."""
+def signal_notes(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
+    """Yield notes of the readers of signals, and on pressures and temperatures that remain unusually low."""
     for address, signal in signals.items():
         yield from (note.within(f"signals.{address}") for note in signal.remarks)
         unit = inputs[address].unit
-        low, _, meant = _USUAL.get(unit, (-math.inf, math.inf, ""))
-        # The highest, for a pulse train may well be zero most of the time.
+        low, _, intended_unit = _USUAL.get(unit, (-math.inf, math.inf, ""))
+        # The maximum, because a pulse train can be zero most of the time.
         highest = signal.bounds()[1]
         if 0.0 < highest < low:
-            yield Note("doubt.low_signal", address, highest=highest, unit=unit, meant=meant)
+            yield Note("doubt.low_signal", address, highest=highest, unit=unit, meant=intended_unit)

@@ -1,4 +1,4 @@
-"""The JSON schema of circuit files, generated from the declarations that read them."""
+"""JSON schema of circuit files, generated from the field declarations."""
 
 from __future__ import annotations
 
@@ -39,11 +39,11 @@ _SIGNAL_FIELDS: dict[str, Schema] = {
     "unit": _TEXT,
     "time": _TIME_COLUMN,
 }
-"""Fields of signals that are not a single value."""
+"""Schemas of fields of signals that are not a single value."""
 
 
 def circuit_schema() -> Schema:
-    """The JSON schema of circuit files; `poppet.ensemble.ensemble_schema` knows the tables that rooms above read.
+    """Return the JSON schema of circuit files, without the tables of `poppet.ensemble.ensemble_schema`.
 
     Examples
     --------
@@ -77,32 +77,27 @@ def circuit_schema() -> Schema:
 
 
 def _definitions() -> dict[str, Schema]:
-    signals = {f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS}
+    nested_inputs = {"allOf": [{"type": "object"}, {"$ref": "#/$defs/input"}]}
     return {
         "value": {"type": ["number", "string"], "description": 'SI number, or text with unit: "6 bar g"'},
         "part": by_kind("part", {name: name for name in KINDS}),
         **{name: _part(name) for name in KINDS},
         "signal": by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
-        **signals,
+        **{f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS},
         "connected": {"type": "object", "additionalProperties": {"type": "string"}},
         "input": {
             "description": "a constant, a signal, or signals of inputs further down the address",
-            # Not `anyOf`: an editor would complain about all branches where one is wrong.
+            # Not `anyOf`: for one error an editor would show the errors of all branches.
             "if": {"type": "object"},
             "then": {
                 "if": {"required": ["kind"]},
                 "then": {"$ref": "#/$defs/signal"},
-                "else": _nested_inputs(),
+                # [signals.valve.pilot_pressure] without quotes is a table in a table
+                "else": {"minProperties": 1, "additionalProperties": nested_inputs},
             },
             "else": {"$ref": "#/$defs/value"},
         },
     }
-
-
-def _nested_inputs() -> Schema:
-    """[signals.valve.pilot_pressure] without quotes: tables in a table."""
-    nested = {"allOf": [{"type": "object"}, {"$ref": "#/$defs/input"}]}
-    return {"minProperties": 1, "additionalProperties": nested}
 
 
 def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Schema:
@@ -125,17 +120,16 @@ def _part(name: str) -> Schema:
         "kind",
         *(field for field, spec in declared.items() if isinstance(spec, PortSpec | BodySpec) and not spec.optional),
     ]
-    # Of a part with a library set the schema cannot know which numbers that set has.
-    if "data" not in declared:  # else a library set may supply what is not written
-        required += [field for field, spec in declared.items() if _must_be_given(spec)]
+    if "data" not in declared:  # a library set can supply omitted values
+        required += [
+            field
+            for field, spec in declared.items()
+            if isinstance(spec, NumberSpec) and not spec.optional and spec.default is None
+        ]
     fields = {"kind": {"const": name, "description": kind.summary}}
     return closed(
         fields | {field: _field(field, spec, kind) for field, spec in declared.items()}, required, kind.summary
     )
-
-
-def _must_be_given(spec: Spec) -> bool:
-    return isinstance(spec, NumberSpec) and not spec.optional and spec.default is None
 
 
 def _section(kind: type, description: str) -> Schema:
@@ -166,34 +160,33 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
             fields = {local: _field(local, inner, owner) for local, inner in specs(spec.group).items()}
             return closed(fields, (), spec.doc)
         case MemberSpec():
-            known = specs(spec.part).items()
-            fields = {local: _field(local, s, spec.part) for local, s in known if local not in spec.inherited}
+            members = specs(spec.part).items()
+            fields = {local: _field(local, s, spec.part) for local, s in members if local not in spec.inherited}
             return closed(fields, (), spec.doc)
     return _REFERENCES[name]() | {"description": spec.doc}
 
 
 def _number(spec: NumberSpec, owner: type) -> Schema:
-    """A bare SI number within the limits, a text with unit, or a table that names the source as well."""
+    """Return the schema of a value: an SI number within limits, text with a unit, or a table with the source."""
     if spec.varies is not None and hasattr(owner, "quantity"):
-        # Another quantity has another unit, and other limits with it.
+        # Another quantity has other units and limits.
         spec = replace(spec, unit=f"{spec.unit} by default", low=-math.inf, high=math.inf, default=None, varies=None)
-    bare: Schema = {"type": "number"}
-    # Only of bare numbers: the limits are in SI, and text may have any unit.
+    # The limits are in SI and do not apply to text, which can have another unit.
     limits = {
         "minimum": spec.low,
         "maximum": spec.high,
         "exclusiveMinimum": spec.above,
         "exclusiveMaximum": spec.below,
     }
-    bare |= {name: limit for name, limit in limits.items() if math.isfinite(limit)}
+    number: Schema = {"type": "number"} | {name: limit for name, limit in limits.items() if math.isfinite(limit)}
     sourced = {
-        "value": {"anyOf": [bare, _TEXT]},
+        "value": {"anyOf": [number, _TEXT]},
         "source": {"enum": list(SOURCE_KINDS)},
         "locator": {"type": "string", "description": "where to look it up: work, table, page"},
         "note": _TEXT,
     }
     schema: Schema = {
-        "anyOf": [bare, _TEXT, closed(sourced, ["value"])],
+        "anyOf": [number, _TEXT, closed(sourced, ["value"])],
         "description": f"{spec.doc} [{spec.unit}]" + ("" if spec.default is None else f"; default {spec.default}"),
     }
     return schema if spec.default is None else schema | {"default": spec.default}
@@ -219,14 +212,14 @@ def _characteristic() -> Schema:
 
 
 def _schedule() -> Schema:
-    """The first column has the name of what is controlled."""
-    known = [name for name in GainSchedule.known("pressure", "opening") if name not in QUANTITIES]
-    return closed(dict.fromkeys((*QUANTITIES, *known), _LIST), ["gain", "integral_time"])
+    """Return the schema of a gain schedule, whose first column has the name of the controlled quantity."""
+    columns = [name for name in GainSchedule.column_specs("pressure", "opening") if name not in QUANTITIES]
+    return closed(dict.fromkeys((*QUANTITIES, *columns), _LIST), ["gain", "integral_time"])
 
 
 def _force_table() -> Schema:
-    known = ForceRows.known()
-    return {"type": "object", "required": list(known), "properties": dict.fromkeys(known, _LIST)}
+    columns = ForceRows.column_specs()
+    return {"type": "object", "required": list(columns), "properties": dict.fromkeys(columns, _LIST)}
 
 
 _REFERENCES: dict[str, Callable[[], Schema]] = {
@@ -238,4 +231,4 @@ _REFERENCES: dict[str, Callable[[], Schema]] = {
     "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},
 }
-"""Schema of every field that refers to something by name."""
+"""Schemas of the fields that contain the name of an object."""

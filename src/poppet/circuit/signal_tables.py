@@ -1,89 +1,75 @@
-"""Signals as a circuit file writes them: units at the door, SI behind it."""
+"""Reader of the signals of circuit files, which converts values with units to SI."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from difflib import get_close_matches
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-from poppet.circuit.placed_part import open_flow
+from poppet.circuit.placed_part import volume_flow_note
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.tables import Field, missing_field
 from poppet.core.units import Kind, quantity
 from poppet.parts.part import Input
 from poppet.timeseries.signals import Chirp, Constant, Points, Prbs, Pwm, SampledSignal, Signal, Sine, Square, Steps
 
 _DIFFERENCE: dict[str, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
-_REQUIRED = {
-    "constant": ("value",),
-    "steps": ("times", "values"),
-    "points": ("times", "values"),
-    "sine": ("mean", "amplitude", "frequency"),
-    "chirp": ("mean", "amplitude", "frequency", "end_frequency"),
-    "prbs": ("low", "high", "bit_time", "seed"),
-    "square": ("low", "high", "frequency"),
-    "pwm": ("frequency", "duty"),
-    "file": ("path", "column"),
-}
-_OPTIONAL = {
-    "sine": ("phase",),
-    "chirp": ("phase", "duration"),
-    "square": ("duty",),
-    "pwm": ("low", "high"),
-    "file": ("unit", "time"),
-}
-KINDS = tuple(_REQUIRED)
 
 
 def fields_of(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Required and optional fields of a kind of signal."""
-    return _REQUIRED[kind], _OPTIONAL.get(kind, ())
+    """Return the required and the optional fields of a kind of signal."""
+    return _KINDS[kind].required, _KINDS[kind].optional
 
 
 def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) -> Signal:
-    """Make a signal of a table."""
-    table = checked_table(table)
-    reader = _Reader(table, item, ambient_pressure, folder)
-    signal = _READERS[table["kind"]](reader)
-    # The only way to set a field of a frozen dataclass.
+    """Return the signal of a table."""
+    table = check_signal_table(table)
+    reader = _SignalReader(table, item, ambient_pressure, folder)
+    signal = _KINDS[table["kind"]].read(reader)
+    # The dataclass is frozen.
     object.__setattr__(signal, "remarks", tuple(reader.remarks.values()))
     return signal
 
 
-def checked_table(table: Any) -> Mapping[str, Any]:
-    """A table whose kind and fields are right; its values are read later."""
+def _missing(field: str, kind: str) -> InputError:
+    return missing_field(field, Field(meaning=f"{field} of a {kind} signal"))
+
+
+def check_signal_table(table: Any) -> Mapping[str, Any]:
+    """Return a table with a valid kind and valid fields; values are not read."""
     if not isinstance(table, Mapping):
         table = {"kind": "constant", "value": table}
     kind = table.get("kind")
-    if not isinstance(kind, str) or kind not in _REQUIRED:
-        code = "inputs.unknown_kind" if "kind" in table else "inputs.no_kind"
-        raise InputError(code, "kind", value=kind, near=NameSuggestion(str(kind), KINDS))
+    if not isinstance(kind, str) or kind not in KINDS:
+        code = "fields.not_an_option" if "kind" in table else "inputs.no_kind"
+        raise InputError(code, "kind", value=kind, meaning="kind of signal", near=NameSuggestion(str(kind), KINDS))
     required, optional = fields_of(kind)
-    known = (*required, *optional)
-    unknown = [key for key in table if key not in ("kind", *known)]
+    valid = (*required, *optional)
+    unknown = [key for key in table if key not in ("kind", *valid)]
     with ErrorCollector() as errors:
         for key in required:
-            if key not in table and not get_close_matches(key, unknown, n=1):  # a misspelt field is one mistake
-                errors.add("inputs.missing", key, kind=kind, fields=required)
+            if key not in table and not get_close_matches(key, unknown, n=1):  # a misspelt field is one error
+                errors.extend([_missing(key, kind)])
         for key in unknown:
-            errors.add("inputs.unknown_field", key, kind=kind, near=NameSuggestion(key, known))
+            errors.add("fields.unknown", key, table=f"{kind} signal", near=NameSuggestion(key, valid))
     return dict(table)
 
 
-class _Reader:
-    """Reads the fields of one table in the units of one input."""
+class _SignalReader:
+    """Reader of the fields of one table in the unit of one input."""
 
     def __init__(self, table: Mapping[str, Any], item: Input, ambient_pressure: float, folder: Path) -> None:
         self.table, self.item, self.ambient_pressure, self.folder = table, item, ambient_pressure, folder
-        self.remarks: dict[str, Note] = {}  # the first of each code stands for all values
+        self.remarks: dict[str, Note] = {}  # the first note of each code
 
-    def absolute(self, given: Any, name: str) -> float:
-        """A value of the input itself."""
-        # Inputs are absolute: a gauge value in the file means the ambient pressure of that file.
-        read = quantity(given, self.item.unit, kind=self.item.kind, name=name, is_told=True)  # type: ignore[arg-type]
-        if self.item.kind == "mass_flow" and isinstance(given, str):
-            for note in open_flow(given, read.value, read.unit):
+    def absolute(self, argument: Any, name: str) -> float:
+        """Return a value of the input, absolute."""
+        # A gauge value refers to the ambient pressure of the file.
+        read = quantity(argument, self.item.unit, kind=self.item.kind, name=name, is_told=True)  # type: ignore[arg-type]
+        if self.item.kind == "mass_flow" and isinstance(argument, str):
+            for note in volume_flow_note(argument, read.value, read.unit):
                 self.remarks.setdefault(note.code, note)
         return read.value + (self.ambient_pressure if read.reference == "gauge" else 0.0)
 
@@ -91,37 +77,36 @@ class _Reader:
         return self.absolute(self.table[name], name)
 
     def difference(self, name: str) -> float:
-        """A difference of two values of the input, as an amplitude is."""
+        """Return a difference of two values of the input, for example an amplitude."""
         kind = _DIFFERENCE.get(self.item.kind, self.item.kind)
         return quantity(self.table[name], self.item.unit, kind=kind, name=name).value  # type: ignore[arg-type]
 
     def plain(self, name: str, unit: str, default: float | None = None) -> float:
-        given = self.table.get(name, default)
-        return quantity(given, unit, name=name).value
+        return quantity(self.table.get(name, default), unit, name=name).value
 
     def list_of(self, name: str, read: Callable[[Any, str], float]) -> list[float]:
-        given = self.table[name]
-        if not isinstance(given, list) or not given:
-            raise InputError("inputs.no_list", name, value=given)
+        elements = self.table[name]
+        if not isinstance(elements, list) or not elements:
+            raise InputError("inputs.no_list", name, value=elements)
         values = []
         with ErrorCollector() as errors:
-            for k, entry in enumerate(given):
+            for k, element in enumerate(elements):
                 with errors.collecting():
-                    values.append(read(entry, f"{name}[{k}]"))
+                    values.append(read(element, f"{name}[{k}]"))
         return values
 
-    def path(self, kind: Callable[..., Signal]) -> Signal:
-        """A signal of times and values."""
-        times = self.list_of("times", lambda given, name: quantity(given, "s", name=name).value)
+    def course(self, kind: Callable[..., Signal]) -> Signal:
+        """Return a signal of times and values."""
+        times = self.list_of("times", lambda argument, name: quantity(argument, "s", name=name).value)
         values = self.list_of("values", self.absolute)
         try:
             return kind(times, values)
         except InputError as error:
-            # The signal cannot know which field of the table its mistake is in; order and length belong to the times.
+            # Errors of order and length are errors of the times.
             raise error.located(address="times") from None
 
 
-def _read_file(reader: _Reader) -> Signal:
+def _read_file(reader: _SignalReader) -> Signal:
     from poppet.timeseries.recording_files import read
 
     table = reader.table
@@ -133,57 +118,77 @@ def _read_file(reader: _Reader) -> Signal:
     time = {"time": str(time_table.get("column", "time")), "time_unit": str(time_table.get("unit", ""))}
     recording = read(path, **time)
     name = str(table["column"])
-    values = recording[name]
     unit = table.get("unit") or recording.unit(name)
     if not unit:
         raise InputError("inputs.no_unit", "unit", column=name, path=str(path))
-    # Through text, so that units and gauge pressures are read as everywhere; 17 digits lose nothing.
-    one = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in values]
-    return SampledSignal(tuple(recording.time), tuple(one), str(path))
+    # Through text: units and gauge pressures are read as in files; 17 digits preserve the value.
+    values = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in recording[name]]
+    return SampledSignal(tuple(recording.time), tuple(values), str(path))
 
 
-def _prbs(reader: _Reader) -> Signal:
+def _read_prbs(reader: _SignalReader) -> Signal:
     seed = reader.table["seed"]
-    # True is an int in Python, and TOML has both.
+    # In Python, True is an int.
     if isinstance(seed, bool) or not isinstance(seed, int):
         raise InputError("inputs.no_seed", "seed", value=seed)
     return Prbs(reader.value("low"), reader.value("high"), reader.plain("bit_time", "s"), seed)
 
 
-def _pwm(reader: _Reader) -> Signal:
-    given, levels = reader.table["duty"], {"low": 0.0, "high": 1.0}
+def _read_pwm(reader: _SignalReader) -> Signal:
+    duty_entry, levels = reader.table["duty"], {"low": 0.0, "high": 1.0}
     duty: float | Signal
     with ErrorCollector() as errors:
-        # The defaults mean something where the input is a part of a whole, as an opening is, and only there.
+        # The default levels are meaningful only for a fraction, such as an opening.
         for name in levels if reader.item.unit != "1" else ():
             if name not in reader.table:
-                errors.add("inputs.missing", name, kind="pwm", fields=("frequency", "duty", *levels))
-        with errors.collecting("duty" if isinstance(given, Mapping) else ""):
-            if isinstance(given, Mapping):
-                duty = read_signal(given, Input("duty", "1", 0.0), reader.ambient_pressure, reader.folder)
+                errors.extend([_missing(name, "pwm")])
+        with errors.collecting("duty" if isinstance(duty_entry, Mapping) else ""):
+            if isinstance(duty_entry, Mapping):
+                duty = read_signal(duty_entry, Input("duty", "1", 0.0), reader.ambient_pressure, reader.folder)
             else:
                 duty = reader.plain("duty", "1")
     low, high = (reader.value(name) if name in reader.table else default for name, default in levels.items())
     return Pwm(reader.plain("frequency", "Hz"), duty, low, high)
 
 
-_READERS: dict[str, Callable[[_Reader], Signal]] = {
-    "constant": lambda r: Constant(r.value("value")),
-    "steps": lambda r: r.path(Steps),
-    "points": lambda r: r.path(Points),
-    "sine": lambda r: Sine(
-        r.value("mean"), r.difference("amplitude"), r.plain("frequency", "Hz"), r.plain("phase", "rad", 0.0)
+class _SignalKind(NamedTuple):
+    """Fields of a kind of signal and the function that reads them."""
+
+    required: tuple[str, ...]
+    optional: tuple[str, ...]
+    read: Callable[[_SignalReader], Signal]
+
+
+_KINDS = {
+    "constant": _SignalKind(("value",), (), lambda r: Constant(r.value("value"))),
+    "steps": _SignalKind(("times", "values"), (), lambda r: r.course(Steps)),
+    "points": _SignalKind(("times", "values"), (), lambda r: r.course(Points)),
+    "sine": _SignalKind(
+        ("mean", "amplitude", "frequency"),
+        ("phase",),
+        lambda r: Sine(
+            r.value("mean"), r.difference("amplitude"), r.plain("frequency", "Hz"), r.plain("phase", "rad", 0.0)
+        ),
     ),
-    "chirp": lambda r: Chirp(
-        r.value("mean"),
-        r.difference("amplitude"),
-        r.plain("frequency", "Hz"),
-        r.plain("end_frequency", "Hz"),
-        r.plain("duration", "s") if "duration" in r.table else None,
-        r.plain("phase", "rad", 0.0),
+    "chirp": _SignalKind(
+        ("mean", "amplitude", "frequency", "end_frequency"),
+        ("phase", "duration"),
+        lambda r: Chirp(
+            r.value("mean"),
+            r.difference("amplitude"),
+            r.plain("frequency", "Hz"),
+            r.plain("end_frequency", "Hz"),
+            r.plain("duration", "s") if "duration" in r.table else None,
+            r.plain("phase", "rad", 0.0),
+        ),
     ),
-    "prbs": _prbs,
-    "square": lambda r: Square(r.value("low"), r.value("high"), r.plain("frequency", "Hz"), r.plain("duty", "1", 0.5)),
-    "pwm": _pwm,
-    "file": _read_file,
+    "prbs": _SignalKind(("low", "high", "bit_time", "seed"), (), _read_prbs),
+    "square": _SignalKind(
+        ("low", "high", "frequency"),
+        ("duty",),
+        lambda r: Square(r.value("low"), r.value("high"), r.plain("frequency", "Hz"), r.plain("duty", "1", 0.5)),
+    ),
+    "pwm": _SignalKind(("frequency", "duty"), ("low", "high"), _read_pwm),
+    "file": _SignalKind(("path", "column"), ("unit", "time"), _read_file),
 }
+KINDS = tuple(_KINDS)

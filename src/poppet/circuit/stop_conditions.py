@@ -1,4 +1,4 @@
-"""Conditions that end a run: `tank.pressure > 5 bar`, and a stroke beyond what its characteristic was fitted to."""
+"""Conditions that end a run: `tank.pressure > 5 bar`, or a stroke outside the domain of its characteristic."""
 
 from __future__ import annotations
 
@@ -18,44 +18,43 @@ _ADDRESS = re.compile(r"[A-Za-z][\w-]*(\.[A-Za-z][\w-]*)+")
 
 
 def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure: float) -> StopCondition:
-    """Read one condition; `outputs` has the unit of every output, in the order of y."""
+    """Read one condition; `outputs` contains the unit of each output, in the order of y."""
 
-    def mistake(code: str, **facts: Any) -> InputError:
+    def error(code: str, **facts: Any) -> InputError:
         return InputError(code, "run.stop_when", text=text, **facts)
 
     match = _FORM.fullmatch(text)
     if not match:
-        raise mistake("stop.no_condition")
+        raise error("stop.no_condition")
     left, relation, right = match.groups()
-    # "5 bar" is no address; "tank.presure" is one, misspelt, and no threshold.
+    # "tank.presure" is a misspelt address; "5 bar" is a threshold.
     for name in (left, right) if _ADDRESS.fullmatch(right) else (left,):
         if name not in outputs:
-            raise mistake("stop.unknown_output", name=name, near=NameSuggestion(name, outputs))
-    places, unit = list(outputs), outputs[left]
+            raise error("stop.unknown_output", name=name, near=NameSuggestion(name, outputs))
+    names, unit = list(outputs), outputs[left]
     reason, sign = Note("run.condition_met", condition=text), 1.0 if relation in (">", ">=") else -1.0
     if right in outputs:
         if outputs[right] != unit:
-            raise mistake("stop.other_unit", left=unit, right=outputs[right])
-        # The kernel knows one form only: a weighted sum that becomes positive.
-        return StopCondition(reason, (places.index(left), places.index(right)), (sign, -sign, 0.0))
-    # A bare number is SI as everywhere; with a unit it is read as a quantity of the output.
+            raise error("stop.other_unit", left=unit, right=outputs[right])
+        # The kernel evaluates a weighted sum and stops if it becomes positive.
+        return StopCondition(reason, (names.index(left), names.index(right)), (sign, -sign, 0.0))
+    # A number without a unit is SI.
     try:
-        given: float | str = float(right)
+        number: float | str = float(right)
     except ValueError:
-        given = right
+        number = right
     try:
-        read = quantity(given, unit, kind=_KINDS.get(unit, "plain"))
-    except InputError as error:
-        raise mistake("stop.no_threshold", threshold=right, mistake=error) from None
+        read = quantity(number, unit, kind=_KINDS.get(unit, "plain"))
+    except InputError as cause:
+        raise error("stop.no_threshold", threshold=right, mistake=cause) from None
     threshold = read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
-    return StopCondition(reason, (places.index(left), -1), (sign, 0.0, -sign * threshold))
+    return StopCondition(reason, (names.index(left), -1), (sign, 0.0, -sign * threshold))
 
 
 def domain_conditions(address: str, limits: tuple[float, float], outputs: Mapping[str, str]) -> list[StopCondition]:
-    """Conditions that end a run where a characteristic with edge = "error" is left."""
+    """Return conditions that end a run outside the domain of a characteristic with edge = "error"."""
     low, high = limits
-    place = list(outputs).index(address)
-    reason = Note("run.left_domain", address)
-    above = StopCondition(reason, (place, -1), (1.0, 0.0, -high))
-    # Below its domain a closing passage has no limit.
-    return [above] if low == -math.inf else [above, StopCondition(reason, (place, -1), (-1.0, 0.0, low))]
+    indices, reason = (list(outputs).index(address), -1), Note("run.left_domain", address)
+    upper = StopCondition(reason, indices, (1.0, 0.0, -high))
+    # A flow path that is closed below its domain has no lower limit.
+    return [upper] if low == -math.inf else [upper, StopCondition(reason, indices, (-1.0, 0.0, low))]

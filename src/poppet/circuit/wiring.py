@@ -1,4 +1,4 @@
-"""Mistakes of names, connections and signals of a circuit, all of them at once."""
+"""Checks of names, connections and signals of a circuit, which collect all errors."""
 
 from __future__ import annotations
 
@@ -18,40 +18,40 @@ from poppet.timeseries.segments import Signal
 RESERVED = ("ambient", "gas", "run", "time", "title", "signals", "parts", "connections")
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_-]{0,99}")
 MOST_PARTS = 5000
-"""Parts of a circuit. A thousand chambers take about a minute to be made ready; beyond, something else is meant."""
+"""Maximum number of parts of a circuit; a thousand chambers need about a minute of preparation."""
 _MAPPINGS = {
     "parts": '{"tank": Chamber(volume="10 l")}',
     "signals": '{"valve.pilot_pressure": Steps([0.0], [2e5])}',
     "connections": '{"main.pilot_pressure": "pilot.pressure"}',
 }
-"""Fields of a circuit that are mappings, with an example of each."""
+"""Fields of a circuit that are mappings, with examples."""
 
 
 class PartWiring(NamedTuple):
-    """How a part is joined to others."""
+    """Connections of a part to others."""
 
     kind: type[Part]
-    ports: Mapping[str, str]  # port to the address of the store
-    stores: tuple[str, ...]  # local names of its own stores; the empty name is the part itself
-    body: str | None = None  # that it moves
+    ports: Mapping[str, str]  # port to the address of the gas node
+    stores: tuple[str, ...]  # local names of its gas nodes; the empty name is the part itself
+    body: str | None = None  # body that it moves
 
     @classmethod
     def of(cls, part: Part) -> PartWiring:
-        """Of a part that could be made."""
+        """Return the connections of a valid part."""
         return cls(type(part), part.ports(), part.stores(), part.body_name())
 
     @classmethod
     def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> PartWiring:
-        """Of a part that has mistakes, as far as its table tells."""
+        """Return the connections of an invalid part, from its table."""
         texts = {name: value for name, value in table.items() if isinstance(value, str)}
-        known = specs(kind)
-        ports = {name: texts[name] for name, spec in known.items() if isinstance(spec, PortSpec) and name in texts}
-        stores = [name for name, spec in known.items() if isinstance(spec, MemberSpec) and spec.is_open]
+        fields = specs(kind)
+        ports = {name: texts[name] for name, spec in fields.items() if isinstance(spec, PortSpec) and name in texts}
+        stores = [name for name, spec in fields.items() if isinstance(spec, MemberSpec) and spec.is_open]
         if kind.kind == TUBE:
-            from poppet.parts.tube import MOST_CELLS
+            from poppet.parts.tube import MAX_CELLS
 
-            stores = [str(k) for k in range(1, MOST_CELLS + 1)]
-        body = next((texts.get(name) for name, spec in known.items() if isinstance(spec, BodySpec)), None)
+            stores = [str(k) for k in range(1, MAX_CELLS + 1)]
+        body = next((texts.get(name) for name, spec in fields.items() if isinstance(spec, BodySpec)), None)
         return cls(kind, ports, ("",) if issubclass(kind, Store) else tuple(stores), body)
 
 
@@ -59,7 +59,7 @@ Wiring = Mapping[str, PartWiring]
 
 
 def check_kinds(circuit: Any) -> None:
-    """Refuse what stands in a circuit's fields without being of their kind."""
+    """Raise InputErrors if fields of a circuit have the wrong type."""
     check_count(circuit.parts)
     with ErrorCollector() as errors:
         for name, example in _MAPPINGS.items():
@@ -76,13 +76,13 @@ def check_kinds(circuit: Any) -> None:
 
 
 def check_count(parts: Any) -> None:
-    """Refuse what is too large for a circuit, before anything is made of it."""
+    """Raise InputError if a circuit has too many parts, before they are created."""
     if isinstance(parts, Mapping) and len(parts) > MOST_PARTS:
         raise InputError("wiring.too_many", "parts", value=len(parts), most=MOST_PARTS)
 
 
 def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
-    """Note everything wrong with names and ports."""
+    """Collect errors of names, ports and bodies."""
     if not wiring:
         errors.add("wiring.empty", "parts")
     for name in wiring:
@@ -90,77 +90,79 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
             errors.add("wiring.reserved", f"parts.{name}")
         elif not _NAME.fullmatch(name):
             errors.add("wiring.no_name", f"parts.{name}", name=name)
-    stores = {f"{name}.{store}".rstrip(".") for name, each in wiring.items() for store in each.stores}
-    # A store that nothing is joined to cannot change: nearly always a forgotten port.
-    joined = {store for each in wiring.values() for store in each.ports.values()}
-    # A misspelt port is one mistake: the store that was meant counts as joined.
-    joined |= {near for name in joined - {*wiring, AMBIENT} for near in get_close_matches(name, stores, n=1)}
-    met = {end: name for name, each in wiring.items() if each.kind.kind == TUBE for end in each.ports.values()}
-    for name, each in wiring.items():
-        for port, store in each.ports.items():
+    stores = {f"{name}.{store}".rstrip(".") for name, part in wiring.items() for store in part.stores}
+    # A gas node without connections cannot change: usually a port is missing.
+    joined = {store for part in wiring.values() for store in part.ports.values()}
+    # A misspelt port is one error: the similar gas node counts as connected.
+    joined |= {match for name in joined - {*wiring, AMBIENT} for match in get_close_matches(name, stores, n=1)}
+    tube_of_port = {end: name for name, part in wiring.items() if part.kind.kind == TUBE for end in part.ports.values()}
+    for name, part in wiring.items():
+        for port, store in part.ports.items():
             address = f"parts.{name}.{port}"
-            if each.kind.kind == TUBE and is_port(store):
-                _check_met(errors, wiring, (name, port), store)
-            elif met.get(f"{name}.{port}") == store:
-                continue  # a tube names this port, and so may the port name the whole tube
+            if part.kind.kind == TUBE and is_port(store):
+                _check_tube_end(errors, wiring, name, port, store)
+            elif tube_of_port.get(f"{name}.{port}") == store:
+                continue  # port and tube name each other
             elif store in wiring and store not in stores:
-                inner = [f"{store}.{own}" for own in wiring[store].stores]
-                code = "wiring.several_stores" if inner else "wiring.no_store"
-                errors.add(code, address, store=store, kind=wiring[store].kind.kind, stores=inner)
+                members = [f"{store}.{member}" for member in wiring[store].stores]
+                code = "wiring.several_stores" if members else "wiring.no_store"
+                errors.add(code, address, store=store, kind=wiring[store].kind.kind, stores=members)
             elif store not in stores and store != AMBIENT:
-                errors.add("wiring.unknown_store", address, store=store, near=NameSuggestion(store, {*stores, AMBIENT}))
-        twice = _joined_twice(each.ports)
+                near = NameSuggestion(store, {*stores, AMBIENT})
+                errors.add("fields.not_an_option", address, value=store, meaning="gas node", near=near)
+        twice = _joined_twice(part.ports)
         if twice is not None:
             errors.add("wiring.joined_twice", f"parts.{name}", store=twice)
-        # Closed gas that a body compresses does change.
-        elif name in stores and name not in joined and not issubclass(each.kind, Passage) and each.body is None:
+        # Enclosed gas that a body compresses changes without a connection.
+        elif name in stores and name not in joined and not issubclass(part.kind, Passage) and part.body is None:
             errors.add("wiring.alone", f"parts.{name}")
     _check_bodies(errors, wiring)
 
 
-def _check_met(errors: ErrorCollector, wiring: Wiring, place: tuple[str, str], end: str) -> None:
-    """Note a port at the end of a tube that is none, or that names something else."""
-    tube, side = place
+def _check_tube_end(errors: ErrorCollector, wiring: Wiring, tube: str, side: str, end: str) -> None:
+    """Collect the error of a tube end at a port that does not exist or that names another gas node."""
     owner, _, port = end.partition(".")
     address, cell = f"parts.{tube}.{side}", wiring[tube].stores[0 if side == "from" else -1]
     if owner not in wiring or port not in wiring[owner].ports:
-        ports = [f"{name}.{own}" for name, each in wiring.items() if name != tube for own in each.ports]
-        errors.add("tube.no_port", address, end=end, near=NameSuggestion(end, ports))
+        ports = [f"{name}.{local}" for name, part in wiring.items() if name != tube for local in part.ports]
+        errors.add("fields.not_an_option", address, value=end, meaning="port", near=NameSuggestion(end, ports))
     elif (store := wiring[owner].ports[port]) not in (tube, f"{tube}.{cell}"):
         errors.add("tube.not_met", address, end=end, tube=tube, store=store, owner=owner, port=port)
 
 
-def met_at_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
-    """The parts of a circuit, in which each port that a tube names holds the cell at that end."""
+def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
+    """Return the parts of a circuit; ports at the ends of tubes name the cell at that end."""
     result = dict(parts)
     for name, part in parts.items():
         for end, cell in part.outer_ports().items():
             owner, _, port = end.partition(".")
-            other = result.get(owner)
-            if isinstance(other, Part) and other.ports().get(port) == name:
-                result[owner] = replace(other, **{attribute(port): f"{name}.{cell}"})  # type: ignore[type-var]
+            neighbour = result.get(owner)
+            if isinstance(neighbour, Part) and neighbour.ports().get(port) == name:
+                result[owner] = replace(neighbour, **{attribute(port): f"{name}.{cell}"})  # type: ignore[type-var]
     return result
 
 
 def _check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
-    """Note actuators that move nothing, and bodies that nothing moves."""
-    bodies = {name for name, each in wiring.items() if issubclass(each.kind, Body)}
-    held = {each.body for each in wiring.values()}
-    held |= {near for name in held - {*wiring, None} for near in get_close_matches(str(name), bodies, n=1)}
-    for name, each in wiring.items():
-        if each.body is not None and each.body not in bodies:
+    """Collect errors of actuators without a body, and of bodies without an actuator."""
+    bodies = {name for name, part in wiring.items() if issubclass(part.kind, Body)}
+    driven = {part.body for part in wiring.values()}
+    driven |= {match for name in driven - {*wiring, None} for match in get_close_matches(str(name), bodies, n=1)}
+    for name, part in wiring.items():
+        if part.body is not None and part.body not in bodies:
             address = f"parts.{name}.body"
-            if each.body in wiring:
-                errors.add("wiring.no_body", address, body=each.body, kind=wiring[each.body].kind.kind)
+            if part.body in wiring:
+                errors.add("wiring.no_body", address, body=part.body, kind=wiring[part.body].kind.kind)
             else:
-                errors.add("wiring.unknown_body", address, body=each.body, near=NameSuggestion(each.body, bodies))
-        elif name in bodies and name not in held:
+                near = NameSuggestion(part.body, bodies)
+                errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=near)
+        elif name in bodies and name not in driven:
             errors.add("wiring.unmoved", f"parts.{name}")
 
 
 def _joined_twice(ports: Mapping[str, str]) -> str | None:
-    """The store at both ends of a path; in a valve of three ports every path ends at the outlet, of five at a or b."""
+    """Return the gas node at both ends of a flow path, else None."""
     ends = list(ports.values())
+    # All paths of a valve with three ports end at the outlet, of a valve with five ports at a or b.
     if outlets := [ports[name] for name in ("outlet", "a", "b") if name in ports]:
         return next((store for store in outlets if ends.count(store) > 1), None)
     return ends[0] if len(ends) > 1 and len(set(ends)) == 1 else None
@@ -170,17 +172,18 @@ def check_connections(
     errors: ErrorCollector, connections: Mapping[str, str], parts: Collection[str], inputs: Mapping[str, Input],
     signals: Collection[str],
 ) -> None:  # fmt: skip
-    """Note connections that end nowhere, or at an input that a signal drives."""
+    """Collect errors of connections: unknown inputs or outputs, and inputs that a signal drives."""
     for target, source in connections.items():
         item = inputs.get(target)
         if item is not None and (item.by_signal or item.slope_of):
             errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:
-            errors.add("wiring.no_input", f"connections.{target}", near=NameSuggestion(target, inputs))
+            near = NameSuggestion(target, inputs)
+            errors.add("names.unknown", f"connections.{target}", meaning="an input of this circuit", near=near)
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
             errors.add("wiring.no_output", f"connections.{target}", source=source, example=example)
-        # Which of the two should hold is for the user to say.
+        # The user must choose between signal and connection.
         elif target in signals:
             errors.add("wiring.driven_twice", f"signals.{target}", source=source)
 
@@ -188,7 +191,7 @@ def check_connections(
 def check_signals(
     errors: ErrorCollector, signals: Mapping[str, Signal], inputs: Mapping[str, Input], numbers: Mapping[str, float]
 ) -> None:
-    """Note signals that drive nothing, or leave the limits of their input, of which some are numbers of its part."""
+    """Collect errors of signals: unknown inputs, and values outside the limits of the input."""
     for address, signal in signals.items():
         if address not in inputs or inputs[address].slope_of:
             errors.extend([unknown_input(address, [name for name, item in inputs.items() if not item.slope_of])])
@@ -196,18 +199,29 @@ def check_signals(
             errors.add("wiring.no_signal", f"signals.{address}")
         else:
             item, owner = inputs[address], address.partition(".")[0]
-            low, high = (
-                numbers.get(f"{owner}.{each}", math.nan) if isinstance(each, str) else each
-                for each in (item.low, item.high)
+            # A limit can be a parameter of the part.
+            lowest, highest = (
+                numbers.get(f"{owner}.{limit}", math.nan) if isinstance(limit, str) else limit
+                for limit in (item.low, item.high)
             )
-            if low < high:  # else the part's own numbers are wrong, and it says so
-                _check_limits(errors, address, signal, low, high, item.unit)
+            if not lowest < highest:  # an error of the part
+                continue
+            low, high = signal.bounds()
+            is_bounded = highest < math.inf
+            # Tolerance for the rounding of unit conversions.
+            slack = 1e-12 * max(abs(lowest), abs(highest)) if is_bounded else 0.0
+            if low < lowest - slack or high > highest + slack:
+                errors.add(
+                    "wiring.signal_outside" if is_bounded else "wiring.signal_below", f"signals.{address}",
+                    value=low if low < lowest else high, low=lowest, high=highest, unit=item.unit,
+                    is_pressure=item.unit == "Pa",
+                )  # fmt: skip
 
 
 def check_starts(
     errors: ErrorCollector, parts: Mapping[str, Part], signals: Mapping[str, Signal], section: str = ""
 ) -> None:
-    """Note actuators that cannot be where their bodies begin."""
+    """Collect errors of actuators that cannot reach the initial position of their body."""
     for name, part in parts.items():
         body = parts.get(part.body_name() or "")
         if not isinstance(body, Body):
@@ -217,20 +231,7 @@ def check_starts(
             part.check_start(body.initial_travel() if signal is None else float(signal.table(1.0).evaluate(0.0)))
 
 
-def unknown_input(address: str, known: Collection[str]) -> InputError:
-    """The mistake of a signal for an input that no part has."""
-    return InputError("wiring.drives_nothing", f"signals.{address}", near=NameSuggestion(address, known))
-
-
-def _check_limits(
-    errors: ErrorCollector, address: str, signal: Signal, lowest: float, highest: float, unit: str
-) -> None:
-    low, high = signal.bounds()
-    # Rounding of a unit's factor is no mistake.
-    slack = 1e-12 * max(abs(lowest), abs(highest)) if highest < math.inf else 0.0
-    if low < lowest - slack or high > highest + slack:
-        code = "wiring.signal_outside" if highest < math.inf else "wiring.signal_below"
-        errors.add(
-            code, f"signals.{address}", value=low if low < lowest else high, low=lowest, high=highest,
-            unit=unit, is_pressure=unit == "Pa",
-        )  # fmt: skip
+def unknown_input(address: str, inputs: Collection[str]) -> InputError:
+    """Return the error of a signal for an unknown input."""
+    near = NameSuggestion(address, inputs)
+    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", near=near)

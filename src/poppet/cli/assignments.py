@@ -1,9 +1,9 @@
-"""`ADDRESS=VALUE` and lists of units as a command line gives them."""
+"""Circuits and recordings as changed by the options --set, --with, --select and --units."""
 
 from __future__ import annotations
 
 from argparse import Namespace
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
@@ -16,12 +16,12 @@ if TYPE_CHECKING:
     from poppet.timeseries.recording import Recording
 
 
-def value(text: str) -> float | str:
-    """A value: a bare number is SI, anything else stays text; quotes around it are stripped.
+def read_value(text: str) -> float | str:
+    """Return a bare number as float [SI] and any other text without its quotes.
 
     Examples
     --------
-    >>> value("0.1"), value('"0.1 m^3"')
+    >>> read_value("0.1"), read_value('"0.1 m^3"')
     (0.1, '0.1 m^3')
     """
     text = text.strip()
@@ -33,57 +33,58 @@ def value(text: str) -> float | str:
         return text
 
 
-def assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float | str]:
-    """Addresses and values of a repeated option.
+def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float | str]:
+    """Return the values of a repeated option by address.
 
     Examples
     --------
-    >>> assignments(["tank.volume=0.1 m^3"])
+    >>> read_assignments(["tank.volume=0.1 m^3"])
     {'tank.volume': '0.1 m^3'}
     """
-    result, problems = {}, []
+    values: dict[str, float | str] = {}
+    problems = []
     for text in texts:
-        address, equals, given = (part.strip() for part in text.partition("="))
-        if not (equals and address and given):
+        address, equals, value = (part.strip() for part in text.partition("="))
+        if not (equals and address and value):
             problems.append(InputError("cli.assignment", option=option, text=text))
-        elif address in result:
+        elif address in values:
             problems.append(InputError("cli.assigned_twice", option=option, address=address))
         else:
-            result[address] = value(given)
+            values[address] = read_value(value)
     collect(problems)
-    return result
+    return values
 
 
-def listed(text: str | None) -> list[str]:
-    """The members of a list with commas."""
+def split_list(text: str | None) -> list[str]:
+    """Return the members of a list that is separated by commas."""
     return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
 
 
-def changed(circuit: Circuit, values: dict[str, float | str]) -> tuple[Circuit, list[Note]]:
-    """A circuit with other numbers, and what a reader has to know about the change."""
+def change_circuit(circuit: Circuit, values: Mapping[str, float | str]) -> tuple[Circuit, list[Note]]:
+    """Return a circuit with changed values, and notes on the changes."""
     from dataclasses import replace
 
     if not values:
         return circuit, []
     circuit = circuit.with_values(values)
     dropped = [address for address in values if address in circuit.signals]
-    # A number that is the default of an input would change nothing while a signal drives it.
+    # The value is the default of an input: it would have no effect while a signal drives the input.
     if dropped:
         circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
     return circuit, [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
 
 
-def loaded(options: Namespace, path: str | None = None) -> tuple[Circuit, list[Note]]:
-    """A circuit file, that of the command unless told, with what `--with` and `--set` change, and notes about that."""
+def load_circuit(options: Namespace, path: str | None = None) -> tuple[Circuit, list[Note]]:
+    """Load a circuit file and apply --with and --set; return the circuit and notes on the changes."""
     from poppet.circuit.file import load
 
     circuit, notes = with_result(load(path or options.file), options.result)
-    circuit, about = changed(circuit, assignments(options.values))
-    return circuit, notes + about
+    circuit, change_notes = change_circuit(circuit, read_assignments(options.values))
+    return circuit, notes + change_notes
 
 
 def with_result(circuit: Circuit, path: str | None) -> tuple[Circuit, list[Note]]:
-    """A circuit with the numbers of `--with`, and which of them are not to be trusted."""
+    """Apply the parameters of --with; return the circuit and a note on doubtful parameters."""
     if path is None:
         return circuit, []
     from poppet.identify.parameter_file import with_numbers
@@ -93,47 +94,48 @@ def with_result(circuit: Circuit, path: str | None) -> tuple[Circuit, list[Note]
 
 
 @dataclass(frozen=True)
-class Shape:
-    """Which series of a recording are wanted, in which units."""
+class OutputSelection:
+    """Outputs of a recording and their units, as selected by --select and --units."""
 
-    patterns: tuple[str, ...] = ()  # names or patterns; none for all
-    units: tuple[str, ...] = ()  # each for all series of its quantity
-    named: tuple[tuple[str, str], ...] = ()  # name or pattern, and unit
+    patterns: tuple[str, ...] = ()  # names or patterns; empty for all outputs
+    units: tuple[str, ...] = ()  # each for all outputs of its quantity
+    unit_by_name: tuple[tuple[str, str], ...] = ()  # name or pattern, and unit
 
     @classmethod
-    def read(cls, select: str | None, units: str | None) -> Shape:
+    def read(cls, select: str | None, units: str | None) -> OutputSelection:
         """Read the options `--select` and `--units`."""
         from poppet.core.units import check_unit
 
-        # `bar,mm` holds for all series of a quantity, `tank.pressure=psi` for one; both may stand in one list.
-        entries = listed(units)
-        named = tuple((name.strip(), unit.strip()) for name, _, unit in (e.partition("=") for e in entries if "=" in e))
-        plain = tuple(entry for entry in entries if "=" not in entry)
-        for unit in (*plain, *(unit for _, unit in named)):
+        # `bar,mm` is valid for all outputs of a quantity, `tank.pressure=psi` for one; a list can contain both.
+        entries = split_list(units)
+        pairs = (entry.partition("=") for entry in entries if "=" in entry)
+        unit_by_name = tuple((name.strip(), unit.strip()) for name, _, unit in pairs)
+        general_units = tuple(entry for entry in entries if "=" not in entry)
+        for unit in (*general_units, *(unit for _, unit in unit_by_name)):
             check_unit(unit)
-        return cls(tuple(listed(select)), plain, named)
+        return cls(tuple(split_list(select)), general_units, unit_by_name)
 
     def apply(self, recording: Recording) -> Recording:
-        """The wanted series in the wanted units."""
+        """Return the selected outputs in the selected units."""
         if self.patterns:
             recording = recording.select(self.patterns)
-        # Names last: they go before the units that hold for a whole quantity.
+        # Names last: they override the units of a quantity.
         if self.units:
             recording = recording.converted(self.units)
-        return recording.converted(dict(self.named)) if self.named else recording
+        return recording.converted(dict(self.unit_by_name)) if self.unit_by_name else recording
 
     def plot_units(self, recordings: Sequence[Recording]) -> dict[str, str] | tuple[str, ...] | None:
-        """The units as `poppet.timeseries.plotting.plots.plot_recordings` takes them."""
+        """Return the units in the form of `poppet.timeseries.plotting.plots.plot_recordings`."""
         from poppet.core.units import same_dimension
 
-        if not self.named:
+        if not self.unit_by_name:
             return self.units or None
-        # The plotter takes either, units or names with units: with both, units are spelled out by name.
-        series = {
+        # The plotter accepts units, or names with units: with both, every unit is assigned to names.
+        unit_of = {
             name: unit
-            for each in recordings
-            for name, unit in zip(each.names, each.units, strict=True)
+            for recording in recordings
+            for name, unit in zip(recording.names, recording.units, strict=True)
             if not self.patterns or any(fnmatchcase(name, pattern) for pattern in self.patterns)
         }
-        fitting = {name: unit for unit in self.units for name, known in series.items() if same_dimension(known, unit)}
-        return fitting | dict(self.named)
+        matching = {name: unit for unit in self.units for name, si in unit_of.items() if same_dimension(si, unit)}
+        return matching | dict(self.unit_by_name)

@@ -1,101 +1,92 @@
-"""`poppet ensemble`: many runs of a circuit file with uncertain numbers."""
+"""`poppet ensemble` and `poppet size`: runs of a circuit file with uncertain parameters, and sizing."""
 
 from __future__ import annotations
 
 import argparse
 import sys
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from poppet.cli.assignments import loaded
-from poppet.cli.main import INTERRUPTED
-from poppet.cli.parser import FILE, QUIET, REPORT, SET, WITH, Option
-from poppet.cli.progress import Running
-from poppet.cli.summary import ask_for_drawing
+from poppet.cli.assignments import load_circuit
+from poppet.cli.main import FAILED, INTERRUPTED
+from poppet.cli.progress import EnsembleProgress, PointProgress
+from poppet.cli.summary import print_notes, print_written, require_matplotlib, write_result
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
-from poppet.core.note_groups import grouped
 
 if TYPE_CHECKING:
-    from poppet.ensemble import Ensemble, EnsemblePlan
-
-EXAMPLES = (
-    "poppet ensemble ensemble.toml",
-    "poppet ensemble ensemble.toml --runs 100000 -o bench/ensemble --report ensemble.html",
-    "poppet ensemble ensemble.toml --scheduler tcp://bench:8786",
-)
-EXECUTORS = {"threads": "of this process, the default", "processes": "of this machine"}
-OPTIONS = (
-    FILE,
-    WITH,
-    SET,
-    Option("-o, --output FOLDER", "where the dataset lies; NAME.ensemble beside a file NAME.toml by default"),
-    REPORT,
-    Option("--worst FOLDER", "write the worst runs of each requirement as circuit files"),
-    Option("--runs N", "number of runs", more={"type": int}),
-    Option("--seed N", "of the random numbers", more={"type": int}),
-    Option("--executor NAME", "who runs it", choices=EXECUTORS, rival="executor"),
-    Option("--scheduler ADDRESS", "address of a Dask scheduler, whose workers run it", rival="executor"),
-    Option("--workers N", "threads or processes; one for each processor by default", more={"type": int}),
-    QUIET,
-)
+    from poppet.ensemble import Ensemble
 
 
-def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
-    from poppet.ensemble import run_plan
-
-    ask_for_drawing(options.report)
-    plan, notes = _plan(options)
-    for note in grouped(notes):
-        print(f"note: {note}", file=sys.stderr)
-    folder = Path(options.output) if options.output else Path(options.file).with_suffix(".ensemble")
-    executor = options.scheduler or options.executor or "threads"
-    with Running(is_quiet=options.quiet) as progress:
-        found = run_plan(plan, folder, executor, options.workers, progress)
-    if not found.is_whole:
-        print(Note("ensemble.interrupted", done=found.done, runs=plan.runs, path=str(folder)), file=sys.stderr)
-        return INTERRUPTED
-    for note in found.remarks():
-        print(f"note: {note}", file=sys.stderr)
-    written = _write(options, found)
-    if not options.quiet:
-        print("\n".join([summary(found), *written]))
-    return 0
-
-
-def _plan(options: argparse.Namespace) -> tuple[EnsemblePlan, list[Note]]:
+def run_ensemble(options: argparse.Namespace) -> int:
+    """Run a circuit file with uncertain parameters."""
     from poppet.core.toml_file import TomlFile
-    from poppet.ensemble import plan_of
+    from poppet.ensemble import plan_of, run_plan
 
-    circuit, notes = loaded(options)
-    given: dict[str, Any] = {
-        key: getattr(options, key) for key in ("runs", "seed") if getattr(options, key) is not None
-    }
+    require_matplotlib(options.report)
+    circuit, notes = load_circuit(options)
+    settings = {key: getattr(options, key) for key in ("runs", "seed") if getattr(options, key) is not None}
     try:
-        plan = plan_of(circuit, **given)
+        plan = plan_of(circuit, **settings)
     except InputError as error:
         raise TomlFile.read(options.file).located(error) from None
-    # What a run with the numbers as they stand has to say, the others may have to say as well.
-    return plan, [*notes, *circuit.simulate(throw=False).remarks]
-
-
-def _write(options: argparse.Namespace, found: Ensemble) -> list[str]:
-    written = [f"{found.folder}: {found.done} runs."]
-    if options.worst:
-        written += [f"{path}: written." for path in found.save_worst(options.worst)]
+    # The notes of the nominal run are likely to apply to the other runs.
+    print_notes([*notes, *circuit.simulate(throw=False).remarks])
+    folder = Path(options.output) if options.output else Path(options.file).with_suffix(".ensemble")
+    executor = options.scheduler or options.executor or "threads"
+    with EnsembleProgress(is_quiet=options.quiet) as progress:
+        ensemble = run_plan(plan, folder, executor, options.workers, progress)
+    if not ensemble.is_whole:
+        print(Note("ensemble.interrupted", done=ensemble.done, runs=plan.runs, path=str(folder)), file=sys.stderr)
+        return INTERRUPTED
+    for note in ensemble.remarks():
+        print(f"note: {note}", file=sys.stderr)
+    worst_files = ensemble.save_worst(options.worst) if options.worst else []
     if options.report:
         from poppet.report.ensemble.ensemble_report import write_ensemble
 
-        written.append(f"{write_ensemble(found, options.report)}: written.")
-    return written
+        write_ensemble(ensemble, options.report)
+    print(ensemble_summary(ensemble))
+    print(f"{ensemble.folder}: {ensemble.done} runs.")
+    print_written(*worst_files, options.report)
+    return 0
 
 
-def summary(found: Ensemble) -> str:
-    """What a person reads in a terminal."""
+def ensemble_summary(ensemble: Ensemble) -> str:
+    """Return the tables of yields and metrics."""
     from poppet.report.ensemble.ensemble_report import metric_table, yield_table
 
-    lines = [found.plan.circuit.title] if found.plan.circuit.title else []
-    for table in (yield_table(found), metric_table(found)):
+    lines = [ensemble.plan.circuit.title] if ensemble.plan.circuit.title else []
+    for table in (yield_table(ensemble), metric_table(ensemble)):
         lines += ["", table.text()] if table.rows else []
     return "\n".join(lines)
+
+
+def find_size(options: argparse.Namespace) -> int:
+    """Find the smallest or largest value of a parameter that meets the requirements."""
+    from poppet.core.toml_file import TomlFile
+    from poppet.core.units import quantity
+    from poppet.ensemble import size
+    from poppet.report.ensemble.sizing_report import sizing_text, write_sizing
+
+    require_matplotlib(options.report)
+    circuit, notes = load_circuit(options)
+    required_yield = vars(options)["yield"]
+    share = None if required_yield is None else quantity(required_yield, "1", name="--yield").value
+    print_notes([*notes, *circuit.static_notes])
+    try:
+        with PointProgress(is_quiet=options.quiet) as progress:
+            sizing = size(
+                circuit,
+                options.free,
+                meet=options.meet,
+                between=tuple(options.between) if options.between else None,
+                largest=options.largest,
+                share=share,
+                sizes=options.size,
+                progress=progress,
+            )
+    except InputError as error:
+        raise TomlFile.read(options.file).located(error) from None
+    write_result(options, sizing, sizing_text(sizing), lambda path: write_sizing(sizing, path))
+    return 0 if sizing.is_met else FAILED

@@ -1,23 +1,84 @@
-"""`poppet export`: what a circuit can be exported to."""
+"""`poppet export`, `poppet live`: list, run and check the export targets."""
 
 from __future__ import annotations
 
 import argparse
+import sys
+from pathlib import Path
 
-from poppet.cli.main import COMMANDS, WRONG_INPUT
-from poppet.cli.parser import Option
+from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list, with_result
+from poppet.cli.main import FAILED, WRONG_INPUT
+from poppet.cli.progress import Spinner
+from poppet.cli.summary import print_notes, print_written
 from poppet.core.errors import InputError, NameSuggestion
-
-EXAMPLES = ("poppet export", "poppet export c FILE.toml -o valve")
-OPTIONS = (Option("[TARGET]", "each has a help of its own"),)
+from poppet.deploy.targets import TARGETS, CircuitSource
 
 
-def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
-    targets = {name: text for name, text in COMMANDS.items() if name.split()[:-1] == ["export"]}
+def list_targets(options: argparse.Namespace) -> int:
+    """List the export targets."""
+    from poppet.cli.commands import COMMANDS
+
+    targets = {target.command: target.summary for target in TARGETS.values()}
+    targets["export check"] = COMMANDS["export check"].summary
     if options.target:
         name = f"export {options.target}"
         raise InputError("cli.command.unknown", name=name, near=NameSuggestion(name, targets))
-    width = max(map(len, targets), default=0)
-    print("\n".join(f"poppet {name:<{width}}  {text}" for name, text in targets.items()))
+    width = max(map(len, targets))
+    print("\n".join(f"poppet {name:<{width}}  {summary}" for name, summary in targets.items()))
     return WRONG_INPUT
+
+
+def write_target(options: argparse.Namespace) -> None:
+    """Export a circuit with the target of the command."""
+    target = TARGETS[options.command.rpartition(" ")[2]]
+    if options.output is None and not target.is_printable:
+        raise InputError("deploy.no_folder_named")
+    circuit, notes = load_circuit(options)
+    path = Path(options.file)
+    source = CircuitSource(
+        path.read_text(encoding="utf-8"), path.stem, read_assignments(options.values), options.result
+    )
+    settings = {option.name: getattr(options, option.name) for option in target.options}
+    with Spinner("The export is prepared", is_quiet=options.quiet):
+        if options.output is None:
+            export = target.make(circuit, source, **settings)
+        else:
+            export = target.write(circuit, options.output, source, **settings)
+    print_notes([*notes, *export.notes])
+    if options.output is None:
+        print("".join(map(str, export.files.values())), end="")
+        return
+    if export.summary:
+        print(export.summary)
+    if target.suffixes:
+        print_written(options.output)
+    else:
+        print(f"{options.output}: {len(export.files)} files.")
+
+
+def check_targets(options: argparse.Namespace) -> int:
+    """Run a circuit with every export target and compare the results with the kernel."""
+    from poppet.circuit.file import load
+    from poppet.deploy.fmu.importers import fmi_version, read_circuit
+    from poppet.deploy.parity.parity_report import not_run_notes, results_table, write_parity
+    from poppet.deploy.parity.parity_table import compare_targets
+
+    changes = read_assignments(options.values)
+    if options.duration is not None:
+        changes |= {"run.duration": options.duration}
+    fmu = Path(options.file) if str(options.file).lower().endswith(".fmu") else None
+    if fmu is None:
+        circuit = load(options.file)
+    else:
+        fmi_version(fmu)  # rejects a file that is no FMU
+        circuit = load(options.circuit) if options.circuit is not None else read_circuit(fmu)
+    circuit, _ = change_circuit(with_result(circuit, options.result)[0], changes)
+    with Spinner("Every target runs the circuit", is_quiet=options.quiet):
+        parity = compare_targets(circuit, only=split_list(options.only), fmu=fmu)
+    print(results_table(parity).text())
+    for line in not_run_notes(parity):
+        print(f"not run: {line}", file=sys.stderr)
+    if options.report is not None:
+        write_parity(parity, options.report)
+    print_written(options.report)
+    return 0 if parity.is_within_limits else FAILED

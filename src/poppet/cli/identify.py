@@ -7,42 +7,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from poppet.cli.main import INTERRUPTED
-from poppet.cli.parser import QUIET, REPORT, RESULT, Option
-from poppet.cli.progress import Counting, Points
-from poppet.cli.summary import ask_for_drawing, hand_over
+from poppet.cli.progress import FitProgress, PointProgress
+from poppet.cli.summary import require_matplotlib, write_result
 from poppet.core.errors import OutOfRangeError
 
 if TYPE_CHECKING:
     from poppet.identify import Result
 
-EXAMPLES = (
-    "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
-    "poppet identify friction FRICTION.toml -o RESULT.toml --report REPORT.html",
-    "poppet identify characteristic TESTS.toml --library valve.toml",
-    "poppet identify design DESIGN.toml --report DESIGN.html",
-)
-WAYS = {
-    "fit": "any free numbers of any circuit, from any recordings",
-    "tank": "C, b and wall heat of a charge or discharge test (ISO 6358-2)",
-    "flow": "C, b, m and cracking pressure of a steady flow bench (ISO 6358-1)",
-    "characteristic": "C(x), b(x) from tests at known strokes",
-    "muscle": "the law of a muscle's force, from a force map or recordings",
-    "friction": "the law of friction, from velocity-force tables or recordings of motion",
-    "design": "of tests that could be made, those that would tell most",
-}
-OPTIONS = (
-    Option("WAY", "", choices=WAYS),
-    Option("FILE", "what to identify from what (.toml), see docs/identify.md"),
-    RESULT,
-    REPORT,
-    Option("--compare FILE", "judge another fit file against this one", only=["fit"]),
-    Option("--profile ADDRESS ...", "interval by profile likelihood", only=["fit", "tank"]),
-    Option("--contour", "misfit over conductance and wall heat, for the page", only=["fit", "tank"]),
-    Option("--bootstrap N", "N bootstrap fits", only=["fit", "tank"], more={"type": int, "default": 0}),
-    Option("--library FILE", "write C(x), b(x) for circuit files", (".toml",), only=["characteristic"]),
-    Option("--all", "print all findings, not the first three only"),
-    QUIET,
-)
 FINDINGS = 3
 """What is printed of the findings where not all are asked for."""
 
@@ -51,10 +22,10 @@ def execute(options: argparse.Namespace) -> int:
     """Run the command."""
     if options.bootstrap < 0:
         raise OutOfRangeError("cli.bootstrap", count=options.bootstrap)
-    ask_for_drawing(options.report)
-    if options.way == "design":
+    require_matplotlib(options.report)
+    if options.method == "design":
         return _designed(options)
-    with Counting("evaluations", is_quiet=options.quiet) as counting:
+    with FitProgress(is_quiet=options.quiet) as counting:
         result = _identified(options, counting)
     if options.library:
         from poppet.identify.characteristic.characteristic_file import write_characteristic
@@ -66,15 +37,15 @@ def execute(options: argparse.Namespace) -> int:
 
         write_identification(result, path)
 
-    hand_over(options, result, summary(result, FINDINGS if not options.all else None), write_page, options.library)
+    write_result(options, result, summary(result, FINDINGS if not options.all else None), write_page, options.library)
     return INTERRUPTED if result.conditions.get("interrupted") else 0
 
 
-def _identified(options: argparse.Namespace, progress: Counting) -> Result:
+def _identified(options: argparse.Namespace, progress: FitProgress) -> Result:
     """The result of the way that was asked for."""
     from poppet import identify
 
-    way, path = options.way, Path(options.file)
+    way, path = options.method, Path(options.file)
     if way in ("fit", "tank"):
         given: dict[str, Any] = {"profile": options.profile, "repeats": options.bootstrap, "contour": options.contour}
         given |= {"progress": progress, "stages": progress.stages}
@@ -95,9 +66,9 @@ def _designed(options: argparse.Namespace) -> int:
     from poppet import identify
     from poppet.report.identification.design_report import design_text, write_design
 
-    with Points(is_quiet=options.quiet) as points:
+    with PointProgress(is_quiet=options.quiet) as points:
         design = identify.identify_design(Path(options.file), progress=points)
-    hand_over(options, design, design_text(design), lambda path: write_design(design, path))
+    write_result(options, design, design_text(design), lambda path: write_design(design, path))
     return INTERRUPTED if design.interrupted else 0
 
 

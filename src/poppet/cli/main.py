@@ -1,54 +1,33 @@
-"""The entry of the command line: finds the command, turns errors into sentences and exit codes.
+"""Entry point of the command line: finds the command and turns errors into messages and exit codes.
 
-Nothing heavy is imported here: `poppet --help` has to answer at once.
+Nothing heavy is imported here, because `poppet --help` must be fast.
 """
 
 from __future__ import annotations
 
+import argparse
 import contextlib
 import importlib
 import io
 import os
 import sys
 import warnings
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Sequence
 
-from poppet.cli.parser import CommandParser, Option
+from poppet.cli.commands import COMMANDS, all_commands
+from poppet.cli.parser import Command, CommandParser
+from poppet.core.command_options import Option
 from poppet.core.errors import InputError, NameSuggestion, PoppetError
 from poppet.core.number_format import printable
 from poppet.core.plugins import PluginWarning
 
-COMMANDS = {
-    "simulate": "run a circuit file",
-    "identify": "numbers with intervals from recordings: fit, tank, flow, characteristic, muscle, friction, design",
-    "bench": "figures of a pressure valve, of a model or of recordings: iso10094",
-    "ensemble": "many runs with uncertain numbers: yield, bands, influence of each number, worst cases",
-    "size": "the smallest or largest number with which a circuit meets its requirements",
-    "bench limits": "which part limits a valve: maps of bandwidth, step response and stability",
-    "check": "find every mistake of circuit files without running them",
-    "new": "write a circuit file to start from",
-    "show": "list the numbers of a circuit by their source, the assumed ones first",
-    "draw": "draw a circuit",
-    "plot": "draw recordings over each other",
-    "linearise": "linear model, eigenvalues and time constants of a circuit",
-    "control": "tune a pressure controller, compare controllers under uncertainty",
-    "live": "write a page in which a circuit itself runs, with sliders",
-    "export": "a circuit for other places: c, fmu, st",
-    "export st": "sampled controllers as a function block of structured text, for a PLC",
-    "export c": "a circuit, or a sampled controller, as C with a host that checks it",
-    "export fmu": "a circuit as an FMU, FMI 2.0 or 3.0, for Simulink, Dymola, OpenModelica and their kin",
-    "export check": "the same run by every target, and how far each is from the kernel",
-    "convert": "convert units, and C, Kv, Cv, qNn and effective areas",
-    "library": "list or describe published parameter sets, characteristics and gases",
-    "explain": "what the code of a mistake, note or finding means, and what to do",
-    "schema": "write the JSON schema of circuit files for editors",
-    "paper": "reproduce the figures of Varga & Keski-Honkola 2012",
-}
-"""Name and summary of every command; each is the module of that name beside this one, `bench limits` bench_limits."""
-
 FAILED, WRONG_INPUT, INTERRUPTED = 1, 2, 130
-EXAMPLES = ("poppet new valve-fill", "poppet simulate valve-fill.toml", "poppet simulate --help")
+PROGRAM = Command(
+    "electro-pneumatic proportional valves and their loads",
+    "",
+    (Option("--version", "print the version"),),
+    ("poppet new valve-fill", "poppet simulate valve-fill.toml", "poppet simulate --help"),
+)
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
@@ -63,7 +42,7 @@ def run(arguments: Sequence[str] | None = None) -> int:
     """
     _tolerate_narrow_encodings()
     if arguments is None and not sys.warnoptions and not os.environ.get("POPPET_DEBUG"):
-        # As a program: what concerns a user is a note of the house, not a line of somebody's source.
+        # A user of the program gets notes; warnings are for Python code.
         warnings.simplefilter("ignore")
         warnings.simplefilter("default", PluginWarning)
         warnings.showwarning = _show_warning
@@ -71,82 +50,83 @@ def run(arguments: Sequence[str] | None = None) -> int:
         code = _dispatch(list(sys.argv[1:] if arguments is None else arguments))
         # Here, where a broken pipe can still be caught, not when the interpreter ends.
         sys.stdout.flush()
-    # `poppet show ... | head` has read enough: no mistake.
+    # The reader of `poppet show ... | head` has closed the pipe: no error.
     except BrokenPipeError:
-        _drop_output()
+        # Prevent the error of the interpreter's last flush.
+        with contextlib.suppress(OSError, ValueError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except KeyboardInterrupt:
-        return _complain("interrupted.", INTERRUPTED)
+        return _report("interrupted.", INTERRUPTED)
     except InputError as error:
-        _complain(str(error), error.exit_code)
-        # Of a line that was mistyped, --help tells more.
+        _report(str(error), error.exit_code)
+        # For a mistyped command line, --help is better than `explain`.
         codes = dict.fromkeys(problem.code for problem in error.problems if not problem.code.startswith("cli."))
-        more = f"poppet explain {' '.join(list(codes)[:3])}" if codes else ""
-        return _complain(more, error.exit_code, "more: ")
+        hint = f"poppet explain {' '.join(list(codes)[:3])}" if codes else ""
+        return _report(hint, error.exit_code, "more: ")
     except PoppetError as error:
-        return _complain(str(error), error.exit_code)
+        return _report(str(error), error.exit_code)
     except OSError as error:
         name = f"{error.filename}: " if error.filename else ""
-        return _complain(f"{name}{error.strerror or error}.", WRONG_INPUT)
+        return _report(f"{name}{error.strerror or error}.", WRONG_INPUT)
     except Exception as error:
         if os.environ.get("POPPET_DEBUG"):
             raise
         # One line, so that a log keeps it together.
-        what = " ".join(str(error).splitlines())
-        return _complain(
-            f"internal error: {type(error).__name__}: {what}. Please report it; POPPET_DEBUG=1 shows where.",
-            FAILED,
+        text = " ".join(str(error).splitlines())
+        return _report(
+            f"internal error: {type(error).__name__}: {text}. Please report it; POPPET_DEBUG=1 shows where.", FAILED
         )
     return code
 
 
 def command_parser(name: str) -> CommandParser:
-    """The parser of a command."""
-    module = _module(name)
-    return CommandParser(name, COMMANDS[name], module.OPTIONS, module.EXAMPLES)
+    """Return the parser of a command."""
+    return CommandParser(name, COMMANDS[name] if name in COMMANDS else all_commands()[name])
 
 
-def command_of(arguments: list[str]) -> tuple[str, list[str]]:
-    """The command that some arguments begin with, of one word or two, and what follows it.
+def split_command(arguments: list[str]) -> tuple[str, list[str]]:
+    """Return the command, of one or two words, and its arguments.
 
     Examples
     --------
-    >>> command_of(["bench", "limits", "valve.toml"]), command_of(["show", "valve.toml"])
+    >>> split_command(["bench", "limits", "valve.toml"]), split_command(["show", "valve.toml"])
     (('bench limits', ['valve.toml']), ('show', ['valve.toml']))
     """
-    # Two words first: `bench` alone is a command as well.
-    words = 2 if " ".join(arguments[:2]) in COMMANDS else 1
-    return " ".join(arguments[:words]), arguments[words:]
-
-
-def _module(name: str) -> Any:
-    return importlib.import_module(f"poppet.cli.{name.replace(' ', '_')}")
+    name = " ".join(arguments[:2])
+    # Two words first: `bench` alone is also a command.
+    if name in COMMANDS or (arguments[0] == "export" and name in all_commands()):
+        return name, arguments[2:]
+    return arguments[0], arguments[1:]
 
 
 def _dispatch(arguments: list[str]) -> int:
     if not arguments or arguments[0].startswith("-"):
-        return _program(arguments)
-    name, rest = command_of(arguments)
-    if name not in COMMANDS:
-        raise InputError("cli.command.unknown", name=name, near=NameSuggestion(name, COMMANDS))
+        return _run_program(arguments)
+    name, rest = split_command(arguments)
+    if name not in COMMANDS and name not in (commands := all_commands()):
+        raise InputError("cli.command.unknown", name=name, near=NameSuggestion(name, commands))
     parser = command_parser(name)
     try:
         options = parser.read(rest)
     except SystemExit:  # --help
         return 0
-    code: int = _module(name).execute(options)
-    return code
-
-
-def _program(arguments: list[str]) -> int:
-    """What `poppet` does without a command: help and version."""
-    version = Option("--version", "print the version")
-    parser = CommandParser("", "electro-pneumatic proportional valves and what they drive", [version], EXAMPLES)
-    width = max(map(len, COMMANDS))
-    commands = parser.add_argument_group(
-        "commands", "\n".join(f"{name:<{width}}  {text}" for name, text in COMMANDS.items())
+    options.command = name
+    module, _, function = (COMMANDS.get(name) or all_commands()[name]).function.partition(":")
+    execute: Callable[[argparse.Namespace], int | None] = getattr(
+        importlib.import_module(f"poppet.cli.{module}"), function
     )
-    commands.add_argument("command", nargs="?", help="poppet COMMAND --help tells more")
+    with contextlib.redirect_stdout(io.StringIO()) if options.quiet else contextlib.nullcontext():
+        return execute(options) or 0
+
+
+def _run_program(arguments: list[str]) -> int:
+    """Print the help or the version."""
+    parser, commands = CommandParser("", PROGRAM), all_commands()
+    width = max(map(len, commands))
+    lines = (f"{name:<{width}}  {command.summary}" for name, command in commands.items())
+    group = parser.add_argument_group("commands", "\n".join(lines))
+    group.add_argument("command", nargs="?", help="see poppet COMMAND --help")
     try:
         options = parser.read(arguments)
     except SystemExit:
@@ -162,29 +142,24 @@ def _program(arguments: list[str]) -> int:
     return WRONG_INPUT
 
 
-def _complain(text: str, code: int, begin: str = "error: ") -> int:
+def _report(text: str, code: int, prefix: str = "error: ") -> int:
+    """Print lines to the standard error and return the exit code."""
     with contextlib.suppress(OSError):
         for line in text.splitlines():
-            print(f"{begin}{printable(line)}", file=sys.stderr)
+            print(f"{prefix}{printable(line)}", file=sys.stderr)
         sys.stderr.flush()
     return code
 
 
-def _show_warning(message: Warning | str, *_: Any, **__: Any) -> None:
-    _complain(str(message), 0, "note: ")
+def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
+    _report(str(message), 0, "note: ")
 
 
 def _tolerate_narrow_encodings() -> None:
-    """A title that the terminal cannot write is shown with ?, not refused; a stream that is closed takes all."""
+    """Print ? for characters that the terminal cannot print; replace closed streams by buffers."""
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
             setattr(sys, name, io.StringIO())
     for stream in (sys.stdout, sys.stderr):
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
-
-
-def _drop_output() -> None:
-    """Nobody reads any more: let the interpreter's last flush go nowhere instead of complaining."""
-    with contextlib.suppress(OSError, ValueError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())

@@ -1,60 +1,41 @@
-"""`poppet plot`: recordings drawn over each other."""
+"""`poppet plot`: recordings in common axes."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from poppet.cli.assignments import Shape
-from poppet.cli.parser import ALL, PICTURES, SELECT, UNITS, Option, output_path
-
-if TYPE_CHECKING:
-    from poppet.timeseries.recording import Recording
-
-EXAMPLES = (
-    "poppet plot fill.csv -o fill.png",
-    'poppet plot measured.csv simulated.csv -o both.svg --select "tank.pressure,valve.stroke" --units bar,mm',
-)
-OPTIONS = (
-    Option("RECORDING ...", "recordings: .csv, .parquet or .mat"),
-    Option("-o, --output PICTURE", "file to write instead of FIRST.png", PICTURES),
-    SELECT,
-    UNITS,
-    ALL,
-)
+from poppet.cli.assignments import OutputSelection
+from poppet.cli.commands import PICTURES
+from poppet.cli.parser import output_path
 
 
-def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
-    output = options.output or output_path(f"{Path(options.recordings[0]).stem}.png", PICTURES)
-    shape = Shape.read(options.select, options.units)
+def plot_files(options: argparse.Namespace) -> None:
+    """Plot recordings in common axes."""
+    paths = options.recordings
+    output = options.output or output_path(f"{Path(paths[0]).stem}.png", PICTURES)
+    selection = OutputSelection.read(options.select, options.units)
+    from poppet.parts import KINDS
     from poppet.timeseries.plotting.plots import plot_recordings
     from poppet.timeseries.recording import Recording
 
-    read = [_known(Recording.read(path)) for path in options.recordings]
-    labelled = dict(zip(_labels(options.recordings), read, strict=True))
-    plot_recordings(labelled, output, select=shape.patterns or None, units=shape.plot_units(read), inner=options.all)
-    print(f"{output}: {len(labelled)} {'recordings' if len(labelled) > 1 else 'recording'} drawn.")
-    return 0
-
-
-def _known(recording: Recording) -> Recording:
-    """A recording that knows its inner series; a CSV file names series only, which parts know."""
-    if recording.inner:
-        return recording
-    from poppet.parts import KINDS
-    from poppet.timeseries.recording import Recording
-
-    inner = {name for kind in KINDS.values() for name in kind.internal_outputs}
-    found = frozenset(name for name in recording.names if name.rpartition(".")[2] in inner)
-    return Recording(**(recording.fields() | {"inner": found}))
-
-
-def _labels(paths: Sequence[str]) -> list[str]:
-    """File names without suffix, or whole paths where those are not unique."""
-    # The same file twice, or two of one name, must not fall together under one label.
+    # A CSV file has names only: the parts declare their internal outputs.
+    internal = {name for kind in KINDS.values() for name in kind.internal_outputs}
+    recordings = []
+    for recording in map(Recording.read, paths):
+        if not recording.inner:
+            inner = frozenset(name for name in recording.names if name.rpartition(".")[2] in internal)
+            recording = Recording(**(recording.fields() | {"inner": inner}))
+        recordings.append(recording)
+    # Labels are the file names without suffix, or the paths if these are not unique; a repeated path gets a number.
     stems = [Path(path).stem for path in paths]
     labels = stems if len(set(stems)) == len(stems) else list(paths)
-    return [label if labels.count(label) == 1 else f"{label} ({k})" for k, label in enumerate(labels, 1)]
+    labels = [label if labels.count(label) == 1 else f"{label} ({k})" for k, label in enumerate(labels, 1)]
+    plot_recordings(
+        dict(zip(labels, recordings, strict=True)),
+        output,
+        select=selection.patterns or None,
+        units=selection.plot_units(recordings),
+        inner=options.all,
+    )
+    print(f"{output}: {len(labels)} {'recordings' if len(labels) > 1 else 'recording'} drawn.")

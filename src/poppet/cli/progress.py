@@ -1,4 +1,4 @@
-"""Something moves on a terminal once a command lasts longer than a second: a bar, a count, or a word."""
+"""Progress on the terminal: a bar, a count or a text, for commands that take longer than a second."""
 
 from __future__ import annotations
 
@@ -10,16 +10,18 @@ from types import TracebackType
 from typing import Any, Self
 
 PATIENCE = 1.0
-"""Time after which a person wants to see something move [s]."""
+"""Time before the first display [s]."""
+RUN_KINDS = {"runs": "runs", "tornado": "more for the tornado", "indices": "more for Sobol indices"}
+"""Texts for the kinds of runs of an ensemble."""
 
 
 class _Display:
-    """A line on stderr, where that is a terminal and nobody asked for quiet."""
+    """Line on the standard error, if that is a terminal and --quiet is not set."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
-        # A log file would be full of bars, and so would a notebook, whose cells take what is written as text.
+        # A log file would be full of bars, and so would the output of a notebook cell.
         self.is_shown = not is_quiet and sys.stderr.isatty() and "JPY_PARENT_PID" not in os.environ
-        self.began = time.monotonic()
+        self.start_time = time.monotonic()
         self._line: Any = None
         self._task: Any = None
 
@@ -32,10 +34,15 @@ class _Display:
         if self._line is not None:
             self._line.stop()
 
-    def _is_due(self) -> bool:
-        return self.is_shown and time.monotonic() - self.began >= PATIENCE
+    @property
+    def elapsed(self) -> float:
+        """Time since the start [s]."""
+        return time.monotonic() - self.start_time
 
-    def _say(self, text: str) -> None:
+    def _is_due(self) -> bool:
+        return self.is_shown and self.elapsed >= PATIENCE
+
+    def _show_text(self, text: str) -> None:
         """Show a spinner with a text."""
         if self._line is None:
             from rich.console import Console
@@ -44,7 +51,7 @@ class _Display:
             self._line.start()
         self._line.update(text)
 
-    def _fill(self, done: float, total: float, text: str) -> None:
+    def _show_bar(self, done: float, total: float, text: str) -> None:
         """Show a bar with a text."""
         if self._line is None:
             from rich.console import Console
@@ -57,105 +64,98 @@ class _Display:
         self._line.update(self._task, completed=done, total=total, description=text)
 
 
-class Progress(_Display):
-    """The time that a run of a length [s] has reached."""
+class RunProgress(_Display):
+    """Simulated time of a run."""
 
     def __init__(self, duration: float, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
         self.duration = duration
 
-    def __call__(self, reached: float) -> None:
-        """Show the time reached [s]."""
+    def __call__(self, simulated_time: float) -> None:
+        """Show the simulated time [s]."""
         if self._is_due():
-            self._fill(reached, self.duration, f"{reached:.4g} of {self.duration:.4g} s")
+            self._show_bar(simulated_time, self.duration, f"{simulated_time:.4g} of {self.duration:.4g} s")
 
 
-class Points(_Display):
-    """Points of a map that are done."""
+class PointProgress(_Display):
+    """Number of computed points of a map."""
 
-    def __call__(self, done: int, total: int, what: str) -> None:
-        """Show how many are done, and which comes next."""
+    def __call__(self, done: int, total: int, following: str) -> None:
+        """Show the number of computed points and the following point."""
         if self._is_due():
-            self._fill(done, total, f"{done} of {total}, {what}; Ctrl-C keeps what is there")
+            self._show_bar(done, total, f"{done} of {total}, {following}; Ctrl-C keeps the computed points")
 
 
-class Counting(_Display):
-    """A count of what may have no end that is known before."""
-
-    def __init__(self, what: str, *, is_quiet: bool = False) -> None:
-        super().__init__(is_quiet=is_quiet)
-        self.what = what
+class FitProgress(_Display):
+    """Number of evaluations of a fit."""
 
     def __call__(self, count: int, cost: float) -> None:
-        """Show the count and the least cost so far."""
+        """Show the number of evaluations and the lowest cost."""
         if self._is_due():
-            self._say(f"{count} {self.what}, misfit {cost:.6g}; Ctrl-C keeps the best so far")
+            self._show_text(f"{count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
 
-    def stages(self, what: str, done: int, total: int) -> None:
-        """Show how much is done of what is counted to an end, and for how long all has lasted."""
+    def stages(self, stage: str, done: int, total: int) -> None:
+        """Show the progress of a stage after the search, and the elapsed time."""
         if self._is_due():
-            self._say(f"{done} of {total} {what}, {time.monotonic() - self.began:.0f} s; Ctrl-C keeps the fit")
+            self._show_text(f"{done} of {total} {stage}, {self.elapsed:.0f} s; Ctrl-C keeps the fit")
 
 
-class Naming(_Display):
-    """What is being done, by name."""
+class BenchProgress(_Display):
+    """Name of the current test."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
         self._count = 0
 
-    def __call__(self, what: str) -> None:
-        """Show what begins now."""
+    def __call__(self, test: str) -> None:
+        """Show the test that starts now."""
         self._count += 1
         if self._is_due():
-            self._say(f"{what} (run {self._count}); Ctrl-C keeps the tests that are done")
+            self._show_text(f"{test} (run {self._count}); Ctrl-C keeps the completed tests")
 
 
-class Waiting(_Display):
-    """What is being done, where that may not call back: a timer of its own shows it."""
+class Spinner(_Display):
+    """Text beside a spinner, for work without callbacks; a timer shows it."""
 
-    def __init__(self, what: str, *, is_quiet: bool = False) -> None:
+    def __init__(self, text: str, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
-        self._timer = threading.Timer(PATIENCE, self._say, [what]) if self.is_shown else None
+        self._timer = threading.Timer(PATIENCE, self._show_text, [text]) if self.is_shown else None
 
     def __enter__(self) -> Self:
         if self._timer is not None:
-            # A command that fails must not wait for its spinner.
+            # Daemon: a failed command must not wait for the timer.
             self._timer.daemon = True
             self._timer.start()
         return self
 
-    def __call__(self, what: str) -> None:
-        """Show what begins now."""
+    def __call__(self, text: str) -> None:
+        """Show the current operation and the elapsed time."""
         if self._is_due():
-            self._say(f"{what}, {time.monotonic() - self.began:.0f} s")
+            self._show_text(f"{text}, {self.elapsed:.0f} s")
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
         if self._timer is not None:
-            # Joined as well: it may be showing its line just now.
+            # Join as well: the timer may be printing its line.
             self._timer.cancel()
             self._timer.join()
         super().__exit__(kind, error, trace)
 
 
-class Running(_Display):
-    """Runs of an ensemble, and how fast they come."""
+class EnsembleProgress(_Display):
+    """Number and rate of the runs of an ensemble."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
-        self._kind, self._first, self._since = "", 0, self.began
+        self._kind, self._n_stored, self._kind_start = "", 0, self.start_time
 
     def __call__(self, done: int, total: int, kind: str) -> None:
-        """Show how many of a kind are done; what lay there already has no part in the rate."""
+        """Show the number of runs of a kind; the rate excludes runs that were stored before."""
         if kind != self._kind:
-            self._kind, self._first, self._since = kind, done, time.monotonic()
+            self._kind, self._n_stored, self._kind_start = kind, done, time.monotonic()
         if self._is_due():
-            rate = (done - self._first) / max(time.monotonic() - self._since, 1e-3)
-            told = f"{rate:.0f}" if rate >= 10.0 else f"{rate:.2g}"
-            self._fill(done, total, f"{done} of {total} {OF_ENSEMBLES[kind]}, {told}/s; Ctrl-C keeps what is done")
-
-
-OF_ENSEMBLES = {"runs": "runs", "tornado": "more for the tornado", "indices": "more for Sobol indices"}
-"""Runs of an ensemble by their kind."""
+            rate = (done - self._n_stored) / max(time.monotonic() - self._kind_start, 1e-3)
+            rate_text = f"{rate:.0f}" if rate >= 10.0 else f"{rate:.2g}"
+            text = f"{done} of {total} {RUN_KINDS[kind]}, {rate_text}/s; Ctrl-C keeps the completed runs"
+            self._show_bar(done, total, text)

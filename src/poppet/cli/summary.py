@@ -1,64 +1,66 @@
-"""What commands print of a recording, and what they do with a result."""
+"""Texts that commands print about recordings and results."""
 
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable
+import sys
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.parser import tell_written
+from poppet.core.note_groups import grouped
 from poppet.core.number_format import USUAL, aligned, digits_of
 
 if TYPE_CHECKING:
+    from poppet.core.codes import Note
     from poppet.timeseries.recording import Recording
 
 
-def readable(recording: Recording) -> Recording:
-    """The recording in the units in which people read."""
-    series = zip(recording.names, recording.units, strict=True)
-    return recording.converted({name: USUAL[unit] for name, unit in series if unit in USUAL})
+def in_usual_units(recording: Recording) -> Recording:
+    """Return the recording in practical units, such as bar."""
+    units = zip(recording.names, recording.units, strict=True)
+    return recording.converted({name: USUAL[unit] for name, unit in units if unit in USUAL})
 
 
-def series_table(recording: Recording) -> str:
-    """First, last, least and greatest value of every series."""
+def output_table(recording: Recording) -> str:
+    """Return a table with the first, last, minimum and maximum value of every output."""
     rows = [["series", "unit", "first", "last", "min", "max"]]
-    for name, unit, row in zip(recording.names, recording.units, recording.values, strict=True):
-        low, high = row.min(), row.max()
-        figures = (digits_of(figure, max(-low, high)) for figure in (row[0], row[-1], low, high))
-        rows.append([name, "" if unit == "1" else unit, *figures])
+    for name, unit, values in zip(recording.names, recording.units, recording.values, strict=True):
+        low, high = values.min(), values.max()
+        cells = (digits_of(value, max(-low, high)) for value in (values[0], values[-1], low, high))
+        rows.append([name, "" if unit == "1" else unit, *cells])
     return aligned(rows, range(2, 6))
 
 
 def balance_sentence(recording: Recording) -> str:
-    """Whether mass and energy were conserved."""
-    # A store that nothing passed through and that is empty has no limit to be near.
+    """Return a sentence on the mass and energy balances."""
+    # An empty gas node without flow has no allowed residual.
     balances = [balance for balance in recording.residuals if balance.allowed > 0.0]
     if not balances:
-        return "Balances: no store with a balance."
+        return "Balances: no gas node with a balance."
     worst = max(balances, key=lambda balance: balance.error / balance.allowed)
-    verdict = "all kept" if all(balance.is_kept for balance in balances) else "NOT kept"
+    verdict = "all within limits" if all(balance.is_kept for balance in balances) else "NOT all within limits"
     return (
-        f"Balances: {len(balances)} checked, {verdict}; nearest to its limit {worst.name}, "
+        f"Balances: {len(balances)} checked, {verdict}; closest to its limit: {worst.name}, "
         f"residual {worst.error:.2g} {worst.unit} of {worst.allowed:.2g} {worst.unit} allowed."
     )
 
 
 def run_summary(recording: Recording) -> str:
-    """What a person wants to know after a run without an output file."""
+    """Return the summary of a run without an output file."""
     lines = [recording.title] if recording.title else []
     lines.append(recording.outcome)
-    lines += ["", first_asked(recording)] if recording.figures else []
+    lines += ["", load_summary(recording)] if recording.figures else []
     if recording.time.size:
-        lines += ["", extent(recording), series_table(recording), ""]
+        lines += ["", extent(recording), output_table(recording), ""]
     lines.append(balance_sentence(recording))
     accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
     lines.append(f"Steps: {accepted:.0f} accepted, {rejected:.0f} rejected.")
     return "\n".join(lines)
 
 
-def first_asked(recording: Recording) -> str:
-    """Figures of a run with loads."""
+def load_summary(recording: Recording) -> str:
+    """Return the stroke and energy tables of a run with loads."""
     from poppet.report.result_tables import ENERGY, STROKES, energy_table, stroke_table
 
     metrics = recording.figures
@@ -67,27 +69,39 @@ def first_asked(recording: Recording) -> str:
 
 
 def extent(recording: Recording) -> str:
-    """How much a recording holds."""
+    """Return the number of rows and outputs and the time span of a recording."""
     span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
     return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"
 
 
-def ask_for_drawing(*paths: Path | None) -> None:
-    """Say that pages and pictures cannot be drawn before the work, not after it."""
+def print_notes(notes: Iterable[Note]) -> None:
+    """Print notes to the standard error, similar ones in one line."""
+    for note in grouped(notes):
+        print(f"note: {note}", file=sys.stderr)
+
+
+def print_written(*paths: Path | None) -> None:
+    """Print the names of written files."""
+    for path in paths:
+        if path is not None:
+            print(f"{path}: written.")
+
+
+def require_matplotlib(*paths: Path | None) -> None:
+    """Fail before the computation if Matplotlib is required and missing."""
     if any(paths):
         from poppet.timeseries.plotting.figures import style
 
         style("A picture")
 
 
-def hand_over(
-    options: argparse.Namespace, result: Any, text: str, write_page: Callable[[Path], Any], *others: Path | None
+def write_result(
+    options: argparse.Namespace, result: Any, text: str, write_report: Callable[[Path], Any], *files: Path | None
 ) -> None:
-    """Write a result and its page where they were asked for, and print what a person reads."""
+    """Write a result and its report to the files of the options, and print the text and the file names."""
     if options.output:
         result.save(options.output)
     if options.report:
-        write_page(options.report)
-    if not options.quiet:
-        print(text)
-        tell_written(options.output, options.report, *others)
+        write_report(options.report)
+    print(text)
+    print_written(options.output, options.report, *files)

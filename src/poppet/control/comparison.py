@@ -1,4 +1,4 @@
-"""Controllers compared on one plant: the same setpoint, sample time, delay, sensor, limits and uncertain numbers."""
+"""Comparison of controllers on one plant with uncertain parameters."""
 
 from __future__ import annotations
 
@@ -27,35 +27,33 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 _SHARED = ("sample_time", "sensor.lag", "sensor.offset", "fill_limit", "vent_limit", "lower_limit", "upper_limit")
-"""Numbers of the controllers in which a fair comparison allows no difference."""
+"""Parameters that must be equal in all controllers."""
 
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """Controllers on one plant, with its nominal numbers and with drawn ones.
+    """Responses of controllers on one plant with nominal and with random parameters.
 
     Parameters
     ----------
     time : (n,) array
-        Sampling instants [s].
+        Sample instants [s].
     setpoint : (n,) array
-        Of all controllers, SI.
+        Setpoint of all controllers, SI.
     responses : dict
-        Controller to a (draws + 1, n) array of what is measured, the nominal run first; rows of failed runs are not
-        numbers. SI.
+        Controller to a (draws + 1, n) array of the measurement, SI, with the nominal run first; NaN in failed runs.
     commands : dict
-        Controller to its command in the nominal run, an (n,) array: the opening that fills less the one that vents, or
-        in SI.
+        Controller to its command in the nominal run, an (n,) array: fill minus vent opening, or SI.
     figures : dict
-        Controller to figure to a (draws + 1,) array, the nominal run first, as `kinds` says.
+        Controller to metric to a (draws + 1,) array, with the nominal run first.
     factors : dict
-        Address of each uncertain number to a (draws + 1,) array of factors on it.
+        Address of each uncertain parameter to a (draws + 1,) array of factors.
     ranges : dict
-        Address to the relative range that was drawn from.
+        Address to the relative range of the factors.
     seed : int
-        Of the draws.
+        Seed of the random factors.
     quantity, command_quantity : str
-        What is controlled, and what commanded.
+        Controlled and commanded quantity.
     """
 
     time: Array
@@ -71,68 +69,68 @@ class Comparison:
 
     @property
     def units(self) -> tuple[str, str]:
-        """SI units of what is controlled and commanded."""
+        """SI units of the controlled and the commanded quantity."""
         return QUANTITIES[self.quantity].unit, COMMANDS[self.command_quantity].unit
 
     @property
     def kinds(self) -> dict[str, StepMetric]:
-        """The figures with their units and meanings."""
+        """Metrics with their units and meanings."""
         return metrics_in(*self.units)
 
     @property
     def draws(self) -> int:
-        """Number of draws beside the nominal run."""
+        """Number of random runs."""
         return len(next(iter(self.responses.values()))) - 1
 
     @property
     def failed(self) -> dict[str, int]:
-        """How many runs of each controller did not reach their end."""
+        """Count of failed runs of each controller."""
         return {name: int(np.sum(np.isnan(rows[:, -1]))) for name, rows in self.responses.items()}
 
     def summary(self) -> dict[str, dict[str, tuple[float, float, float]]]:
-        """Nominal value, median of the draws and the worst of them.
+        """Return nominal value, median and maximum of each metric.
 
         Returns
         -------
         dict
-            Controller to figure to the three; without draws all are nominal.
+            Controller to metric to the three values; without random runs all are nominal.
         """
         return {
             name: {
-                key: (float(values[0]), float(np.median(_drawn(values))), float(np.max(_drawn(values))))
-                for key, values in own.items()
+                key: (float(values[0]), float(np.median(_random_runs(values))), float(np.max(_random_runs(values))))
+                for key, values in metrics.items()
             }
-            for name, own in self.figures.items()
+            for name, metrics in self.figures.items()
         }
 
     def save(self, path: str | Path) -> Path:
-        """Write one row per run: controller, draw, factors, figures.
+        """Write one row for each run: controller, draw, factors, metrics.
 
         Parameters
         ----------
         path : str or Path
-            Ends in `.csv`.
+            File name that ends in `.csv`.
 
         Returns
         -------
         Path
-            Where it was written.
+            Path of the file.
         """
         target = Path(path)
         writer = by_suffix(target, {".csv": self._csv})
         return write_whole(target, lambda stream: stream.write(writer().encode()))
 
     def _csv(self) -> str:
-        heads = [f"{key} [{each.unit}]" for key, each in self.kinds.items()]
+        heads = [f"{key} [{metric.unit}]" for key, metric in self.kinds.items()]
         rows = [["controller", "draw", *self.factors, *heads]]
-        for name, own in self.figures.items():
+        for name, metrics in self.figures.items():
             for k in range(self.draws + 1):
-                values = [*(factor[k] for factor in self.factors.values()), *(own[key][k] for key in self.kinds)]
+                values = [*(factor[k] for factor in self.factors.values()), *(metrics[key][k] for key in self.kinds)]
                 rows.append([name, str(k), *(f"{value:.10g}" for value in values)])
         return "".join(",".join(row) + "\n" for row in rows)
 
 
-def _drawn(values: Array) -> Array:
+def _random_runs(values: Array) -> Array:
     return values[1:] if len(values) > 1 else values
 
 
@@ -140,51 +138,54 @@ def compare(
     circuits: Mapping[str, Circuit], controller: str | None = None, *, vary: Mapping[str, float] | None = None,
     draws: int = 50, seed: int = 0, progress: Callable[[int, int], Any] | None = None,
 ) -> Comparison:  # fmt: skip
-    """Run several controllers on one plant, nominal and with uncertain numbers; none of them knows the draws.
+    """Run several controllers on one plant with nominal and with random parameters.
+
+    The models in the controllers keep their nominal parameters.
 
     Parameters
     ----------
     circuits : mapping
-        Name of each contender to its circuit; they may differ in the controller only.
+        Name of each contender to its circuit; the circuits may differ in the controller only.
     controller : str, optional
-        Name of the controller's part, the same in all; needed where there are several.
+        Name of the controller, the same in all circuits; required if there are several.
     vary : mapping, optional
-        Address of a number of the plant, or of the sensor, to its relative range: 0.2 draws between 0.8 and 1.2 times
-        the nominal value, evenly.
+        Address of a parameter of the plant or of the sensor to its relative range: with 0.2, factors are uniformly
+        distributed from 0.8 to 1.2.
     draws : int, optional
-        How many; without `vary` the nominal run stands alone.
+        Number of random runs; without `vary` only the nominal run is made.
     seed : int, optional
-        The same seed draws the same plants.
+        Seed of the factors; equal seeds give equal plants.
     progress : callable, optional
-        Called with the number of runs done and their total.
+        Function of the number of finished runs and the total.
 
     Returns
     -------
     Comparison
-        Figures of every run.
+        Metrics of all runs.
 
     Raises
     ------
     InputErrors
-        With every difference that makes it unfair, and every number that cannot be varied.
+        If circuits differ in more than the controller, or a parameter cannot be varied.
     """
     ranges = dict(vary or {})
     first = next(iter(circuits.values()), None)
     if first is None:
         raise InputError("control.no_circuits")
-    named = plant_of(first, controller).controller
-    plants = {name: plant_of(circuit, named) for name, circuit in circuits.items()}
+    controller_name = plant_of(first, controller).controller
+    plants = {name: plant_of(circuit, controller_name) for name, circuit in circuits.items()}
     with ErrorCollector() as errors:
         shape = _shape(first, next(iter(plants.values())))
         for name, circuit in circuits.items():
-            _check_fair(errors, name, (circuit, _shape(circuit, plants[name])), (first, shape), named)
-        _check_varied(errors, first, named, ranges)
+            _check_fair(errors, name, (circuit, _shape(circuit, plants[name])), (first, shape), controller_name)
+        _check_varied(errors, first, controller_name, ranges)
         if draws < 0:
             errors.extend([OutOfRangeError("control.draws", draws=draws)])
     count = draws if ranges else 0
-    drawn = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(ranges)))
+    random_values = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(ranges)))
     factors = {
-        address: np.concatenate([[1.0], 1.0 + size * drawn[:, k]]) for k, (address, size) in enumerate(ranges.items())
+        address: np.concatenate([[1.0], 1.0 + size * random_values[:, k]])
+        for k, (address, size) in enumerate(ranges.items())
     }
     runs = {name: _Contender(circuit.instance, circuit.run, plants[name]) for name, circuit in circuits.items()}
     total = len(runs) * (count + 1)
@@ -193,27 +194,27 @@ def compare(
             runner.run({address: float(values[k]) for address, values in factors.items()})
             if progress is not None:
                 progress(k * len(runs) + j + 1, total)
-    some = next(iter(runs.values()))
+    contender_1 = next(iter(runs.values()))
     return Comparison(
-        some.time, some.setpoint, {name: np.array(each.responses) for name, each in runs.items()},
-        {name: each.command for name, each in runs.items()},
-        {name: {key: np.array([f[key] for f in each.figures]) for key in some.kinds} for name, each in runs.items()},
-        factors, ranges, seed, some.part.controls, command_of(some.part),
+        contender_1.time, contender_1.setpoint, {name: np.array(contender.responses) for name, contender in
+        runs.items()}, {name: contender.command for name, contender in runs.items()}, {name: {key: np.array([f[key] for
+        f in contender.figures]) for key in contender_1.kinds} for name, contender in runs.items()}, factors, ranges,
+        seed, contender_1.part.controls, command_of(contender_1.part),
     )  # fmt: skip
 
 
 class _Contender:
-    """One circuit, run again and again with numbers multiplied."""
+    """Circuit of one controller that is run with scaled parameters."""
 
     def __init__(self, instance: Instance, options: Run, plant: Plant) -> None:
-        own, self.part = plant.controller, plant.part
+        controller, self.part = plant.controller, plant.part
         self.instance, self.kinds = instance, metrics_in(self.part.unit, self.part.command_unit)
-        self.run_options = replace(options, output_step=instance.parameters[f"{own}.sample_time"])
+        self.run_options = replace(options, output_step=instance.parameters[f"{controller}.sample_time"])
         self.time: Array = self.run_options.grid()
-        self.setpoint: Array = np.asarray(instance.signals[f"{own}.setpoint"].evaluate(self.time))
+        self.setpoint: Array = np.asarray(instance.signals[f"{controller}.setpoint"].evaluate(self.time))
         names = [name for name, _ in instance.model.outputs]
         commands = ("fill_command", "vent_command") if self.part.is_of_openings else ("command",)
-        self.rows = [names.index(address) for address in (plant.measurement, *(f"{own}.{c}" for c in commands))]
+        self.rows = [names.index(address) for address in (plant.measurement, *(f"{controller}.{c}" for c in commands))]
         self.responses: list[Array] = []
         self.figures: list[dict[str, float]] = []
         self.command: Array = np.zeros(0)
@@ -222,34 +223,34 @@ class _Contender:
         values = {address: factor * self.instance.parameters[address] for address, factor in factors.items()}
         changed = self.instance.with_values(values) if values else self.instance
         raw = solve(changed.problem(self.run_options), self.run_options.solver)
-        missing = len(self.time) - raw.time.size  # rows that a run which failed did not reach
-        measured, *given = np.pad(raw.values[self.rows], ((0, 0), (0, missing)), constant_values=np.nan)
+        missing = len(self.time) - raw.time.size  # rows after the end of a failed run
+        measured, *commands = np.pad(raw.values[self.rows], ((0, 0), (0, missing)), constant_values=np.nan)
         if not self.responses:
-            self.command = given[0] - given[1] if len(given) > 1 else given[0]
+            self.command = commands[0] - commands[1] if len(commands) > 1 else commands[0]
         self.responses.append(measured)
-        found = step_metrics(self.time, self.setpoint, measured, *given)
-        # A run that failed is worse than any other.
-        self.figures.append(dict.fromkeys(self.kinds, np.inf) if missing else found)
+        metrics = step_metrics(self.time, self.setpoint, measured, *commands)
+        # A failed run has the worst metrics.
+        self.figures.append(dict.fromkeys(self.kinds, np.inf) if missing else metrics)
 
 
 def _check_fair(
-    errors: ErrorCollector, name: str, own: tuple[Circuit, Any], first: tuple[Circuit, Any], controller: str
+    errors: ErrorCollector, name: str, case: tuple[Circuit, Any], reference_case: tuple[Circuit, Any], controller: str
 ) -> None:
-    """What in a circuit differs from the first beside the controller's own law; each with its shape."""
-    here, there = ({**circuit.parameters, **shape} for circuit, shape in (own, first))
-    for what in sorted({*here, *there}):
-        of_controller = what.startswith(f"{controller}.") and what.removeprefix(f"{controller}.") not in _SHARED
-        if not of_controller and here.get(what) != there.get(what):
-            errors.add("control.unfair", what, value=here.get(what), first=there.get(what), circuit=name)
-    # Figures are those of steps: a ramp has no rise time.
-    if not isinstance(own[0].signals.get(f"{controller}.setpoint"), Steps):
+    """Collect errors of differences between two circuits other than the controller."""
+    values, reference_values = ({**circuit.parameters, **shape} for circuit, shape in (case, reference_case))
+    for key in sorted({*values, *reference_values}):
+        of_controller = key.startswith(f"{controller}.") and key.removeprefix(f"{controller}.") not in _SHARED
+        if not of_controller and values.get(key) != reference_values.get(key):
+            errors.add("control.unfair", key, value=values.get(key), first=reference_values.get(key), circuit=name)
+    # The metrics need steps: a ramp has no rise time.
+    if not isinstance(case[0].signals.get(f"{controller}.setpoint"), Steps):
         errors.add("control.no_staircase", f"{controller}.setpoint", circuit=name)
 
 
 def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
-    """What has to be equal beside the numbers; it is the parts that are compared, which no instance knows."""
+    """Return the properties, other than parameters, that must be equal in all circuits."""
     return {
-        "parts": [each.structure() for name, each in circuit.parts.items() if name != plant.controller],
+        "parts": [part.structure() for name, part in circuit.parts.items() if name != plant.controller],
         "acts": plant.part.acts,
         "quantity": (plant.part.controls, command_of(plant.part)),
         "measurement": plant.measurement,
@@ -269,10 +270,12 @@ def _check_varied(errors: ErrorCollector, circuit: Circuit, controller: str, ran
     sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
     for address, size in ranges.items():
         if address not in numbers:
-            errors.add("control.vary.unknown", address, near=NameSuggestion(address, numbers))
+            errors.add(
+                "names.unknown", address, meaning="a parameter of this circuit", near=NameSuggestion(address, numbers)
+            )
         elif address.startswith(f"{controller}.") and address not in sensor:
             errors.add("control.vary.of_controller", address)
-        elif circuit.parameters.get(address, 0.0) == 0.0:  # a range is a part of the value
+        elif circuit.parameters.get(address, 0.0) == 0.0:  # the range is relative to the value
             errors.add("control.vary.zero", address)
         elif not 0.0 < size < 1.0:
             errors.extend([OutOfRangeError("control.vary.range", address, size=size)])

@@ -1,8 +1,7 @@
-"""A plant by its answers to sines of one size: where small steps say nothing, for valves rest in dead zones or hum.
+"""Frequency responses of plants to sines of a given size, for plants without a useful linear model.
 
-The loop runs as it is, with the controller as a weak hold, and a sine is added to the command. What the measurement
-and the command then have of that frequency is the sinusoidal describing function of all between them, at the size of
-the command's own sine.
+The loop runs with a weak controller, and a sine is added to the command. The ratio of measurement and command at this
+frequency is the sinusoidal describing function of the plant at the size of the sine of the command.
 """
 
 from __future__ import annotations
@@ -18,9 +17,9 @@ import numpy as np
 
 from poppet.control.extraction import Loop, loop_of
 from poppet.control.loop import Array, Complex, Gains, LoopPlant, Margins
-from poppet.control.metrics import readable
-from poppet.control.plant import OperatingPoint, Plant, place
-from poppet.control.verification import Verification, verified
+from poppet.control.metrics import readable_unit_of
+from poppet.control.plant import OperatingPoint, Plant, point_label
+from poppet.control.verification import Verification, verify_step
 from poppet.core.codes import Note
 from poppet.core.errors import OutOfRangeError, SimulationError
 from poppet.core.units import convert, quantity
@@ -34,76 +33,82 @@ if TYPE_CHECKING:
 
 ProgressCallback = Callable[[str], None]
 _WEAK = 0.15
-"""Part of the file's gain that holds the plant while it is measured."""
+"""Fraction of the gain of the circuit during the measurement."""
 _ROWS = 64
-"""Rows of a period that are kept at most."""
+"""Maximum count of stored rows in a period."""
 _FINER = 1.33
 """Ratio of neighbouring frequencies."""
 _LAGS, _SPAN = -135.0, 15.0
-"""Phase of the highest frequency that matters for a crossover [deg], and how far below it frequencies matter."""
+"""Phase at the highest relevant frequency [deg], and the range of relevant periods above that of this frequency."""
 _FLAT, _LESS = -8.0, 5.0
-"""Phase that lags no more [deg], and the span that then will do."""
+"""Phase above which the lag counts as small [deg], and the range of periods that is then sufficient."""
 _PERIODS, _LONG, _LASTS = 4, 8, 5.0
-"""Periods of a first run; how many are waited for at most, or how long, if that is more [s]."""
+"""Periods of a first run; maximum count of periods, or maximum duration [s] if it is longer."""
 _ALIKE, _CLOSE = 0.01, 0.05
-"""Part by which two halves of an answer may differ; and where more periods do not make them alike."""
+"""Relative difference of two quarters of a response at which a run ends, and above which the response is rejected."""
 _DISTORTED = 0.35
-"""Part of an answer that is not the sine, from which it is none: sticking, or an end stop."""
+"""Fraction of a response that is not sinusoidal, above which it is rejected: stiction, or an end stop."""
 _SIZE, _TRIES = 0.05, 3
-"""Part by which the command's sine may miss its size, and how often it is corrected."""
+"""Relative tolerance of the size of the command's sine, and maximum count of corrections."""
 _FEWEST, _ENOUGH, _LOST = 8, 3, 2
-"""Answers without which there is no response, in all and where phases matter; how many then may come to nothing."""
+"""Minimum count of responses, of relevant responses, and count of failures that ends a sweep."""
 _TURN, _SMALL = math.radians(20.0), 0.005
-"""Phase between neighbours that asks for a frequency between them; part of the greatest answer that no loop feels."""
+"""Phase difference that needs a frequency in between, and fraction of the largest response that is negligible."""
 _EVERY = 4
-"""Frequency of which one is looked at for stability."""
+"""Decimation of frequencies in the test of stability."""
 _RUNS, _QUIET = 8, 0.1
-"""Runs in which a plant comes to rest, and the part of the sine by which its command may still move."""
+"""Maximum count of runs to a steady state, and tolerance of its command as a fraction of the sine."""
 
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPlant(LoopPlant):
-    """A plant known by its answers to sines.
+    """Plant that is described by its responses to sines.
 
     Parameters
     ----------
-    known : (n,) array
-        Frequencies, rising [Hz].
-    answers : (n,) array
-        Measurement per command, complex, SI.
+    known_frequencies : (n,) array
+        Increasing frequencies [Hz].
+    responses : (n,) array
+        Complex responses, measurement per command, SI.
     sample_time : float
         T [s].
-    held_by : Gains
-        A controller whose loop is known to be stable: that which held the plant.
+    stabilised_by : Gains
+        Gains of the measured loop, which is stable.
 
     Notes
     -----
-    Between the frequencies size and phase follow a monotone cubic over the logarithm of the frequency. Above them the
-    phase stays and the size goes on with its last slope; below them it goes on as a gain or as integrators.
+    Magnitude and phase are interpolated by monotone cubics over the logarithm of the frequency. Above the measured
+    range the phase is constant and the magnitude keeps its last slope. Below the range the plant is a gain or
+    integrators.
     """
 
-    known: Array
-    answers: Complex
+    known_frequencies: Array
+    responses: Complex
     sample_time: float
-    held_by: Gains
+    stabilised_by: Gains
 
     @cached_property
     def _curves(self) -> Callable[[Array], tuple[Array, Array]]:
         from scipy.interpolate import PchipInterpolator
 
-        size, phase = np.log(np.abs(self.answers)), np.unwrap(np.angle(self.answers))
+        size, phase = np.log(np.abs(self.responses)), np.unwrap(np.angle(self.responses))
         phase -= 2.0 * np.pi * np.round(phase[0] / (2.0 * np.pi) - 0.05)
-        both = PchipInterpolator(np.log(self.known), np.stack([size, phase], axis=1))
+        interpolator = PchipInterpolator(np.log(self.known_frequencies), np.stack([size, phase], axis=1))
 
-        (low, high), slopes = np.log(self.known[[0, -1]]), np.diff(size) / np.diff(np.log(self.known))
-        # Towards zero the plant is a gain or integrators, by the nearest whole slope, and its phase a multiple of 90.
+        (low, high), slopes = (
+            np.log(self.known_frequencies[[0, -1]]),
+            np.diff(size) / np.diff(np.log(self.known_frequencies)),
+        )
+        # Towards zero frequency: the nearest integer slope, and a phase that is a multiple of 90 degrees.
         slope = float(np.round(slopes[0]))
         end = 0.5 * np.pi * slope + np.pi * np.round((phase[0] - 0.5 * np.pi * slope) / np.pi)
 
         def at(logarithm: Array) -> tuple[Array, Array]:
-            size, phase = both(np.clip(logarithm, low, high)).T
-            below, above = np.minimum(logarithm - low, 0.0), np.maximum(logarithm - high, 0.0)
-            return size + slope * below + slopes[-1] * above, end + (phase - end) * np.exp(below)
+            size, phase = interpolator(np.clip(logarithm, low, high)).T
+            decades_below, decades_above = np.minimum(logarithm - low, 0.0), np.maximum(logarithm - high, 0.0)
+            return size + slope * decades_below + slopes[-1] * decades_above, end + (phase - end) * np.exp(
+                decades_below
+            )
 
         return at
 
@@ -112,61 +117,61 @@ class MeasuredPlant(LoopPlant):
         return np.asarray(np.exp(size + 1j * phase), dtype=np.complex128)
 
     @cached_property
-    def _seen(self) -> tuple[Complex, Complex]:
+    def _coarse_response(self) -> tuple[Complex, Complex]:
         z = self.at(self.frequencies[::-_EVERY][::-1])
         return z, self.response(z)
 
-    def _turned(self, gains: Gains) -> float:
-        """The angle by which 1 + L turns from the lowest frequency to half the sampling frequency."""
-        z, answers = self._seen
+    def _phase_change(self, gains: Gains) -> float:
+        """Return the change of the angle of 1 + L up to half the sampling frequency."""
+        z, answers = self._coarse_response
         angle = np.unwrap(np.angle(1.0 + answers * gains.response(z, self.sample_time)))
         return float(angle[-1] - angle[0])
 
     @cached_property
-    def _held(self) -> float:
-        return self._turned(self.held_by)
+    def _reference_phase(self) -> float:
+        return self._phase_change(self.stabilised_by)
 
     def is_stable_with(self, gains: Gains) -> bool:
-        # Nyquist, whatever poles the plant has: it is as stable as the loop that held it, for 1 + L goes round as
-        # often. Half of the pole at 1 that an integral brings adds a quarter of a turn.
-        own = 0.5 * np.pi if gains.integral_time > 0.0 else 0.0
-        return abs(self._turned(gains) - self._held - own) < 0.5 * np.pi
+        # Nyquist for any poles of the plant: the loop is stable if 1 + L encircles the origin as often as in the
+        # measured, stable loop. The pole at 1 of an integral adds a quarter of a turn.
+        integral_turn = 0.5 * np.pi if gains.integral_time > 0.0 else 0.0
+        return abs(self._phase_change(gains) - self._reference_phase - integral_turn) < 0.5 * np.pi
 
-    def is_known_for(self, gains: Gains, bound: float) -> bool:
-        """True where what lies beyond the known frequencies cannot break a bound, whatever its phase.
+    def covers(self, gains: Gains, bound: float) -> bool:
+        """Return True if a bound is kept outside the measured frequencies for any phase.
 
         Parameters
         ----------
         gains : Gains
-            Of the controller.
+            Gains of the controller.
         bound : float
-            M of Ms and Mt.
+            Bound M of Ms and Mt.
 
         Returns
         -------
         bool
-            Of a plant that is a gain below them the lowest frequency counts as enough.
+            A plant that is a gain at low frequencies meets the condition there.
         """
-        low, high = np.abs(self.answers * gains.response(self.at(self.known), self.sample_time))[[0, -1]]
-        is_gain = abs(np.angle(self.answers[0])) < 0.25 * np.pi
+        low, high = np.abs(self.responses * gains.response(self.at(self.known_frequencies), self.sample_time))[[0, -1]]
+        is_gain = abs(np.angle(self.responses[0])) < 0.25 * np.pi
         return bool((low >= bound / (bound - 1.0) or is_gain) and high <= 1.0 - 1.0 / bound)
 
 
 @dataclass(frozen=True, eq=False)
 class SettledPlant:
-    """A plant at rest under a weak hold, ready for sines."""
+    """Plant in a steady state with a weak controller."""
 
-    circuit: Circuit  # begins at the rest
+    circuit: Circuit  # starts at the steady state
     rest: Recording
     value: float  # mean of the measurement there, SI
     command: float
-    by: Gains
+    weak_gains: Gains
     loop: Loop
 
     def answer(self, samples: int, size: float) -> tuple[complex, complex] | None:
-        """Measurement per command and the command's sine, after transients; None where no sine comes back."""
-        every = max(1, math.ceil(samples / _ROWS))
-        step, rows = every * self.loop.sample_time, samples // every
+        """Return measurement per command, and the sine of the command; None without a sinusoidal response."""
+        decimation = max(1, math.ceil(samples / _ROWS))
+        step, rows = decimation * self.loop.sample_time, samples // decimation
         name, period, count = self.loop.controller, samples * self.loop.sample_time, _PERIODS
         signals = {**self.circuit.signals, f"{name}.feedforward": Sine(0.0, size, 1.0 / period)}
         driven = replace(self.circuit, signals=signals, like=self.circuit)
@@ -177,43 +182,43 @@ class SettledPlant:
                 return None
             series = np.stack([run[self.loop.shown], run[f"{name}.command"]])[:, : count * rows]
             quarters = series.reshape(2, 4, -1)
-            third, last = (y / u for y, u in (_sine(quarters[:, k], rows)[0] for k in (2, 3)))
-            apart = abs(last - third) / abs(last)
-            if apart <= _ALIKE or count * period >= max(_LASTS, _LONG * period):
+            third, last = (y / u for y, u in (_fit_sine(quarters[:, k], rows)[0] for k in (2, 3)))
+            difference = abs(last - third) / abs(last)
+            if difference <= _ALIKE or count * period >= max(_LASTS, _LONG * period):
                 break
-            # On from where it has come to: gas that is shut in finds its mean pressure slowly.
+            # Continue the run: trapped gas reaches its mean pressure slowly.
             driven, count = driven.resumed(run), 2 * count
-        (y, u), distortion = _sine(series[:, count * rows // 2 :], rows)
-        if apart > _CLOSE or distortion > _DISTORTED:
+        (y, u), distortion = _fit_sine(series[:, count * rows // 2 :], rows)
+        if difference > _CLOSE or distortion > _DISTORTED:
             return None
         return complex(y / u), complex(u)
 
 
-def _sine(series: Array, rows: int) -> tuple[Complex, float]:
-    """Of each series the part with a period of so many rows, beside a drift; and what else the first one has."""
+def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
+    """Return the sine with a period of `rows` in each series, and the relative distortion of the first series."""
     k = np.arange(series.shape[1])
     angle, drift = 2.0 * np.pi * k / rows, k / k.size - 0.5
     base = np.stack([np.cos(angle), np.sin(angle), np.ones(k.size), drift], axis=1)
     if k.size > 8:
         base = np.column_stack([base, drift**2])
-    found, *_ = np.linalg.lstsq(base, series.T, rcond=None)
-    left = series[0] - base @ found[:, 0]
-    parts = found[1] + 1j * found[0]
-    return parts, float(np.sqrt(2.0 * np.mean(left**2)) / max(abs(parts[0]), 1e-300))
+    coefficients, *_ = np.linalg.lstsq(base, series.T, rcond=None)
+    residuals = series[0] - base @ coefficients[:, 0]
+    amplitudes = coefficients[1] + 1j * coefficients[0]
+    return amplitudes, float(np.sqrt(2.0 * np.mean(residuals**2)) / max(abs(amplitudes[0]), 1e-300))
 
 
 @dataclass(frozen=True, eq=False)
 class MeasuredLoop(Plant):
-    """A circuit whose controller holds it weakly while sines of one size or several are added to its command."""
+    """Plant whose responses are measured with sines of one or several sizes in the command."""
 
     loop: Loop = None  # type: ignore[assignment]
     amplitudes: tuple[float, ...] = ()
-    told: ProgressCallback = lambda text: None
-    held: dict[float, SettledPlant] = field(default_factory=dict)
+    report_progress: ProgressCallback = lambda text: None
+    settled: dict[float, SettledPlant] = field(default_factory=dict)
 
     @property
     def vent_factor(self) -> float:
-        """That of the controller as it is, which is in the answers."""
+        """Vent factor of the controller during the measurement."""
         return self.loop.numbers.get("vent_factor", 1.0)
 
     def sampled(  # type: ignore[override]  # no state space
@@ -222,129 +227,132 @@ class MeasuredLoop(Plant):
         return point.models[branch]  # type: ignore[return-value]
 
     def named(self, amplitude: float) -> str:
-        """A size of the command's sine as people read it."""
+        """Return a size of the command's sine in its readable unit."""
         unit = COMMANDS[command_of(self.part)].unit
-        shown = readable(unit)
-        return f"sines of {convert(amplitude, unit, shown):.4g}{'' if shown == '1' else f' {shown}'}"
+        shown_unit = readable_unit_of(unit)
+        suffix = "" if shown_unit == "1" else f" {shown_unit}"
+        return f"sines of {convert(amplitude, unit, shown_unit):.4g}{suffix}"
 
     def operating_point(self, value: Any) -> OperatingPoint:
-        wanted = self.read(value)
-        held = self.held_at(wanted)
-        self.held[held.value] = held
-        models: Mapping[str, Any] = {self.named(size): self._swept(held, size) for size in self.amplitudes}
-        return OperatingPoint(held.value, held.command, models, {name: {} for name in models})
+        target = self.read(value)
+        settled = self.settle(target)
+        self.settled[settled.value] = settled
+        models: Mapping[str, Any] = {self.named(size): self._sweep(settled, size) for size in self.amplitudes}
+        return OperatingPoint(settled.value, settled.command, models, {name: {} for name in models})
 
-    def verified(
+    def verify(
         self, circuit: Circuit, value: float, gains: Gains, margins: Mapping[str, Margins]
     ) -> Iterator[Verification]:
-        """Steps of a tuned loop there and back from an operating point, one for each size of sine."""
+        """Yield the verification of a tuned loop for each size of sine."""
         for size in self.amplitudes:
-            at = place(self, value, self.named(size))
-            self.told(f"a step at {at}")
-            rest, crossover = self.held[value].rest, margins[at].crossover
-            yield verified(circuit, self.controller, rest, value, size, gains, crossover, at)
+            label = point_label(self, value, self.named(size))
+            self.report_progress(f"a step at {label}")
+            steady_run, crossover = self.settled[value].rest, margins[label].crossover
+            yield verify_step(circuit, self.controller, steady_run, value, size, gains, crossover, label)
 
-    def held_at(self, wanted: float) -> SettledPlant:
-        """The plant at a rest of its loop as it is, under a weak hold."""
+    def settle(self, target: float) -> SettledPlant:
+        """Return the plant in a steady state of its loop, with a weak controller."""
         name, circuit, numbers = self.controller, self.loop.circuit, self.loop.numbers
         part: Any = self.loop.part  # a PID
         signals = {a: s for a, s in circuit.signals.items() if a.partition(".")[0] != name}
         circuit = replace(circuit, run=replace(circuit.run, stop_when=None))
         if self.begins:
-            circuit = circuit.with_values({self.begins: wanted})
-        rest, value, command = self._come_to_rest(
-            replace(circuit, signals={**signals, f"{name}.setpoint": Constant(wanted)}), wanted
+            circuit = circuit.with_values({self.begins: target})
+        steady_run, value, command = self._run_to_steady_state(
+            replace(circuit, signals={**signals, f"{name}.setpoint": Constant(target)}), target
         )
-        own = part.gains_at(Scope(numbers, {}, {}, circuit.surroundings), value, value)
-        ahead = float(own["derivative_time"])
-        slow = numbers["derivative_filter"] if ahead > 0.0 else self.loop.sample_time
-        by = Gains(_WEAK * float(own["gain"]), 0.0, ahead, slow)
+        gains = part.gains_at(Scope(numbers, {}, {}, circuit.surroundings), value, value)
+        derivative_time = float(gains["derivative_time"])
+        filter_time = numbers["derivative_filter"] if derivative_time > 0.0 else self.loop.sample_time
+        weak_gains = Gains(_WEAK * float(gains["gain"]), 0.0, derivative_time, filter_time)
         weak = replace(
-            part, gain=by.gain, integral_time=None, derivative_time=ahead, schedule=None, feedforward=True,
-            setpoint_weight=1.0, dead_band=0.0, integral_dead_band=None, bias=command,
+            part, gain=weak_gains.gain, integral_time=None, derivative_time=derivative_time, schedule=None,
+            feedforward=True, setpoint_weight=1.0, dead_band=0.0, integral_dead_band=None, bias=command,
         )  # fmt: skip
-        held = replace(
+        driven = replace(
             circuit, parts={**circuit.parts, name: weak}, signals={**signals, f"{name}.setpoint": Constant(value)}
         )
-        held = held.resumed(rest).with_values({f"{name}.initial_integral": 0.0})
-        return SettledPlant(held, rest, value, command, by, self.loop)
+        driven = driven.resumed(steady_run).with_values({f"{name}.initial_integral": 0.0})
+        return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop)
 
-    def _come_to_rest(self, circuit: Circuit, wanted: float) -> tuple[Recording, float, float]:
-        """Where a loop comes to rest: the end of its run, and the means of measurement and command there."""
+    def _run_to_steady_state(self, circuit: Circuit, target: float) -> tuple[Recording, float, float]:
+        """Return a run to a steady state, with the means of measurement and command there."""
         duration = max(float(circuit.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
-        before, start = np.inf, None
-        self.told(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.shown(wanted))}")
+        previous, start = np.inf, None
+        self.report_progress(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.shown(target))}")
         for _ in range(_RUNS):
             run = start = circuit.simulate(duration, start=start)
-            late = run.time > 0.5 * duration
+            is_late = run.time > 0.5 * duration
             value, command = (
-                float(np.mean(run[each][late])) for each in (self.loop.shown, f"{self.controller}.command")
+                float(np.mean(run[output][is_late])) for output in (self.loop.shown, f"{self.controller}.command")
             )
-            if abs(command - before) <= _QUIET * min(self.amplitudes):
+            if abs(command - previous) <= _QUIET * min(self.amplitudes):
                 return run, value, command
-            before = command
-        raise SimulationError(Note("tuning.not_held", self.measurement, **self.shown(wanted)))
+            previous = command
+        raise SimulationError(Note("tuning.not_held", self.measurement, **self.shown(target)))
 
-    def _swept(self, held: SettledPlant, size: float) -> MeasuredPlant:
-        """Answers from half the sampling frequency down to where they say no more."""
-        found: dict[int, complex] = {}
-        run: list[int] = []  # of answers in the range that matters, from high frequencies
-        lost, time, samples = 0, self.loop.sample_time, 4
-        while samples * time <= _LASTS or (run and lost == 0):
-            answer = self._answer(held, samples, size, found)
+    def _sweep(self, settled: SettledPlant, size: float) -> MeasuredPlant:
+        """Return the responses from half the sampling frequency to the lowest relevant frequency."""
+        responses: dict[int, complex] = {}
+        relevant: list[int] = []  # periods with a relevant phase, from high frequencies
+        failures, time, samples = 0, self.loop.sample_time, 4
+        while samples * time <= _LASTS or (relevant and failures == 0):
+            answer = self._answer(settled, samples, size, responses)
             if answer is None:
-                lost += 1
-                if len(run) >= _ENOUGH and lost >= _LOST:
-                    break  # what moves so far leaves its range
+                failures += 1
+                if len(relevant) >= _ENOUGH and failures >= _LOST:
+                    break  # the motion exceeds its range
             else:
-                found[samples], lost = answer, 0
+                responses[samples], failures = answer, 0
                 phase = math.degrees(np.angle(answer))
-                run = [*run, samples] if _LAGS < phase < 20.0 else []
-                if run and samples >= (_SPAN if phase < _FLAT else _LESS) * run[0]:
+                relevant = [*relevant, samples] if _LAGS < phase < 20.0 else []
+                if relevant and samples >= (_SPAN if phase < _FLAT else _LESS) * relevant[0]:
                     break
-            samples = _next(samples)
-        if len(found) < _FEWEST or len(run) < _ENOUGH:
+            samples = _round_period(max(samples + 1, _FINER * samples))
+        if len(responses) < _FEWEST or len(relevant) < _ENOUGH:
             raise SimulationError(Note("tuning.not_followed", self.measurement, by=self.named(size)))
-        for between in _rough(found):
-            answer = self._answer(held, between, size, found)
-            found |= {} if answer is None else {between: answer}
-        order = sorted(found, reverse=True)
+        for period in _periods_to_refine(responses):
+            answer = self._answer(settled, period, size, responses)
+            responses |= {} if answer is None else {period: answer}
+        order = sorted(responses, reverse=True)
         frequencies = 1.0 / (time * np.array(order))
         delay = np.exp(-2j * np.pi * frequencies * time * self.delay)
-        return MeasuredPlant(frequencies, np.array([found[n] for n in order]) * delay, time, held.by)
+        return MeasuredPlant(frequencies, np.array([responses[n] for n in order]) * delay, time, settled.weak_gains)
 
-    def _answer(self, held: SettledPlant, samples: int, size: float, found: Mapping[int, complex]) -> complex | None:
-        """The answer to a sine of the command that has its size in spite of the hold."""
+    def _answer(
+        self, settled: SettledPlant, samples: int, size: float, responses: Mapping[int, complex]
+    ) -> complex | None:
+        """Return the response to a sine that has the given size in the command."""
         frequency = 1.0 / (samples * self.loop.sample_time)
-        self.told(f"{frequency:.3g} Hz by {self.named(size)}")
+        self.report_progress(f"{frequency:.3g} Hz by {self.named(size)}")
         z = np.exp(2j * np.pi * np.array([1.0 / samples]))
-        hold = held.by.response(z, self.loop.sample_time)[0]
-        given = size * float(abs(1.0 + _guessed(found, samples) * hold))
+        hold_response = settled.weak_gains.response(z, self.loop.sample_time)[0]
+        amplitude = size * float(abs(1.0 + _interpolate_response(responses, samples) * hold_response))
         for _ in range(_TRIES):
-            answer = held.answer(samples, given)
+            answer = settled.answer(samples, amplitude)
             if answer is None:
                 return None
             if abs(abs(answer[1]) / size - 1.0) <= _SIZE:
                 return answer[0]
-            given *= size / abs(answer[1])
+            amplitude *= size / abs(answer[1])
         return None
 
 
-def measured_loop(
+def make_measured_loop(
     circuit: Circuit, controller: str | None, amplitudes: Sequence[Any], progress: ProgressCallback | None
 ) -> MeasuredLoop:
-    """The plant of a controller for sines of some sizes, least first.
+    """Return the plant of a controller for sines of some sizes.
 
     Parameters
     ----------
     circuit : Circuit
-        With the controller.
+        Circuit with the controller.
     controller : str or None
-        Its name.
+        Name of the controller.
     amplitudes : sequence of float or str
-        Of its command, in its unit.
+        Sizes of the sines in the unit of the command.
     progress : callable or None
-        Called with what is being simulated.
+        Function of a text that describes the current run.
 
     Returns
     -------
@@ -353,53 +361,49 @@ def measured_loop(
     Raises
     ------
     InputError
-        As `plant_of`; and for a size that is none, or beyond the limits of the command.
+        As `plant_of`; and if a size is not positive or exceeds the limits of the command.
     """
     loop = loop_of(circuit, controller)
     unit = COMMANDS[command_of(loop.part)].unit
-    sizes = sorted(float(quantity(each, unit, name="amplitude").value) for each in amplitudes)
+    sizes = sorted(float(quantity(amplitude, unit, name="amplitude").value) for amplitude in amplitudes)
     numbers = loop.numbers
     low, high = (
         (-numbers["vent_limit"], numbers["fill_limit"])
         if loop.part.is_of_openings
         else (numbers["lower_limit"], numbers["upper_limit"])
     )
-    most = 0.5 * (high - low)
+    largest = 0.5 * (high - low)
     for size in sizes:
-        if not 0.0 < size <= most:
-            raise OutOfRangeError("tuning.amplitude", loop.controller, size=size, most=most, unit=unit)
+        if not 0.0 < size <= largest:
+            raise OutOfRangeError("tuning.amplitude", loop.controller, size=size, most=largest, unit=unit)
     return MeasuredLoop(
         circuit.instance, loop.controller, loop.part, loop.measurement, loop.commands, loop.begins,
-        loop=loop, amplitudes=tuple(sizes), told=progress or (lambda text: None),
+        loop=loop, amplitudes=tuple(sizes), report_progress=progress or (lambda text: None),
     )  # fmt: skip
 
 
-def _next(samples: int) -> int:
-    """The next lower frequency, in samples of its period."""
-    return _divided(max(samples + 1, _FINER * samples))
+def _round_period(samples: float) -> int:
+    """Return the nearest period with an integer count of rows."""
+    decimation = max(1, math.ceil(samples / _ROWS))
+    return decimation * round(samples / decimation)
 
 
-def _divided(samples: float) -> int:
-    """The nearest period that has a whole number of rows."""
-    every = max(1, math.ceil(samples / _ROWS))
-    return every * round(samples / every)
-
-
-def _guessed(found: Mapping[int, complex], samples: int) -> complex:
-    """An answer, straight between or beyond the two nearest over logarithms; 0 where there are none."""
-    near = sorted(found, key=lambda n: abs(math.log(n / samples)))[:2]
-    if len(near) < 2:
+def _interpolate_response(responses: Mapping[int, complex], samples: int) -> complex:
+    """Return the response by a power law of the two nearest periods; 0 if there are fewer."""
+    nearest = sorted(responses, key=lambda n: abs(math.log(n / samples)))[:2]
+    if len(nearest) < 2:
         return 0.0
-    share = math.log(samples / near[0]) / math.log(near[1] / near[0])
-    return found[near[0]] * (found[near[1]] / found[near[0]]) ** share
+    fraction = math.log(samples / nearest[0]) / math.log(nearest[1] / nearest[0])
+    return responses[nearest[0]] * (responses[nearest[1]] / responses[nearest[0]]) ** fraction
 
 
-def _rough(found: Mapping[int, complex]) -> list[int]:
-    """Periods between neighbours whose answers lie far apart, where a loop feels them."""
-    order, felt = sorted(found), _SMALL * max(map(abs, found.values()))
-    far = [
-        _divided(math.sqrt(low * high))
+def _periods_to_refine(responses: Mapping[int, complex]) -> list[int]:
+    """Return new periods between neighbours with a large phase difference and a relevant magnitude."""
+    order, smallest_relevant = sorted(responses), _SMALL * max(map(abs, responses.values()))
+    periods = [
+        _round_period(math.sqrt(low * high))
         for low, high in itertools.pairwise(order)
-        if abs(np.angle(found[high] / found[low])) > _TURN and max(abs(found[low]), abs(found[high])) > felt
+        if abs(np.angle(responses[high] / responses[low])) > _TURN
+        and max(abs(responses[low]), abs(responses[high])) > smallest_relevant
     ]
-    return [samples for samples in far if samples not in found]
+    return [samples for samples in periods if samples not in responses]

@@ -1,4 +1,4 @@
-"""Taking the plant of a controller out of a circuit."""
+"""Extraction of the plant of a controller from a circuit."""
 
 from __future__ import annotations
 
@@ -19,46 +19,46 @@ if TYPE_CHECKING:
 
 
 def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
-    """Take a controller out of a circuit.
+    """Return the plant of a controller in a circuit.
 
     Parameters
     ----------
     circuit : Circuit
-        With a controller and its connections.
+        Circuit with a controller and its connections.
     controller : str, optional
-        Its name; needed where there are several.
+        Name of the controller; required if there are several.
 
     Returns
     -------
     Plant
-        What is left, and how it was connected.
+        Circuit without the controller, and its connections.
 
     Raises
     ------
     InputError
-        If there is no such controller, or it measures or commands nothing; if other sampled parts stand beside one that
-        opens valves to hold a pressure.
+        If there is no such controller, or it is not connected; if a circuit has further sampled parts and its
+        controller commands openings for a pressure.
 
     Notes
     -----
-    Controllers that command nothing but this one, the loops around it, are left out. Friction that sticks counts as its
-    viscous part, and hysteresis as none: at rest both are springs, which no gains are for. `notes` says so.
+    Outer loops, whose controllers command only this one, are omitted. Friction with stiction is replaced by its viscous
+    part and hysteresis is omitted: at rest both act as springs. `notes` reports this.
     """
     loop = loop_of(circuit, controller)
     part, controller = loop.part, loop.controller
-    kept, notes = _sliding(loop.circuit)
-    moves = any(isinstance(each, Body) for each in circuit.parts.values())
-    # A chamber alone begins at its operating point; anything else is followed there with its controller in manual.
-    by_hand = not part.is_of_openings or part.controls != "pressure" or moves
-    rest = freed(kept, controller, keeps=by_hand).instance
-    if rest.model.memory and not by_hand:
-        raise InputError("plant.also_sampled", controller, other=rest.model.memory[0][0].partition(".")[0])
-    kind = ManualPlant if by_hand else Plant
-    return kind(rest, controller, part, loop.measurement, loop.commands, loop.begins, notes)
+    simplified, notes = _without_stiction(loop.circuit)
+    has_body = any(isinstance(member, Body) for member in circuit.parts.values())
+    # A chamber alone starts at its operating point; other plants reach it in manual mode.
+    is_manual = not part.is_of_openings or part.controls != "pressure" or has_body
+    remaining = release_command(simplified, controller, keeps=is_manual).instance
+    if remaining.model.memory and not is_manual:
+        raise InputError("plant.also_sampled", controller, other=remaining.model.memory[0][0].partition(".")[0])
+    kind = ManualPlant if is_manual else Plant
+    return kind(remaining, controller, part, loop.measurement, loop.commands, loop.begins, notes)
 
 
 class Loop(NamedTuple):
-    """A controller in its circuit, without the loops around it."""
+    """Controller in its circuit, without outer loops."""
 
     circuit: Circuit
     controller: str
@@ -69,29 +69,29 @@ class Loop(NamedTuple):
 
     @property
     def numbers(self) -> dict[str, float]:
-        """Of the controller, SI."""
+        """Parameters of the controller, SI."""
         return self.part.parameters(self.circuit.surroundings)
 
     @property
     def sample_time(self) -> float:
-        """Of the controller [s]."""
+        """Sample time of the controller [s]."""
         return self.numbers["sample_time"]
 
     @property
     def shown(self) -> str:
-        """Address of what the sensor has come to."""
+        """Address of the output of the sensor."""
         return f"{self.controller}.sensor_{self.part.controls}"
 
 
 def loop_of(circuit: Circuit, controller: str | None = None) -> Loop:
-    """The loop of a controller, which is the only one where it has no name; refused as `plant_of` says."""
-    known = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
-    if controller is None and len(known) == 1:
-        controller = next(iter(known))
-    if controller not in known:
+    """Return the loop of a controller; without a name, of the only one."""
+    controllers = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
+    if controller is None and len(controllers) == 1:
+        controller = next(iter(controllers))
+    if controller not in controllers:
         code = "unknown_controller" if controller else "several_controllers"
-        near = NameSuggestion(controller or "", known)
-        raise InputError(f"plant.{code if known else 'no_controller'}", name=controller, near=near)
+        suggestion = NameSuggestion(controller or "", controllers)
+        raise InputError(f"plant.{code if controllers else 'no_controller'}", name=controller, near=suggestion)
     measurement = circuit.connections.get(f"{controller}.measurement")
     commands: dict[str, tuple[str, ...]] = {}
     for target, source in circuit.connections.items():
@@ -102,26 +102,28 @@ def loop_of(circuit: Circuit, controller: str | None = None) -> Loop:
         raise InputError(f"plant.{'measures' if measurement is None else 'commands'}_nothing", controller)
     store, _, output = measurement.partition(".")
     begins = circuit.parts[store].resume.get(output)
-    inner = _without_outer(circuit, controller)
-    return Loop(inner, controller, known[controller], measurement, commands, f"{store}.{begins}" if begins else "")
+    inner_circuit = _remove_outer_loops(circuit, controller)
+    return Loop(
+        inner_circuit, controller, controllers[controller], measurement, commands, f"{store}.{begins}" if begins else ""
+    )
 
 
-def freed(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
-    """A circuit without a controller, or with it connected to nothing but what it measures and commands.
+def release_command(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
+    """Return a circuit in which the command of a controller is free.
 
     Parameters
     ----------
     circuit : Circuit
-        With the controller.
+        Circuit with the controller.
     controller : str
-        Its name.
+        Name of the controller.
     keeps : bool
-        Whether it stays, with its command free.
+        Keep the controller with a free command, instead of removing it.
 
     Returns
     -------
     Circuit
-        In which the inputs that it drove are free.
+        Circuit with free inputs in place of the commands.
     """
 
     def stays(target: str, source: str = "") -> bool:
@@ -130,7 +132,7 @@ def freed(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
             return owner != controller or local == "measurement"
         return controller not in (owner, source.partition(".")[0])
 
-    # A circuit is truly built anew: an instance knows neither parts nor connections.
+    # The circuit is made again: an instance has neither parts nor connections.
     return replace(
         circuit,
         parts={name: part for name, part in circuit.parts.items() if keeps or name != controller},
@@ -139,20 +141,20 @@ def freed(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
     )
 
 
-def _without_outer(circuit: Circuit, controller: str) -> Circuit:
-    """The circuit without the controllers that act on nothing but this one: the loops around it."""
+def _remove_outer_loops(circuit: Circuit, controller: str) -> Circuit:
+    """Return a circuit without outer loops, whose controllers command only this one."""
     outer: set[str] = set()
     while True:
-        inside = {controller, *outer}
-        acts = {
+        inner_names = {controller, *outer}
+        targets_of = {
             name: {t.partition(".")[0] for t, source in circuit.connections.items() if source.partition(".")[0] == name}
             for name, part in circuit.parts.items()
-            if isinstance(part, Controller) and name not in inside
+            if isinstance(part, Controller) and name not in inner_names
         }
-        found = {name for name, targets in acts.items() if targets and targets <= inside}
-        if not found:
+        new_outer = {name for name, targets in targets_of.items() if targets and targets <= inner_names}
+        if not new_outer:
             break
-        outer |= found
+        outer |= new_outer
     if not outer:
         return circuit
 
@@ -167,8 +169,8 @@ def _without_outer(circuit: Circuit, controller: str) -> Circuit:
     )
 
 
-def _sliding(circuit: Circuit) -> tuple[Circuit, tuple[Note, ...]]:
-    """The circuit with friction that sticks taken for its viscous part, for at rest it is a spring; and where."""
+def _without_stiction(circuit: Circuit) -> tuple[Circuit, tuple[Note, ...]]:
+    """Return a circuit with viscous friction in place of stiction, and notes on the changes."""
     changed: dict[str, Any] = {}
     notes = []
     for name, part in circuit.parts.items():

@@ -1,4 +1,4 @@
-"""A circuit without its controller: what it commands, what it measures, and linear models at operating points."""
+"""Plants: circuits without their controller, with linear models at operating points."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from poppet.circuit.instance import Instance
 from poppet.circuit.linear import linearise, steady_state
 from poppet.circuit.linear_model import LinearModel
 from poppet.control.loop import SampledPlant, sampled_plant
-from poppet.control.metrics import readable
+from poppet.control.metrics import readable_unit_of
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, SimulationError
 from poppet.core.units import convert, quantity
@@ -19,35 +19,34 @@ from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop
 from poppet.timeseries.recording import Recording
 
 COMMANDS = {"command": 1.0, "fill_command": 1.0, "vent_command": -1.0}
-"""Outputs of a controller and the sign with which the pressure follows them."""
+"""Outputs of a controller and the sign of their effect on the pressure."""
 SIGNS = {"command": 1.0, "fill": 1.0, "vent": -1.0}
-"""Sides of an operating point and the sign of their commands."""
-_NEAR = 1e-4
-"""Part of a pressure within which an operating point counts as met."""
+"""Sides of an operating point and the signs of their commands."""
+_TOLERANCE = 1e-4
+"""Relative tolerance of an operating point."""
 _CORRECTIONS = 6
-_TINY, _FINE = 1e-15, 1e-7
-"""Tolerances of the command that holds a pressure: in all, and as a part of it."""
+_ABSOLUTE, _RELATIVE = 1e-15, 1e-7
+"""Absolute and relative tolerance of the command at an operating point."""
 NUDGE = 1e-6
-"""Command beside zero at which a linear model is made: on one side of the kink of a closed valve."""
+"""Command at which a closed valve is linearised, on one side of its kink at zero."""
 
 
 @dataclass(frozen=True)
 class OperatingPoint:
-    """A rest at a pressure or another value of what is controlled, and how the plant answers there.
+    """Steady state of a plant at a value of the measurement, with linear models.
 
     Parameters
     ----------
     value : float
-        Measured, at rest, SI.
+        Measurement at the steady state, SI.
     command : float
-        That holds it; a positive opening fills.
+        Command at the steady state; a positive opening fills.
     models : dict
-        `fill` and `vent`, or `command`, of a valve that opens both ways also `back`, to the linear model of the circuit
-        without its controller, for commands of that sign. The side on which the command rests has the model of the
-        rest; the other one that of a command just beyond zero at the same state, for the loop goes there in every move
-        the other way, be the plant tight or not.
+        Side to the linear model for commands of its sign. Sides are `fill` and `vent`, or `command` and, for a valve
+        with two sides, `back`. The side of the steady command has the model of the steady state. The other side has the
+        model of a small command at the same state.
     weights : dict
-        The same names to the inputs that such a command moves, with their signs.
+        Side to the inputs that its command moves, with their signs.
     """
 
     value: float
@@ -58,24 +57,24 @@ class OperatingPoint:
 
 @dataclass(frozen=True, eq=False)
 class Plant:
-    """A circuit without one controller.
+    """Circuit without one controller.
 
     Parameters
     ----------
     instance : Instance
-        Of the circuit without it; inputs that the controller drove are free.
+        Instance of the circuit without the controller.
     controller : str
-        Name of the part that was taken out.
+        Name of the controller.
     part : SampledLoop
-        It.
+        The controller.
     measurement : str
-        Address of what it measures.
+        Address of the measurement.
     commands : dict
-        Output of the controller to the inputs that take it.
+        Output of the controller to the inputs that it drives.
     begins : str
-        Address of the initial value of what is measured; empty where that follows from other states.
+        Address of the initial value of the measurement; empty if it depends on other states.
     notes : tuple of Note
-        What was taken for something else in it: friction that sticks for its viscous part.
+        Simplifications of the plant, such as viscous friction in place of stiction.
     """
 
     instance: Instance
@@ -88,7 +87,7 @@ class Plant:
 
     @property
     def targets(self) -> list[str]:
-        """Inputs that the controller commands."""
+        """Inputs that the controller drives."""
         return [target for inputs in self.commands.values() for target in inputs]
 
     @property
@@ -96,62 +95,62 @@ class Plant:
         """The sides on which a command acts."""
         if not self.part.is_of_openings:
             return ("command",)
-        named = {"fill": "fill_command", "vent": "vent_command", "command": "command", "back": "command"}
-        return tuple(side for side, output in named.items() if output in self.commands)
+        outputs = {"fill": "fill_command", "vent": "vent_command", "command": "command", "back": "command"}
+        return tuple(side for side, output in outputs.items() if output in self.commands)
 
     def read(self, value: Any) -> float:
-        """A value of what is measured.
+        """Return a value of the measurement in SI.
 
         Parameters
         ----------
         value : float or str
-            SI, or text with a unit.
+            Value in SI, or text with a unit.
 
         Returns
         -------
         float
-            SI, a pressure absolute.
+            Value in SI; a pressure is absolute.
         """
-        read = quantity(value, self.part.unit, kind=QUANTITIES[self.part.controls].kind, name="operating point")
-        return float(read.value + (self.instance.surroundings.pressure if read.reference == "gauge" else 0.0))
+        parsed = quantity(value, self.part.unit, kind=QUANTITIES[self.part.controls].kind, name="operating point")
+        return float(parsed.value + (self.instance.surroundings.pressure if parsed.reference == "gauge" else 0.0))
 
     def shown(self, value: float) -> dict[str, Any]:
-        """A value of what is measured as people read it.
+        """Return a value of the measurement in its readable unit.
 
         Parameters
         ----------
         value : float
-            SI.
+            Value in SI.
 
         Returns
         -------
         dict
             `value` and its `unit`.
         """
-        unit = readable(self.part.unit)
+        unit = readable_unit_of(self.part.unit)
         return {"value": convert(value, self.part.unit, unit), "unit": unit}
 
     @property
     def delay(self) -> int:
-        """Samples by which a command comes late."""
+        """Delay of a command [samples]."""
         return 1 if self.part.acts == NEXT_SAMPLE else 0
 
     def sampled(self, point: OperatingPoint, branch: str, factor: float = 1.0) -> SampledPlant:
-        """The plant as the controller meets it, for one sign of its command.
+        """Return the sampled plant for one side of the command.
 
         Parameters
         ----------
         point : OperatingPoint
-            Where.
+            Operating point.
         branch : str
-            Of the point's models.
+            Side of the command.
         factor : float, optional
-            On the command.
+            Factor on the command.
 
         Returns
         -------
         SampledPlant
-            With sensor, hold and delay.
+            Plant with sensor, hold and delay.
         """
         numbers = self.part.parameters(self.instance.surroundings)
         weights = {name: factor * weight for name, weight in point.weights[branch].items()}
@@ -161,72 +160,75 @@ class Plant:
         )  # fmt: skip
 
     def operating_point(self, value: Any) -> OperatingPoint:
-        """The rest at which the measurement has a value.
+        """Return the steady state at a value of the measurement.
 
         Parameters
         ----------
         value : float or str
-            SI, or text with a unit.
+            Value in SI, or text with a unit.
 
         Returns
         -------
         OperatingPoint
-            With the command that holds it, 0 for a chamber that is tight, and a model for each side that is connected.
+            Steady state with its command, 0 for a tight chamber, and a model for each connected side.
 
         Raises
         ------
         SimulationError
-            If no command holds it.
+            If no command leads to a steady state at this value.
         """
-        wanted = self.read(value)
-        instance = self._begun_at(wanted)
+        target = self.read(value)
+        instance = self._with_initial_value(target)
         command = 0.0
-        if abs(self._rest(instance, 0.0) - wanted) > _NEAR * wanted:
-            command = self._holding(instance, wanted)
-        rest = steady_state(instance, self._inputs(command))
-        if abs(rest.y[self.measurement] - wanted) > _NEAR * wanted:  # a leak that takes decades is no rest to be found
-            raise self._not_held(wanted, rest.y[self.measurement])
+        if abs(self._rest(instance, 0.0) - target) > _TOLERANCE * target:
+            command = self._find_holding_command(instance, target)
+        steady = steady_state(instance, self._inputs(command))
+        if abs(steady.y[self.measurement] - target) > _TOLERANCE * target:  # a leak with a very long time constant
+            raise self._unreachable(target, steady.y[self.measurement])
         weights, models = self._weights(), {}
         for branch, inputs in weights.items():
             sign = SIGNS[branch]
-            # Beside the kink of a valve that is closed at rest, on the side of this branch, but at the same state.
-            beside = command if command * sign > 0.0 else sign * NUDGE
-            models[branch] = linearise(instance, self._inputs(beside), at=_row(instance, rest.y))
-            self._check_moved(models[branch], branch, inputs)
-        return OperatingPoint(rest.y[self.measurement], command, models, weights)
+            # On this side of the kink of a closed valve, at the same state.
+            nudged = command if command * sign > 0.0 else sign * NUDGE
+            # A recording of one row: the state at which the model is made.
+            units = dict(instance.model.outputs)
+            row = Recording.from_series([0.0], {f"{name} [{units[name]}]": [y] for name, y in steady.y.items()})
+            models[branch] = linearise(instance, self._inputs(nudged), at=row)
+            self._check_response(models[branch], branch, inputs)
+        return OperatingPoint(steady.y[self.measurement], command, models, weights)
 
-    def _begun_at(self, wanted: float) -> Instance:
-        """The plant with the measured store beginning so that, left alone, it comes to rest at a pressure."""
+    def _with_initial_value(self, target: float) -> Instance:
+        """Return the plant with an initial pressure from which it settles at the target."""
         if not self.begins:
             return self.instance
-        begin, instance = wanted, self.instance
+        initial, instance = target, self.instance
         for _ in range(_CORRECTIONS):
-            instance = self.instance.with_values({self.begins: begin})
+            instance = self.instance.with_values({self.begins: initial})
             reached = self._rest(instance, 0.0)
-            if abs(reached - wanted) <= _NEAR * wanted:
+            if abs(reached - target) <= _TOLERANCE * target:
                 break
-            again = begin * wanted / reached
-            if abs(self._rest(instance.with_values({self.begins: again}), 0.0) - reached) <= _NEAR * wanted:
-                break  # a leak decides, not the beginning
-            begin = again
+            corrected = initial * target / reached
+            if abs(self._rest(instance.with_values({self.begins: corrected}), 0.0) - reached) <= _TOLERANCE * target:
+                break  # a leak determines the steady state
+            initial = corrected
         return instance
 
-    def _holding(self, instance: Instance, wanted: float) -> float:
-        """The command at which the plant rests at a pressure."""
+    def _find_holding_command(self, instance: Instance, target: float) -> float:
+        """Return the command with a steady state at the target."""
         from scipy.optimize import brentq
 
-        def miss(command: float) -> float:
-            return self._rest(instance, command) - wanted
+        def error(command: float) -> float:
+            return self._rest(instance, command) - target
 
         limits = self.part.parameters(self.instance.surroundings)
-        end = limits["fill_limit"] if miss(0.0) < 0.0 else -limits["vent_limit"]
-        if end == 0.0 or miss(0.0) * miss(end) > 0.0:
-            raise self._not_held(wanted, self._rest(instance, end))
-        # A small leak is held by a small command: the tolerance is a part of it.
-        return float(brentq(miss, 0.0, end, xtol=_TINY, rtol=_FINE))
+        limit = limits["fill_limit"] if error(0.0) < 0.0 else -limits["vent_limit"]
+        if limit == 0.0 or error(0.0) * error(limit) > 0.0:
+            raise self._unreachable(target, self._rest(instance, limit))
+        # A small leak needs a small command: the tolerance is relative.
+        return float(brentq(error, 0.0, limit, xtol=_ABSOLUTE, rtol=_RELATIVE))
 
-    def _not_held(self, wanted: float, reached: float) -> SimulationError:
-        return SimulationError(Note("plant.not_held", self.measurement, wanted=wanted, reached=reached))
+    def _unreachable(self, target: float, reached: float) -> SimulationError:
+        return SimulationError(Note("plant.not_held", self.measurement, wanted=target, reached=reached))
 
     def _rest(self, instance: Instance, command: float) -> float:
         return steady_state(instance, self._inputs(command)).y[self.measurement]
@@ -236,7 +238,7 @@ class Plant:
         return {target: values[output] for output, targets in self.commands.items() for target in targets}
 
     def _weights(self) -> dict[str, dict[str, float]]:
-        """The inputs that small changes of the command move, by its sign."""
+        """Return the inputs that small changes of the command move, by side."""
         outputs = {"command": "command", "fill": "fill_command", "vent": "vent_command"}
         return {
             branch: dict.fromkeys(self.commands[output], COMMANDS[output])
@@ -244,28 +246,22 @@ class Plant:
             if output in self.commands
         }
 
-    def _check_moved(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
+    def _check_response(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
         row = model.outputs.index(self.measurement)
-        pushed = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
-        # C A^k B: the first of them that is not zero says which way the measurement moves at first.
-        reached, ways = pushed, [pushed]
+        input_effect = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
+        # The first nonzero C A^k B has the sign of the initial response.
+        state_rate, derivatives = input_effect, [input_effect]
         for _ in model.states:
-            reached = model.A @ reached
-            ways.append(reached)
-        answers = [answer for way in ways if (answer := float(model.C[row] @ way))]
-        if answers and answers[0] > 0.0:
+            state_rate = model.A @ state_rate
+            derivatives.append(state_rate)
+        effects = [effect for derivative in derivatives if (effect := float(model.C[row] @ derivative))]
+        if effects and effects[0] > 0.0:
             return
         code = "beyond_exhaust" if branch == "vent" else "beyond_supply"
-        code = f"plant.{code if answers else 'dead_zone'}"
+        code = f"plant.{code if effects else 'dead_zone'}"
         raise InputError(code, self.measurement, inputs=tuple(inputs), branch=branch, **self.shown(model.y[row]))
 
 
-def place(plant: Plant, value: float, branch: str) -> str:
-    """Where a loop is looked at, `2 bar, fill`."""
+def point_label(plant: Plant, value: float, branch: str) -> str:
+    """Return the label of an operating point and a side, `2 bar, fill`."""
     return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"
-
-
-def _row(instance: Instance, values: Mapping[str, float]) -> Recording:
-    """A recording of one row: where a linear model is made."""
-    units = dict(instance.model.outputs)
-    return Recording.from_series([0.0], {f"{name} [{units[name]}]": [value] for name, value in values.items()})

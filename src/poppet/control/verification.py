@@ -1,8 +1,7 @@
-"""A tuned loop on the plant as it is: a step of its setpoint there and back."""
+"""Verification of a tuned loop by a setpoint step and its reverse."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Any
 
@@ -19,32 +18,32 @@ if TYPE_CHECKING:
     from poppet.timeseries.recording import Recording
 
 _LENGTHS, _MOST = 20.0, 20_000
-"""Length of a step in integral times or times of the crossover, and in samples at most."""
+"""Duration of a step in integral times or time constants of the crossover; maximum in samples."""
 _ROWS = 2000
 _SWINGS, _GROWS, _OVERSHOOTS = 0.05, 1.1, 25.0
-"""Parts of a step: what still swings in the end, by which it has grown; overshoot that is too much [%]."""
+"""Limits of the final oscillation, as a fraction of the step, of its growth, and of the overshoot [%]."""
 
 
 @dataclass(frozen=True)
 class Verification:
-    """What a tuned loop does in a step of its setpoint there and back.
+    """Response of a tuned loop to a setpoint step and its reverse.
 
     Parameters
     ----------
     at : str
         Operating point and size, `100 mm, sines of 0.05`.
     step : float
-        Size of the step, for which the proportional part asks for the command's sine, SI.
+        Size of the step, SI; the proportional part responds with the size of the sine.
     overshoot : float
-        The greater of both ways [%].
+        Maximum of both steps [%].
     settling_time : float
-        Until it stays within 2 % of the step, the longer [s]; inf for never.
+        Time until it remains within 2 % of the step, maximum of both [s]; infinite if it does not.
     swing : float
-        What it still moves to each side in the last quarter of a step, in parts of it.
+        Amplitude in the last quarter of a step, as a fraction of the step.
     growth : float
-        That over the same of the quarter before.
+        Ratio of the amplitudes in the last two quarters.
     time, setpoint, measured : (n,) array
-        The run from just before the first step [s], SI.
+        Series from the row before the first step; time in [s], SI.
     """
 
     at: str
@@ -58,12 +57,12 @@ class Verification:
     measured: Array = field(repr=False, compare=False)
 
     def notes(self, address: str) -> tuple[Note, ...]:
-        """What is wrong with the gains on the plant as it is; nothing where they hold.
+        """Return a note if the response has a deficiency.
 
         Parameters
         ----------
         address : str
-            Of the controller.
+            Address of the controller.
 
         Returns
         -------
@@ -80,43 +79,41 @@ class Verification:
         return (Note(f"tuning.{code}", address, **facts),) if code else ()
 
 
-def verified(
-    circuit: Circuit, controller: str, rest: Recording, value: float, size: float, gains: Gains, crossover: float,
-    at: str,
+def verify_step(
+    circuit: Circuit, controller: str, steady_run: Recording, value: float, size: float, gains: Gains, crossover: float,
+    label: str,
 ) -> Verification:  # fmt: skip
-    """Run a tuned loop from a rest through a step of its setpoint and back."""
+    """Run a tuned loop from a steady state through a setpoint step and its reverse."""
     part = circuit.parts[controller]
-    sample = part.parameters(circuit.surroundings)["sample_time"]
-    shown = f"{controller}.sensor_{part.controls}"  # type: ignore[attr-defined]
+    sample_time = part.parameters(circuit.surroundings)["sample_time"]
+    output = f"{controller}.sensor_{part.controls}"  # type: ignore[attr-defined]
     length = _LENGTHS * max(gains.integral_time, 1.0 / (2.0 * np.pi * max(crossover, 1e-9)))
-    hold = min(length, _MOST * sample)
+    hold = min(length, _MOST * sample_time)
     step = size / abs(gains.gain)
     signals = {a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller}
     signals[f"{controller}.setpoint"] = Steps([0.0, 0.5 * hold, 1.5 * hold], [value, value + step, value])
     try:
         run = replace(circuit, signals=signals, run=replace(circuit.run, stop_when=None)).simulate(
-            2.5 * hold, hold / _ROWS, start=rest
+            2.5 * hold, hold / _ROWS, start=steady_run
         )
     except SimulationError as error:
-        raise SimulationError(Note("tuning.broke_off", controller, at=at, why=error.note)) from error
-    own = slice(_ROWS // 2 - 1, None)  # from one row before the first step
-    time, setpoint, measured = run.time[own], run[f"{controller}.setpoint"][own], run[shown][own]
-    found = step_metrics(time, setpoint, measured, run[f"{controller}.command"][own])
-    swings = [[_swing(measured[k : k + _ROWS // 4]) for k in _quarters(begin)] for begin in (0, _ROWS)]
-    last = max(late for _, late in swings)
-    before = max(early for early, _ in swings)
+        raise SimulationError(Note("tuning.broke_off", controller, at=label, why=error.note)) from error
+    rows = slice(_ROWS // 2 - 1, None)  # from the row before the first step
+    time, setpoint, measured = run.time[rows], run[f"{controller}.setpoint"][rows], run[output][rows]
+    metrics = step_metrics(time, setpoint, measured, run[f"{controller}.command"][rows])
+    swings = [
+        [_swing(measured[k : k + _ROWS // 4]) for k in (begin + _ROWS // 2, begin + 3 * _ROWS // 4)]
+        for begin in (0, _ROWS)
+    ]
+    last = max(last_quarter for _, last_quarter in swings)
+    previous_swing = max(previous_quarter for previous_quarter, _ in swings)
     return Verification(
-        at, step, found["overshoot"], found["settling_time"], last / abs(step), last / max(before, 1e-300), time,
-        setpoint, measured,
+        label, step, metrics["overshoot"], metrics["settling_time"], last / abs(step), last / max(previous_swing,
+        1e-300), time, setpoint, measured,
     )  # fmt: skip
 
 
-def _quarters(begin: int) -> Sequence[int]:
-    """Where the last two quarters of a step begin."""
-    return begin + _ROWS // 2, begin + 3 * _ROWS // 4
-
-
 def _swing(values: Array) -> float:
-    """Half of what moves beside a drift."""
+    """Return half the range of values without their drift."""
     line = np.linspace(values[0], values[-1], values.size)
     return 0.5 * float(np.ptp(values - line))

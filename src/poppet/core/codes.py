@@ -1,4 +1,4 @@
-"""What the house has to say, as a code with an address and its numbers; words are made of it last, in `wording.py`."""
+"""Notes: message codes with an address and facts; `message_format.py` converts them to text on output."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ from typing import Any
 
 
 class Note:
-    """Something a reader has to know: a note, a finding, a suspicion, or how a run ended.
+    """Message to the user without an error: a note, a finding, a suspicion, or the outcome of a run.
 
     Parameters
     ----------
     code : str
-        Dotted name of what is said, `run.stalled`; its words stand in `core/messages/run.toml`.
+        Dotted name of the message, `run.stalled`; its template is in `core/messages/run.toml`.
     address : str, optional
-        What it is about: a dotted path, or the name of a test or channel.
+        Address of the subject: a dotted path, or the name of a test or channel.
     **facts
-        Numbers, names and lists of them that the words show: plain values, so that they can be written to files.
+        Values, names and lists of them that the text shows: plain values that files can contain.
 
     Examples
     --------
@@ -45,42 +45,41 @@ class Note:
         return hash((self.code, self.address))
 
     def plain(self) -> dict[str, Any]:
-        """Code, address and facts as a table for a file: numbers, texts, and lists and tables of them."""
+        """Return code, address and facts as a table for a file."""
         return {"code": self.code, "address": self.address, **plain(self.facts)}
 
     def within(self, owner: str) -> Note:
-        """The same, said about something inside `owner`: its name is put before the address."""
-        # What is said about a table has a file as its address, which is no part of a recording as its channels are.
+        """Return the note with the name of an owner before its address."""
+        # The address of a note on a table is a file, not a channel of a recording.
         joint = ": " if self.code.startswith("table.") else "."
         return Note(self.code, joint.join(filter(None, (owner, self.address))), **self.facts)
 
 
 def plain(value: Any) -> Any:
-    """A fact as files can hold it; what they have no type for becomes the words in which it would be shown."""
+    """Return a fact in types that files can contain; other types become text."""
     if isinstance(value, Mapping):
-        return {str(key): plain(each) for key, each in value.items()}
+        return {str(key): plain(member) for key, member in value.items()}
     value = value.tolist() if hasattr(value, "tolist") else value  # of NumPy
     if isinstance(value, tuple | list | set | frozenset):
-        return [plain(each) for each in value]
+        return [plain(member) for member in value]
     if isinstance(value, Note):
         return value.plain()
     return value if value is None or isinstance(value, str | int | float) else str(value)
 
 
-def notes_of(given: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note, ...]:
-    """Notes from what a user typed (a sentence) or a file holds (a table of `Note.plain`)."""
-    return tuple(_note(each) for each in given)
+def notes_of(arguments: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note, ...]:
+    """Return notes from texts of a user or from tables that `Note.plain` wrote."""
+    return tuple(map(_note, arguments))
 
 
-def _note(given: Note | str | Mapping[str, Any]) -> Note:
+def _note(argument: Note | str | Mapping[str, Any]) -> Note:
     from poppet.core.message_format import facts_of
 
-    if isinstance(given, Note):
-        return given
-    if isinstance(given, str):
-        return Note("said", text=given)
-    # A file has lists for what was a tuple, and TOML has nothing for None.
-    facts = {k: tuple(v) if isinstance(v, list) else v for k, v in given.items() if k not in ("code", "address")}
-    return Note(
-        given["code"], given.get("address", ""), **(dict.fromkeys(facts_of(given["code"]) - {"address"}) | facts)
-    )
+    if isinstance(argument, Note):
+        return argument
+    if isinstance(argument, str):
+        return Note("said", text=argument)
+    # Files contain lists in place of tuples, and TOML cannot contain None.
+    facts = {k: tuple(v) if isinstance(v, list) else v for k, v in argument.items() if k not in ("code", "address")}
+    code = argument["code"]
+    return Note(code, argument.get("address", ""), **(dict.fromkeys(facts_of(code) - {"address"}) | facts))

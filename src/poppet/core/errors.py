@@ -1,4 +1,4 @@
-"""One family of errors. Every message has three parts in order: what was given, why it cannot be, what to do."""
+"""Errors. Each message has three parts: the input, the reason and the hint."""
 
 from __future__ import annotations
 
@@ -12,29 +12,28 @@ from poppet.core.codes import Note, notes_of
 
 
 class PoppetError(Exception):
-    """Root of the family. `exit_code` is what the command line returns: 1 a run failed, 2 the input is wrong."""
+    """Base class of all errors; `exit_code` of the command is 1 for a failed run and 2 for invalid input."""
 
     exit_code = 1
 
 
 class InputError(PoppetError, ValueError):
-    """Something given cannot be used.
+    """Error of an invalid input.
 
     Parameters
     ----------
     code : str
-        Dotted name of the mistake, `units.unknown`; what was given, why it cannot be and what to do instead stand
-        in `core/messages/`.
+        Dotted name of the error, `fields.unknown`; the templates of its text are in `core/messages/`.
     address : str, optional
-        Dotted path of the number or part, `tank.volume`.
+        Dotted path of the parameter or part, `tank.volume`.
     file, line : str, int, optional
-        Where it stands, filled in by whoever read the file.
+        Location of the input, set by the reader of the file.
     **facts
-        Numbers and names that the words show.
+        Values and names that the text shows.
     """
 
     exit_code = 2
-    place = ""  # what `at` and `within` have put before the address; words that do not show it begin with this
+    place = ""  # prefix that `at` and `within` set; texts without the address begin with it
 
     def __init__(
         self,
@@ -56,12 +55,12 @@ class InputError(PoppetError, ValueError):
 
     @property
     def problems(self) -> tuple[InputError, ...]:
-        """All mistakes that it holds: itself, where it is one."""
+        """Single errors; a single error contains itself."""
         return (self,)
 
     @property
     def given(self) -> str:
-        """What was given, as `name = value unit`."""
+        """Invalid input, as `name = value unit`."""
         from poppet.core.message_format import facts_of
 
         words = self._words("given")
@@ -70,12 +69,12 @@ class InputError(PoppetError, ValueError):
 
     @property
     def reason(self) -> str:
-        """Why it cannot be: the limit and where it comes from."""
+        """Reason why the input is invalid, with the limit."""
         return self._words("reason")
 
     @property
     def hint(self) -> str:
-        """What to do instead."""
+        """Corrective action."""
         return self._words("hint")
 
     @property
@@ -90,18 +89,18 @@ class InputError(PoppetError, ValueError):
             where = f"{self.file}:{self.line}: " if self.line is not None else f"{self.file}: "
         return f"{where}{self.given} {self.reason} {self.hint}"
 
-    # Of itself, an exception is made again from its `args`, and would lose its facts on the way to another process.
+    # By default, an exception is restored from its `args` and would lose its facts between processes.
     def __reduce__(self) -> Any:
         return _again, (type(self), self.__dict__)
 
     def at(self, address: str) -> InputError:
-        """The same at another address, which is shown before words that name none; returns itself."""
+        """Set the address, which precedes texts that do not show it; return the error."""
         for problem in self.problems:
             problem.address = problem.place = address
         return self
 
     def located(self, *, address: str | None = None, file: str | None = None, line: int | None = None) -> InputError:
-        """Fill in where the mistakes stand, keeping what is already known; returns itself."""
+        """Set the locations of the errors that have none; return the error."""
         for problem in self.problems:
             problem.address = problem.address or address
             problem.file = problem.file or file
@@ -109,7 +108,7 @@ class InputError(PoppetError, ValueError):
         return self
 
     def within(self, owner: str) -> InputError:
-        """Put the name of what the mistakes are in before their addresses; returns itself."""
+        """Add the name of an owner before the addresses; return the error."""
         for problem in self.problems if owner else ():
             problem.address = f"{owner}.{problem.address}" if problem.address else owner
             problem.place = f"{owner}.{problem.place}" if problem.place else owner
@@ -117,15 +116,15 @@ class InputError(PoppetError, ValueError):
 
 
 class OutOfRangeError(InputError):
-    """A value outside the range in which a number, a law or a fit holds."""
+    """Error of a value outside the valid range of a parameter, a law or a fit."""
 
 
 class UnitError(InputError):
-    """A unit that is missing, unknown, of another quantity, or of the wrong reference (gauge, absolute, ANR)."""
+    """Error of a unit: missing, unknown, of another quantity, or of a wrong reference (gauge, absolute, ANR)."""
 
 
 class MissingDependencyError(InputError):
-    """An optional package is needed for what was asked and is not installed."""
+    """Error of an optional package that is not installed."""
 
     def __init__(self, package: str, purpose: str, extra: str) -> None:
         self.package, self.extra = package, extra
@@ -134,7 +133,7 @@ class MissingDependencyError(InputError):
 
 @contextmanager
 def needed(package: str, purpose: str, extra: str) -> Iterator[None]:
-    """Around the import of a package that not everybody has; `extra` of the house installs it."""
+    """Convert a failed import of an optional package to an error that names the `extra` to install."""
     try:
         yield
     except ImportError as problem:
@@ -142,7 +141,7 @@ def needed(package: str, purpose: str, extra: str) -> Iterator[None]:
 
 
 class InputErrors(InputError):
-    """All mistakes of one input at once, at least one; nested collections are flattened."""
+    """All errors of one input, at least one; nested collections are flattened."""
 
     def __init__(self, problems: Iterable[InputError]) -> None:
         self._problems = tuple(single for problem in problems for single in problem.problems)
@@ -158,15 +157,15 @@ class InputErrors(InputError):
 
 
 MOST_MISTAKES = 100
-"""Nobody reads more at once, and a file of a hundred thousand mistakes is not one that somebody wrote."""
+"""Maximum number of reported errors; larger files of errors are not written by users."""
 
 
 class _Enough(InputError):
-    """There are as many mistakes as will be told."""
+    """Error that stops the check after the maximum number of errors."""
 
 
 class ErrorCollector:
-    """Gathers the mistakes of one input, and raises all of them where its block ends.
+    """Context manager that collects the errors of one input and raises all of them at its end.
 
     Examples
     --------
@@ -183,18 +182,18 @@ class ErrorCollector:
         self.collected: list[InputError] = []
 
     def add(self, code: str, address: str | None = None, /, **facts: Any) -> None:
-        """A mistake as `InputError` takes it."""
+        """Add an error with the arguments of `InputError`."""
         self.extend([InputError(code, address, **facts)])
 
     def extend(self, problems: Iterable[InputError]) -> None:
-        """Mistakes that others have found."""
+        """Add errors."""
         self.collected += (single for problem in problems for single in problem.problems)
         if len(self.collected) >= MOST_MISTAKES:
             raise _Enough("input.enough", most=MOST_MISTAKES)
 
     @contextmanager
     def collecting(self, owner: str = "") -> Iterator[None]:
-        """Go on behind a block in which a mistake was raised; `owner` is put before its address."""
+        """Collect an error that is raised in a block, with `owner` before its address."""
         try:
             yield
         except _Enough:
@@ -215,14 +214,14 @@ class ErrorCollector:
 
 
 class SimulationError(PoppetError):
-    """A run ended before its time.
+    """Error of a run that ended before its end.
 
     Parameters
     ----------
     note : Note or str
-        Where it ended, why, and what to try.
+        Time and cause of the end, and a remedy.
     recording : Recording, optional
-        What it has so far, so that nothing is lost.
+        Rows up to the end of the run.
     """
 
     def __init__(self, note: Note | str, recording: Any = None) -> None:
@@ -235,13 +234,13 @@ class SimulationError(PoppetError):
 
 
 def collect(problems: Sequence[InputError]) -> None:
-    """Raise all problems at once; do nothing when there is none. A single one is raised as itself."""
+    """Raise all errors together, a single one as itself; do nothing if there are none."""
     if problems:
         raise (problems[0] if len(problems) == 1 else InputErrors(problems)) from None
 
 
 def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
-    """A mistake in a number of a circuit, at the place of another file where that number was given."""
+    """Return an error of a parameter with the address of that parameter in another file."""
     for problem in error.problems:
         if problem.file is None:
             problem.address = place(problem.address or "")
@@ -249,14 +248,14 @@ def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
 
 
 class NameSuggestion:
-    """A cure for a name that is not known: the nearest known names, or all of them when none is near."""
+    """Hint for an unknown name: the closest valid names, or all if none is close."""
 
     def __init__(self, name: str, known: Iterable[str]) -> None:
         self.name, self.known = name, sorted(set(known))
 
     @property
     def names(self) -> list[str]:
-        """At most three known names that look alike."""
+        """Closest valid names, at most three."""
         return difflib.get_close_matches(self.name, self.known, n=3, cutoff=0.6)
 
     def __str__(self) -> str:
@@ -267,7 +266,7 @@ class NameSuggestion:
 
 
 def _again(kind: type[InputError], state: dict[str, Any]) -> InputError:
-    """A mistake that comes from another process."""
+    """Restore an error from another process."""
     error = kind.__new__(kind)
     error.__dict__.update(state)
     return error

@@ -1,16 +1,16 @@
-"""The one place where codes become words; these stand in `words/`, one file for the first part of a code.
+"""Conversion of message codes to text; the templates are in `messages/`, one file for the first part of a code.
 
-A template is a format string over the facts of a note or mistake, with additions for what sentences need:
+A template is a format string over the facts of a note or an error, with these additions:
 
-- a list shows its members, each by the format given, joined by commas, `{values:.3g}`, `{names:"%s"}`, or by a word,
-  `{names:or}`, `{names:and "%s"}`, `{ends:to .3g}`; an empty one shows `nothing`,
-- a table shows each name with its value, `{shares:+.2f}`,
-- `{n:|row|rows}` shows the first word where n is 1, else the second,
-- `{value:g}{unit:unit}` puts a unit behind its number, and nothing where it is `1`,
-- `{pressure:Pa>bar .3f}` shows the fact in another unit, with that unit; `{way:{unit}> .3g}` in the one
-  in which people read what has the unit of another fact,
-- `{unit:? in %s}` shows the text with the fact in it, or nothing where the fact is empty, None or False; the text may
-  hold other fields, `{delay:? after {delay:.3g} s}`.
+- A list shows its members, each in the given format, separated by commas, `{values:.3g}`, `{names:"%s"}`, or by a word,
+  `{names:or}`, `{names:and "%s"}`, `{ends:to .3g}`. An empty list shows `nothing`.
+- A table shows each name with its value, `{shares:+.2f}`.
+- `{n:|row|rows}` shows the first word if n is 1, otherwise the second.
+- `{value:g}{unit:unit}` adds a unit to a value, or nothing if the unit is `1`.
+- `{pressure:Pa>bar .3f}` shows the fact in another unit, with that unit. `{way:{unit}> .3g}` uses the unit that is
+  usual for the unit of another fact.
+- `{unit:? in %s}` shows the text with the fact in it, or nothing if the fact is empty, None or False. The text can
+  contain other fields, `{delay:? after {delay:.3g} s}`.
 """
 
 from __future__ import annotations
@@ -23,32 +23,39 @@ from pathlib import Path
 from typing import Any
 
 FOLDER = Path(__file__).with_name("messages")
+EXAMPLES = FOLDER.with_name("message_examples.json")
+RENAMED = FOLDER.with_name("renamed_codes.toml")
+PARTS = ("given", "reason", "hint")
 Template = str | dict[str, Any]
-# The table of all units stands above: it has mistakes of its own, which are worded here.
-SHOWN_IN = {"Pa>bar": 1e-5, "Pa>kPa": 1e-3, "m^3>l": 1e3, "s>ms": 1e3, "m>mm": 1e3, "m/s>mm/s": 1e3, "1>%": 100.0}
-"""What a template may convert: from the SI unit of a fact to the one that a reader expects."""
+# Not the table of all units: its errors are formatted here.
+DISPLAY_FACTORS = {
+    "Pa>bar": 1e-5, "Pa>kPa": 1e-3, "m^3>l": 1e3, "s>ms": 1e3, "m>mm": 1e3, "m/s>mm/s": 1e3, "1>%": 100.0,
+}  # fmt: skip
+"""Factors from the SI unit of a fact to the unit of its display."""
 
 
-@cache  # a room is read when the first of its codes is said: most runs say nothing of most rooms
-def _words(room: str) -> dict[str, Any]:
+@cache  # per topic: most runs show messages of few topics
+def _templates(topic: str) -> dict[str, Any]:
     import tomllib
 
-    with (FOLDER / f"{room}.toml").open("rb") as file:
+    with (FOLDER / f"{topic}.toml").open("rb") as file:
         return tomllib.load(file)
 
 
 def template(code: str) -> Template:
-    """What is said for a code: a string for a note, a table of `given`, `reason`, `cure` for a mistake."""
-    room, _, rest = code.partition(".")
-    found: Template = _words(room)
-    for part in rest.split(".") if rest else (room,):  # `said` is a code of one part
-        assert isinstance(found, dict), code
-        found = found[part]
-    result: Template = found
+    """Return the template of a code: a text for a note, a table of `given`, `reason` and `hint` for an error."""
+    topic, _, rest = code.partition(".")
+    node: Template = _templates(topic)
+    for part in rest.split(".") if rest else (topic,):  # `said` has one part
+        assert isinstance(node, dict), code
+        node = node[part]
+    result: Template = node
     return result
 
 
 class _Formatter(string.Formatter):
+    """Formatter of templates."""
+
     def format_field(self, value: Any, spec: str) -> str:
         if spec.startswith("|"):
             return spec[1:].split("|")[int(value != 1)]
@@ -58,10 +65,11 @@ class _Formatter(string.Formatter):
         if spec == "unit":
             return "" if value in ("1", "") else f" {value}"
         if isinstance(value, dict):
-            return ", ".join(f"{key} {self.format_field(each, spec)}" for key, each in value.items()) or "nothing"
+            return ", ".join(f"{key} {self.format_field(member, spec)}" for key, member in value.items()) or "nothing"
         if isinstance(value, tuple | list | set | frozenset):
-            word, _, own = spec.partition(" ") if spec[:3].strip() in ("or", "and", "to") else (",", "", spec)
-            *first, last = [self.format_field(each, own) for each in value] or ["nothing"]
+            is_joined = spec[:3].strip() in ("or", "and", "to")
+            word, _, member_spec = spec.partition(" ") if is_joined else (",", "", spec)
+            *first, last = [self.format_field(member, member_spec) for member in value] or ["nothing"]
             return f"{', '.join(first)}{word if word == ',' else f' {word}'} {last}" if first else last
         if "%s" in spec:
             return spec.replace("%s", str(value))
@@ -74,33 +82,32 @@ class _Formatter(string.Formatter):
 
 
 def _in_unit(value: float, spec: str) -> str:
-    """A fact in another unit: `Pa>bar .3f`."""
-    units, _, own = spec.rpartition(" ")
+    """Return a fact in the unit of a specification such as `Pa>bar .3f`."""
+    units, _, number_spec = spec.rpartition(" ")
     if units.endswith(">"):
-        units = next((pair for pair in SHOWN_IN if pair.startswith(units)), units + units[:-1])
-    unit, _, shown_in = units.partition(">")
-    return f"{value * (1.0 if unit == shown_in else SHOWN_IN[units]):{own}} {shown_in}"
+        units = next((pair for pair in DISPLAY_FACTORS if pair.startswith(units)), units + units[:-1])
+    unit, _, display_unit = units.partition(">")
+    return f"{value * (1.0 if unit == display_unit else DISPLAY_FACTORS[units]):{number_spec}} {display_unit}"
 
 
 _FORMATTER = _Formatter()
 
 
 def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
-    """The words of a note, or of one `part` of a mistake."""
-    found = template(code)
-    text: str = found if isinstance(found, str) else found[part]
-    return _FORMATTER.vformat(text, (), facts)
+    """Return the text of a note, or of one `part` of an error."""
+    text = template(code)
+    return _FORMATTER.vformat(text if isinstance(text, str) else text[part], (), facts)
 
 
 @cache
 def facts_of(code: str, part: str = "") -> frozenset[str]:
-    """Names of the facts that the words of a code show, or those of one `part` of a mistake."""
-    found = template(code)
-    if not isinstance(found, str) and not part:
-        return frozenset().union(*(facts_of(code, each) for each in found))
-    text = found if isinstance(found, str) else found[part]
+    """Return the names of the facts that a template shows, or those of one `part` of an error."""
+    text = template(code)
+    if not isinstance(text, str):
+        if not part:
+            return frozenset().union(*(facts_of(code, name) for name in text))
+        text = text[part]
     fields = _fields(text)
-    # A text inside a format may hold fields of its own.
     fields += [inner for _, spec in fields for inner in _fields(spec)]
     return frozenset(re.split(r"[.\[]", name)[0] for name, _ in fields)
 
@@ -110,16 +117,16 @@ def _fields(text: str) -> list[tuple[str, str]]:
 
 
 def plain(text: str) -> str:
-    """A template as a person reads it: facts as `<name>`, what is not always said in brackets.
+    """Return a template for readers: facts as `<name>`, optional texts in brackets.
 
     Examples
     --------
     >>> plain("{address} = {shown} is too large{unit:? in %s}: {n} {n:|row|rows} at {p:Pa>bar .3f}.")
     '<address> = <shown> is too large[ in <unit>]: <n> rows at <p> bar.'
     """
-    words: list[str] = []
+    pieces: list[str] = []
     for literal, name, spec, _ in _FORMATTER.parse(text):
-        words.append(literal)
+        pieces.append(literal)
         if name is None:
             continue
         fact = re.split(r"[.\[]", name)[0]
@@ -132,22 +139,67 @@ def plain(text: str) -> str:
             shown = f" {shown}"
         elif ">" in spec:
             shown += f" {spec.rpartition(' ')[0].partition('>')[2]}".rstrip()
-        words.append(shown)
-    return "".join(words)
+        pieces.append(shown)
+    return "".join(pieces)
 
 
 def every_code() -> dict[str, Template]:
-    """All codes with their templates."""
-    found: dict[str, Template] = {}
+    """Return all codes with their templates."""
+    templates: dict[str, Template] = {}
 
-    def walk(prefix: str, table: Mapping[str, Any]) -> None:
+    def add(prefix: str, table: Mapping[str, Any]) -> None:
         for key, value in table.items():
             code = f"{prefix}.{key}"
             if isinstance(value, str) or "reason" in value:
-                found[code] = value
+                templates[code] = value
             else:
-                walk(code, value)
+                add(code, value)
 
     for file in sorted(FOLDER.glob("*.toml")):
-        walk(file.stem, _words(file.stem))
-    return {"said" if code == "said.said" else code: text for code, text in found.items()}
+        add(file.stem, _templates(file.stem))
+    return {"said" if code == "said.said" else code: text for code, text in templates.items()}
+
+
+def topics() -> dict[str, str]:
+    """Return the first parts of all codes with their titles."""
+    files = sorted(FOLDER.glob("*.toml"))
+    return {file.stem: file.read_text(encoding="utf-8").partition("\n")[0].lstrip("# ").rstrip(".") for file in files}
+
+
+def renamed_codes() -> dict[str, str]:
+    """Return former codes with the codes that replace them."""
+    import tomllib
+
+    return tomllib.loads(RENAMED.read_text(encoding="utf-8"))
+
+
+def stored_examples() -> dict[str, dict[str, Any]]:
+    """Return the addresses and facts of a real case for each code."""
+    import json
+
+    examples: dict[str, dict[str, Any]] = json.loads(EXAMPLES.read_text(encoding="utf-8"))
+    return examples
+
+
+def example_texts(code: str, example: Mapping[str, Any]) -> dict[str, str]:
+    """Return the texts of a code with the facts of a stored example; a note has one text with an empty name."""
+    facts = {name: _restored(value) for name, value in example.get("facts", {}).items()}
+    if "cause" in example:
+        from poppet.core.errors import InputError
+
+        cause = example["cause"]
+        facts["cause"] = InputError(cause["code"], **{name: _restored(value) for name, value in cause["facts"].items()})
+    facts["address"] = example.get("address", "")
+    return {part: sentence(code, facts, part) for part in (("",) if isinstance(template(code), str) else PARTS)}
+
+
+def _restored(value: Any) -> Any:
+    """Return a fact as it was before it was stored: tuples in place of lists, notes in place of their tables."""
+    if isinstance(value, dict):
+        if "code" in value and "address" in value:
+            from poppet.core.codes import Note
+
+            facts = {key: _restored(member) for key, member in value.items() if key not in ("code", "address")}
+            return Note(value["code"], value["address"], **facts)
+        return {key: _restored(member) for key, member in value.items()}
+    return tuple(map(_restored, value)) if isinstance(value, list) else value

@@ -1,4 +1,4 @@
-"""Notes of one kind in one line: the first, how many more there are, and the worst of them."""
+"""Groups of notes: several notes of one kind in one line."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from poppet.core.codes import Note, notes_of
 
 FEWEST = 3
-"""So many notes of one code, or more, are shown as one."""
+"""Minimum number of notes of one code that form a group."""
 SIZES = {
     "bench.step.coarse": "error",
     "bench.step.swings": "amplitude",
@@ -19,28 +19,28 @@ SIZES = {
     "valve.not_held": "swing_bar",
     "valve.not_reached": "missed_bar",
 }
-"""Fact of a code that is largest in the worst of several notes."""
+"""Fact that is largest in the worst note of a group, by code."""
 
 
 def grouped(notes: Iterable[Note | str]) -> list[Note]:
-    """What is shown of notes: those of one code together, where they are many.
+    """Return notes for display: those of one code together if there are many.
 
     Parameters
     ----------
     notes : iterable of Note or str
-        In the order in which they were said. The same note twice counts once.
+        Notes in order. Equal notes count once.
 
     Returns
     -------
     list of Note
-        In the order of their first ones. Of a code with three notes or more one with the first of them and `more`, how
-        many others there are: `several.worst` with the worst of them, `several.none_worse` where that is the first,
-        `several.alike` with their places where there is no worst one.
+        Notes in the order of the first of each code. A code with three notes or more has one note with the first of
+        them and the number of others. Its code is `several.worst` with the worst of them, `several.none_worse` if the
+        first is the worst, or `several.alike` with their addresses if there is no measure.
 
     Examples
     --------
     >>> print(*grouped([Note("signals.held_after", each, source="", value=1.0, time=2.0) for each in "abcdefg"]))
-    a is held at its last value, 1, after t = 2 s. And 6 more like it: b, c, d and 3 others.
+    a is kept at its last value, 1, after t = 2 s. 6 similar notes: b, c, d and 3 others.
     """
     said = list(dict.fromkeys(notes_of(notes)))
     kinds: dict[str, list[Note]] = {}
@@ -52,7 +52,7 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
 
 
 def _kind(note: Note) -> str:
-    # What a user said is no kind of its own.
+    # Texts of users have one code but are different.
     return str(note.facts["text"]) if note.code == "said" else note.code
 
 
@@ -61,7 +61,7 @@ def _several(alike: list[Note]) -> Note:
     facts = {"first": str(first), "more": len(others), "kind": first.code}
     size = SIZES.get(first.code)
     if size is not None:
-        # A file of an older version may lack the fact.
+        # Files of older versions may not contain the fact.
         worst = max(alike, key=lambda note: abs(note.facts.get(size) or 0.0))
         facts["size"] = worst.facts.get(size)
         if worst is first:

@@ -42,7 +42,8 @@ class Source:
 
     def __post_init__(self) -> None:
         if self.kind not in SOURCE_KINDS:
-            raise InputError("numbers.source_kind", kind=self.kind, near=NameSuggestion(str(self.kind), SOURCE_KINDS))
+            near = NameSuggestion(str(self.kind), SOURCE_KINDS)
+            raise InputError("fields.not_an_option", "kind", value=self.kind, meaning="kind of source", near=near)
 
     def __str__(self) -> str:
         text = f"{self.kind}: {self.locator}" if self.locator else self.kind
@@ -88,7 +89,8 @@ class Number:
     def __post_init__(self) -> None:
         if self.reference not in REFERENCES:
             near = NameSuggestion(str(self.reference), filter(None, REFERENCES))
-            raise InputError("numbers.reference", reference=self.reference, near=near)
+            meaning = "reference of a pressure"
+            raise InputError("fields.not_an_option", "reference", value=self.reference, meaning=meaning, near=near)
 
     def __float__(self) -> float:
         if self.reference == "gauge":

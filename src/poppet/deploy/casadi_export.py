@@ -1,4 +1,4 @@
-"""A circuit as CasADi functions, and as a system of python-control."""
+"""Export of a circuit as CasADi functions and as a system of python-control."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.control.extraction import freed
+from poppet.control.extraction import release_command
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, needed
 from poppet.deploy.export_model import build_export_model
-from poppet.engine.model_evaluation import Evaluation
+from poppet.engine.model_evaluation import ArrayFunction
 from poppet.parts.part import Controller
 
 if TYPE_CHECKING:
@@ -26,27 +26,27 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class CasadiModel:
-    r"""A circuit as :math:`\dot x = f(x, u, p)`, :math:`y = g(x, u, p)`, in CasADi.
+    r"""Circuit as :math:`\dot x = f(x, u, p)`, :math:`y = g(x, u, p)` in CasADi.
 
     Parameters
     ----------
     f, g : casadi.Function
-        Of x, (n,), u, (n_u,), and p, (n_p,): rates, (n,), and outputs, (n_y,); SI and absolute.
+        Rates, (n,), and outputs, (n_y,), as functions of x, (n,), u, (n_u,), and p, (n_p,); SI and absolute.
     start : casadi.Function
-        Of p, (n_p,): the state at the start, (n,), which numbers decide too: the mass of a gas, by its volume.
+        State at the start, (n,), as a function of p, (n_p,): the mass of a gas depends on its volume, for example.
     states, inputs, numbers, outputs : tuple of str
         Addresses, in the order of x, u, p and y.
     units : dict
-        Address of each of them to its SI unit.
+        SI unit of each address.
     x0, u0, p0 : (n,), (n_u,), (n_p,) arrays
-        State at the start with the numbers of the circuit, inputs as they are there, these numbers.
+        State at the start, inputs at the start, and parameters of the circuit.
     sizes : (n,) array
-        Usual size of each state, SI: divide by it in an optimisation.
+        Nominal size of each state, SI: use it to scale an optimisation problem.
 
     Notes
     -----
-    Derivatives of first and second order are exact and finite wherever the states are physical: at rest, at equal
-    pressures, with valves fully open or closed. At the kinks of the model they are those of one side.
+    The first and second derivatives are exact and finite in all physical states: at rest, at equal pressures, with
+    valves fully open or closed. At the kinks of the model they are one-sided.
     """
 
     f: casadi.Function
@@ -70,39 +70,42 @@ def to_casadi(
     numbers: Sequence[str] = (),
     without: str | Sequence[str] = (),
 ) -> CasadiModel:
-    """A circuit as CasADi functions: `Circuit.to_casadi`."""
+    """Return a circuit as CasADi functions; see `Circuit.to_casadi`."""
     import casadi as ca
 
-    plant = _without(circuit, (without,) if isinstance(without, str) else without)
+    plant = _without_controllers(circuit, without)
     instance = plant.instance
     model = instance.model
     if model.memory:
         raise InputError("tools.sampled", model.memory[0][0])
-    free = _free_numbers(plant, numbers)
+    free = _free_indices(plant, numbers)
     x_start, p = instance.start()
     n, u = len(model.states), instance.held_inputs({})
-    kept = _places(inputs, instance.input_names)
-    x_symbol, u_symbol, p_symbol = (ca.SX.sym(*each) for each in (("x", n), ("u", len(kept)), ("p", len(free))))
-    every_u, every_p = ca.SX(u.tolist()), ca.SX(p.tolist())
-    every_u[kept], every_p[free] = u_symbol, p_symbol
-    s = model.symbols
-    # Nothing depends on the quadratures behind the states, and no rate on time.
-    given = [ca.SX(0.0), ca.vertcat(x_symbol, ca.SX.zeros(model.n_quadratures)), every_u, every_p]
-    traced = [model.expressions["rates"][:n], model.expressions["outputs"]]
-    found = ca.substitute(traced, [s[name] for name in ("t", "x", "u", "p")], given)
-    names = ["x", "u", "p"]
+    driven = _input_indices(inputs, instance.input_names)
+    sizes_by_symbol = (("x", n), ("u", len(driven)), ("p", len(free)))
+    x_symbol, u_symbol, p_symbol = (ca.SX.sym(name, size) for name, size in sizes_by_symbol)
+    all_u, all_p = ca.SX(u.tolist()), ca.SX(p.tolist())
+    all_u[driven], all_p[free] = u_symbol, p_symbol
+    s, e = model.symbols, model.expressions
+    # No expression depends on the quadratures after the states, and no rate on time.
+    arguments = [ca.SX(0.0), ca.vertcat(x_symbol, ca.SX.zeros(model.n_quadratures)), all_u, all_p]
+    symbols = [s[name] for name in ("t", "x", "u", "p")]
+    rates, outputs = ca.substitute([e["rates"][:n], e["outputs"]], symbols, arguments)
+    (start_state,) = ca.substitute([e["start"][:n]], [s["p"]], [all_p])
     f, g = (
-        ca.Function(name, [x_symbol, u_symbol, p_symbol], ca.cse([ca.densify(each)]), names, [result])
-        for name, each, result in zip(("f", "g"), found, ("rates", "y"), strict=True)
-    )
-    (begun,) = ca.substitute([model.expressions["start"][:n]], [s["p"]], [every_p])
-    start = ca.Function("start", [p_symbol], [ca.densify(begun)], ["p"], ["x"])
+        ca.Function(
+            name, [x_symbol, u_symbol, p_symbol], ca.cse([ca.densify(expression)]), ["x", "u", "p"], [result]
+        )
+        for name, expression, result in (("f", rates, "rates"), ("g", outputs, "y"))
+    )  # fmt: skip
+    start = ca.Function("start", [p_symbol], [ca.densify(start_state)], ["p"], ["x"])
+    units = dict(model.outputs) | {state.name: state.unit for state in model.states}
+    units |= {item.name: item.unit for item in model.inputs}
     parameters = plant.numbers()
-    units = dict(model.outputs) | {s.name: s.unit for s in model.states} | {i.name: i.unit for i in model.inputs}
     return CasadiModel(
-        f, g, start, tuple(state.name for state in model.states), tuple(instance.input_names[k] for k in kept),
+        f, g, start, tuple(state.name for state in model.states), tuple(instance.input_names[k] for k in driven),
         tuple(numbers), model.columns[0], units | {name: parameters[name].unit for name in numbers},
-        x_start[:n].copy(), u[kept], p[free], np.array([state.nominal for state in model.states]),
+        x_start[:n].copy(), u[driven], p[free], np.array([state.nominal for state in model.states]),
     )  # fmt: skip
 
 
@@ -114,69 +117,73 @@ def to_control(
     numbers: Sequence[str] = (),
     without: str | Sequence[str] = (),
 ) -> ControlSystem:
-    """A circuit for python-control: `Circuit.to_control`."""
+    """Return a circuit as a system of python-control; see `Circuit.to_control`."""
     with needed("control", "A system of python-control", "control"):
         import control
     if linear:
         if inputs is not None or numbers:
             raise InputError("tools.of_nonlinear", "inputs" if inputs is not None else "numbers")
-        return _without(circuit, (without,) if isinstance(without, str) else without).linearise().to_control()
+        return _without_controllers(circuit, without).linearise().to_control()
     model = to_casadi(circuit, inputs=inputs, numbers=numbers, without=without)
-    f, g = Evaluation(model.f), Evaluation(model.g)
-    # python-control takes a dot for the border between system and signal.
+    # In python-control a dot separates system and signal.
     names = {name: name.replace(".", "__") for name in (*model.states, *model.inputs, *model.numbers, *model.outputs)}
 
-    def of(function: Evaluation) -> Any:
-        def evaluated(t: float, x: Array, u: Array, params: Mapping[str, float]) -> Array:
-            p = np.array([params[names[each]] for each in model.numbers])
-            return function(np.asarray(x), np.asarray(u), p)[0].ravel()
+    def adapt(function: Any) -> Any:
+        evaluation = ArrayFunction(function)
 
-        return evaluated
+        def evaluate(t: float, x: Array, u: Array, params: Mapping[str, float]) -> Array:
+            p = np.array([params[names[address]] for address in model.numbers])
+            return evaluation(np.asarray(x), np.asarray(u), p)[0].ravel()
+
+        return evaluate
 
     system: ControlSystem = control.nlsys(
-        of(f), of(g),
-        inputs=[names[each] for each in model.inputs], outputs=[names[each] for each in model.outputs],
-        states=[names[each] for each in model.states],
+        adapt(model.f), adapt(model.g),
+        inputs=[names[name] for name in model.inputs], outputs=[names[name] for name in model.outputs],
+        states=[names[name] for name in model.states],
         params={names[name]: float(value) for name, value in zip(model.numbers, model.p0, strict=True)},
     )  # fmt: skip
     return system
 
 
-def _without(circuit: Circuit, controllers: Sequence[str]) -> Circuit:
-    """The circuit without some controllers; the inputs that they drove are free."""
-    known = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
-    for name in controllers:
-        if name not in known:
-            raise InputError("tools.no_controller", name, near=NameSuggestion(name, known))
-        circuit = freed(circuit, name, keeps=False)
+def _without_controllers(circuit: Circuit, controllers: str | Sequence[str]) -> Circuit:
+    """Return the circuit without some controllers; their outputs become free inputs."""
+    available = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
+    for name in (controllers,) if isinstance(controllers, str) else controllers:
+        if name not in available:
+            near = NameSuggestion(name, available)
+            raise InputError("fields.not_an_option", "without", value=name, meaning="controller", near=near)
+        circuit = release_command(circuit, name, keeps=False)
     return circuit
 
 
-def _free_numbers(circuit: Circuit, numbers: Sequence[str]) -> list[int]:
-    """Places in p of numbers from which no others follow."""
-    if not numbers:
+def _free_indices(circuit: Circuit, addresses: Sequence[str]) -> list[int]:
+    """Return the indices in p of parameters that can change alone."""
+    if not addresses:
         return []
     run = circuit.run if circuit.run.duration is not None else replace(circuit.run, duration="1 s")
-    known = {
-        each.address: (k, each.fixed) for k, each in enumerate(build_export_model(replace(circuit, run=run)).numbers)
-    }
-    places = []
+    parameters = build_export_model(replace(circuit, run=run)).parameters
+    by_address = {parameter.address: (k, parameter.fixed) for k, parameter in enumerate(parameters)}
+    indices = []
     with ErrorCollector() as errors:
-        for name in numbers:
-            place, fixed = known.get(name, (-1, ""))
-            if place < 0:
-                errors.add("tools.no_number", name, near=NameSuggestion(name, known))
+        for address in addresses:
+            index, fixed = by_address.get(address, (-1, ""))
+            if index < 0:
+                near = NameSuggestion(address, by_address)
+                errors.add("names.unknown", address, meaning="a parameter of the circuit", near=near)
             elif fixed not in ("", "delay"):
-                errors.add("tools.fixed", name)
-            places.append(place)
-    return places
+                errors.add("tools.fixed", address)
+            indices.append(index)
+    return indices
 
 
-def _places(wanted: Sequence[str] | None, known: Sequence[str]) -> list[int]:
-    if wanted is None:
-        return [*range(len(known))]
+def _input_indices(selected: Sequence[str] | None, available: Sequence[str]) -> list[int]:
+    """Return the indices of the selected inputs; of all inputs if None."""
+    if selected is None:
+        return [*range(len(available))]
     with ErrorCollector() as errors:
-        for name in wanted:
-            if name not in known:
-                errors.add("inputs.unknown", name, near=NameSuggestion(name, known))
-    return [known.index(name) for name in wanted]
+        for name in selected:
+            if name not in available:
+                near = NameSuggestion(name, available)
+                errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
+    return [available.index(name) for name in selected]

@@ -1,4 +1,4 @@
-"""How far a run is from the kernel's, as far as that means anything: while the kernel agrees with itself."""
+"""Comparison of a run with that of the kernel, as long as the kernel agrees with its own slightly changed runs."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ from poppet.engine.problem import Problem
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
-ROUNDING = 1e-14
-"""By what a start is moved, to see what rounding alone becomes in a run."""
-ROUNDED_STEPS = 1e-8
-"""By what a tolerance is moved, which moves the error of each step by rounding."""
-LOOSER = (0.1, 0.03, 0.01)
-"""Tolerances of the kernel, by the limit of another method, whose errors stand for those of that method."""
-GROWN = 10.0
-"""Times what the kernel makes of such a change, that another code may make of its own."""
-FOLLOWED = 1e-6
-"""What such a change may have become for a run to be followed still."""
+START_CHANGE = 1e-14
+"""Relative change of the start state, to measure the effect of rounding on a run."""
+TOLERANCE_CHANGE = 1e-8
+"""Relative change of a tolerance, which changes the error of each step as rounding does."""
+TOLERANCE_FRACTIONS = (0.1, 0.03, 0.01)
+"""Tolerances of the kernel per limit of another method; their errors represent those of that method."""
+MARGIN = 10.0
+"""Allowed ratio of a difference to the effect of small changes on the kernel."""
+MAX_EFFECT = 1e-6
+"""Effect of small changes on the kernel up to which a run is compared."""
 
 
 class ReferenceRun(NamedTuple):
-    """A run of the kernel that others are held beside."""
+    """Run of the kernel for comparison."""
 
     problem: Problem
     values: Array  # (n_outputs, n_times)
-    sizes: Array  # (n_outputs,) greatest magnitude, or usual size of a state
+    sizes: Array  # (n_outputs,) maximum magnitude, or nominal size of a state
     accepted: int  # steps
 
     @property
     def gas(self) -> Flags:
-        """Outputs that are pressures and masses: states that are always positive."""
+        """Outputs that are positive states: pressures and masses."""
         return self._outputs({state.name for state in self.problem.kernel.model.states if state.positive})
 
     @property
@@ -51,101 +51,107 @@ class ReferenceRun(NamedTuple):
 
 
 class RunComparison(NamedTuple):
-    """What a comparison has found."""
+    """Differences of a run from a reference run, relative to the size of each output."""
 
-    apart: Array  # (n_outputs, n_times) differences by the size of each output
+    differences: Array  # (n_outputs, n_times)
     allowed: Array  # (n_outputs, n_times)
-    counted: Flags  # (n_outputs, n_times) what the run has
-    is_followed: Flags  # (n_outputs, n_times) where they are compared
-    rows: int  # up to which the states of gas are followed
+    is_available: Flags  # (n_outputs, n_times) cells of the run
+    is_compared: Flags  # (n_outputs, n_times) cells that are compared
+    n_rows: int  # up to which the states of the gas are compared
 
-    def greatest(self, *, is_all: bool = False) -> Array:
-        """Greatest difference of each output that is compared, or in the whole run; -1 where there is none."""
-        where = self.counted if is_all else self.is_followed
-        return np.asarray(np.where(where, self.apart, -1.0).max(axis=1, initial=-1.0))
+    def max_differences(self, *, whole_run: bool = False) -> Array:
+        """Return the maximum compared difference of each output, or that of the whole run; -1 if there is none."""
+        cells = self.is_available if whole_run else self.is_compared
+        return np.asarray(np.where(cells, self.differences, -1.0).max(axis=1, initial=-1.0))
 
-    def ratios(self) -> Array:
-        """Greatest difference of each output by what is allowed where it lies; -1 where nothing is compared."""
-        return np.asarray(np.where(self.is_followed, self.apart / self.allowed, -1.0).max(axis=1, initial=-1.0))
+    def max_ratios(self) -> Array:
+        """Return the maximum ratio of compared to allowed difference of each output; -1 if there is none."""
+        ratios = np.where(self.is_compared, self.differences / self.allowed, -1.0)
+        return np.asarray(ratios.max(axis=1, initial=-1.0))
 
 
-def separate(problem: Problem) -> Problem:
-    """The problem with a kernel that fuses no multiplication with an addition, as sources in C have it."""
+def without_fused_operations(problem: Problem) -> Problem:
+    """Return the problem with a kernel without fused operations (FMA), like the exported C code."""
     kernel, p = compile_kernel(problem.kernel.model, fuses=False), problem.p.copy()
     return replace(problem, kernel=kernel, p=p, x0=kernel.start(p))
 
 
-def beside(problem: Problem, rows: int) -> ReferenceRun:
-    """The kernel's run of a problem, of whose grid so many rows count."""
-    run = Call(problem).made()
+def run_reference(problem: Problem, n_rows: int) -> ReferenceRun:
+    """Run a problem with the kernel; at most `n_rows` rows are compared."""
+    run = Call(problem).run()
     model = problem.kernel.model
     nominal = {state.name: state.nominal for state in model.states}
-    greatest = np.abs(run.values).max(axis=1, initial=0.0)
-    sizes = np.array([max(a, nominal.get(name, 0.0)) for name, a in zip(model.columns[0], greatest, strict=True)])
-    # The last row of a run that a condition ends lies where each code finds it.
-    reached = run.time.size - (run.time.size < problem.grid.size)
-    return ReferenceRun(problem, run.values[:, : min(rows, reached)], sizes, run.accepted)
+    magnitudes = np.abs(run.values).max(axis=1, initial=0.0)
+    sizes = np.array([max(a, nominal.get(name, 0.0)) for name, a in zip(model.columns[0], magnitudes, strict=True)])
+    # If a condition ends the run, the time of the last row depends on the code.
+    n_common = run.time.size - (run.time.size < problem.grid.size)
+    return ReferenceRun(problem, run.values[:, : min(n_rows, n_common)], sizes, run.accepted)
 
 
-def apart(values: Array, of: ReferenceRun) -> Array:
-    """Differences by the size of each output, (n_outputs, n_times); of what is no number infinite."""
-    n = min(values.shape[1], of.values.shape[1])
-    found = np.abs(values[:, :n] - of.values[:, :n])
-    np.divide(found, of.sizes[:, None], out=found, where=of.sizes[:, None] > 0.0)
-    return np.where(np.isfinite(found), found, np.inf)
+def relative_differences(values: Array, reference: ReferenceRun) -> Array:
+    """Return the differences relative to the size of each output, (n_outputs, n_times); infinite if not finite."""
+    n = min(values.shape[1], reference.values.shape[1])
+    differences = np.abs(values[:, :n] - reference.values[:, :n])
+    np.divide(differences, reference.sizes[:, None], out=differences, where=reference.sizes[:, None] > 0.0)
+    return np.where(np.isfinite(differences), differences, np.inf)
 
 
-def grown(of: ReferenceRun, problems: Iterable[Problem]) -> Array:
-    """What the kernel has made of small changes of its problem up to each row, (n_outputs, n_times)."""
-    found = np.zeros(of.values.shape)
+def change_effects(reference: ReferenceRun, problems: Iterable[Problem]) -> Array:
+    """Return the maximum effect of small changes of the problem on the kernel up to each row, (n_outputs, n_times)."""
+    effects = np.zeros(reference.values.shape)
     for problem in problems:
-        run = Call(problem).made()
+        run = Call(problem).run()
         if run.outcome.is_success:
-            moved = apart(run.values, of)
-            found[:, : moved.shape[1]] = np.maximum(found[:, : moved.shape[1]], moved)
-            found[:, moved.shape[1] :] = np.inf  # a run that ends earlier is another one
-    return np.maximum.accumulate(found, axis=1)
+            differences = relative_differences(run.values, reference)
+            n = differences.shape[1]
+            effects[:, :n] = np.maximum(effects[:, :n], differences)
+            effects[:, n:] = np.inf  # a run that ends earlier is not comparable
+    return np.maximum.accumulate(effects, axis=1)
 
 
-def rounded(problem: Problem) -> list[Problem]:
-    """The same problem, otherwise rounded."""
-    starts = [replace(problem, x0=problem.x0 * (1.0 + sign * ROUNDING)) for sign in (1.0, -1.0)]
-    return [*starts, replace(problem, relative_tolerance=problem.relative_tolerance * (1.0 + ROUNDED_STEPS))]
+def rounding_changes(problem: Problem) -> list[Problem]:
+    """Return problems that differ by rounding."""
+    starts = [replace(problem, x0=problem.x0 * (1.0 + sign * START_CHANGE)) for sign in (1.0, -1.0)]
+    return [*starts, replace(problem, relative_tolerance=problem.relative_tolerance * (1.0 + TOLERANCE_CHANGE))]
 
 
-def loosened(problem: Problem, limit: float) -> list[Problem]:
-    """The same problem to tolerances as other methods have them."""
-    return [replace(problem, relative_tolerance=share * limit) for share in LOOSER]
+def tolerance_changes(problem: Problem, limit: float) -> list[Problem]:
+    """Return the problem with the tolerances that represent another method."""
+    return [replace(problem, relative_tolerance=fraction * limit) for fraction in TOLERANCE_FRACTIONS]
 
 
-def compare(values: Array, of: ReferenceRun, grown: Array, limit: float, counted: Flags) -> RunComparison:
-    """Hold a run beside the kernel's, row by row, as long as that is followed.
+def compare_runs(
+    values: Array, reference: ReferenceRun, effects: Array, limit: float, is_available: Flags
+) -> RunComparison:
+    """Compare a run with that of the kernel, row by row.
 
-    An output may differ by the limit, or by `GROWN` times what small changes have become in it. Where these are more
-    than can be followed, the output is left alone from there on, and once that is so of a state of gas, all are.
+    The allowed difference of an output is the larger of the limit and `MARGIN` times the effect of small changes. An
+    output is no longer compared after this effect is too large. If that output is a state of the gas, no output is
+    compared after that.
 
     Parameters
     ----------
     values : ndarray, shape (n_outputs, n_times)
-        Of the run.
-    of : Beside
-    grown : ndarray, shape (n_outputs, n_times)
-        What small changes become.
+        Values of the run.
+    reference : ReferenceRun
+        Run of the kernel.
+    effects : ndarray, shape (n_outputs, n_times)
+        Effects of small changes.
     limit : float
-        By the size of an output.
-    counted : ndarray of bool, shape (n_outputs, n_times)
-        What is compared.
+        Allowed difference relative to the size of an output.
+    is_available : ndarray of bool, shape (n_outputs, n_times)
+        Cells of the run.
 
     Returns
     -------
-    Compared
+    RunComparison
     """
-    found = apart(values, of)
-    n = found.shape[1]
-    grown, counted = grown[:, :n], counted[:, :n]
-    is_followed = grown <= max(limit / GROWN, FOLLOWED)
-    lost = ~is_followed[of.gas].all(axis=0)
-    rows = int(lost.argmax()) if lost.any() else n
-    is_followed &= counted
-    is_followed[:, rows:] = False
-    return RunComparison(found, np.maximum(limit, GROWN * grown), counted, is_followed, rows)
+    differences = relative_differences(values, reference)
+    n = differences.shape[1]
+    effects, is_available = effects[:, :n], is_available[:, :n]
+    is_compared = effects <= max(limit / MARGIN, MAX_EFFECT)
+    is_lost = ~is_compared[reference.gas].all(axis=0)
+    n_rows = int(is_lost.argmax()) if is_lost.any() else n
+    is_compared &= is_available
+    is_compared[:, n_rows:] = False
+    return RunComparison(differences, np.maximum(limit, MARGIN * effects), is_available, is_compared, n_rows)

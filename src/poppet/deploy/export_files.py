@@ -1,4 +1,4 @@
-"""What an export writes: names that are identifiers, texts that cannot leave their quotes, folders that stay whole."""
+"""Files of an export: valid identifiers, safe texts, and folders that are written completely or not at all."""
 
 from __future__ import annotations
 
@@ -11,12 +11,13 @@ from contextlib import suppress
 from pathlib import Path, PurePosixPath
 
 from poppet.core.errors import InputError
+from poppet.core.files import write_whole
 from poppet.core.toml import toml_text
 from poppet.core.version import __version__
 
 MARK = "poppet-export.toml"
-"""In every folder that an export has written: only such a folder is written into again."""
-# Of C, C++ and structured text, in lower case, for the last knows no other.
+"""Manifest in every folder of an export: only a folder with a manifest is written again."""
+# Words of C, C++ and structured text, in lower case because structured text ignores the case.
 _RESERVED = frozenset(
     re.findall(
         r"\w+",
@@ -38,87 +39,107 @@ _FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
 
 
 def identifier(text: str) -> str:
-    """A name that C, C++, XML and structured text take, made of any text.
+    """Return a text as a valid identifier in C, C++, XML and structured text.
 
     Examples
     --------
     >>> identifier("valve.pilot_pressure"), identifier("2/2 Ventil für Öl"), identifier("do")
     ('valve_pilot_pressure', 'm2_2_Ventil_f_r_l', 'do_v')
     """
-    plain = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")[:60].strip("_") or "model"
-    plain = f"m{plain}" if plain[0].isdigit() else plain
-    return f"{plain}_v" if plain.lower() in _RESERVED else plain
+    name = re.sub(r"[^A-Za-z0-9]+", "_", text).strip("_")[:60].strip("_") or "model"
+    name = f"m{name}" if name[0].isdigit() else name
+    return f"{name}_v" if name.lower() in _RESERVED else name
 
 
 def identifiers(texts: Sequence[str]) -> list[str]:
-    """One for each text, all different, also where case does not count.
+    """Return one identifier for each text; they also differ if the case is ignored.
 
     Examples
     --------
     >>> identifiers(["a.b_c", "a_b.c", "A.b.c"])
     ['a_b_c', 'a_b_c_2', 'A_b_c_3']
     """
-    taken: set[str] = set()
-    found = []
+    used: set[str] = set()
+    names = []
     for text in texts:
-        name = own = identifier(text)
+        name = base = identifier(text)
         count = 1
-        while name.lower() in taken:
+        while name.lower() in used:
             count += 1
-            name = f"{own}_{count}"
-        taken.add(name.lower())
-        found.append(name)
-    return found
+            name = f"{base}_{count}"
+        used.add(name.lower())
+        names.append(name)
+    return names
 
 
-def plain(text: str) -> str:
-    """A text for a comment of any language: printable ASCII in one line, and nothing that ends a comment.
+def comment_text(text: str) -> str:
+    """Return a text for a comment in any language: one line of printable ASCII that cannot end the comment.
 
     Examples
     --------
-    >>> plain('a */ b' + chr(10) + 'c (* d *) 5 µm')
+    >>> comment_text('a */ b' + chr(10) + 'c (* d *) 5 µm')
     'a * / b c ( * d * ) 5 ?m'
     """
     line = " ".join(text.split())
-    # Question marks two by two are trigraphs, and a backslash at the end of a line joins it to the next.
+    # Pairs of question marks start trigraphs, and a backslash at the end joins the line with the next.
     line = "".join(c if " " <= c <= "~" else "?" for c in line).replace("\\", "/")
     line = re.sub(r"\?(?=\?)", "? ", line)
-    return re.sub(r"\*(?=[/)])|[/(](?=\*)|/(?=/)", lambda m: f"{m.group()} ", line)
+    return re.sub(r"\*(?=[/)])|[/(](?=\*)|/(?=/)", lambda match: f"{match.group()} ", line)
 
 
 def c_string(text: str) -> str:
-    """A literal of C: whatever is not plain is written by its bytes.
+    """Return a string literal of C; special characters are written as octal bytes.
 
     Examples
     --------
     >>> print(c_string('say "m\u00b2"?'))
     "say \\042m\\302\\262\\042\\077"
     """
-    kept = b" .,:;_-+*/()[]=^|<>"
-    # Three octal digits always: what follows cannot become part of them.
-    shown = (chr(b) if b in kept or (b < 128 and chr(b).isalnum()) else f"\\{b:03o}" for b in text.encode())
-    return f'"{"".join(shown)}"'
+    safe = b" .,:;_-+*/()[]=^|<>"
+    # Always three octal digits: a following digit cannot become part of them.
+    characters = (chr(b) if b in safe or (b < 128 and chr(b).isalnum()) else f"\\{b:03o}" for b in text.encode())
+    return f'"{"".join(characters)}"'
 
 
-def mark(target: str, title: str, files: Mapping[str, str | bytes]) -> str:
-    """What a folder says of itself, in TOML."""
-    return toml_text({"target": target, "title": title, "poppet": __version__, "files": sorted(files)})
+def write_export(path: Path, target: str, title: str, files: Mapping[str, str | bytes], *, is_folder: bool) -> Path:
+    """Write an export to its output file or folder.
+
+    Parameters
+    ----------
+    path : Path
+        Output file or folder.
+    target, title : str
+        Name of the target and title of the circuit, for the manifest of a folder.
+    files : mapping
+        Path in the folder to content; a single entry if the output is a file.
+    is_folder : bool
+        True if the output is a folder.
+
+    Returns
+    -------
+    Path
+    """
+    if is_folder:
+        manifest = {"target": target, "title": title, "poppet": __version__, "files": sorted(files)}
+        return write_folder(path, files, toml_text(manifest))
+    (content,) = files.values()
+    return write_whole(path, lambda stream: stream.write(content.encode() if isinstance(content, str) else content))
 
 
-def write_folder(folder: Path, files: Mapping[str, str | bytes], mark: str) -> Path:
+def write_folder(folder: Path, files: Mapping[str, str | bytes], manifest: str) -> Path:
     """Write a folder of files.
 
-    A new folder appears whole or not at all. One that an export has written before keeps what others have put there;
-    each file of the export is replaced as a whole, after all of them have been written.
+    A new folder appears completely or not at all. In the folder of an earlier export, other files are kept. Each file
+    of the export is replaced as a whole, after all of them have been written.
 
     Parameters
     ----------
     folder : Path
-        In a folder that exists.
+        Output folder; its parent exists.
     files : mapping
-        Path within the folder, with slashes, to content; text is written as UTF-8.
-    mark : str
-        TOML that says what the folder is.
+        Path in the folder, with slashes, to content; text is written as UTF-8.
+    manifest : str
+        TOML text that describes the export.
 
     Returns
     -------
@@ -127,46 +148,42 @@ def write_folder(folder: Path, files: Mapping[str, str | bytes], mark: str) -> P
     Raises
     ------
     InputError
-        If the folder holds something else, or cannot be written.
+        If the folder contains something else, or cannot be written.
     """
     target = Path(os.path.realpath(folder))
     if not target.parent.is_dir():
         raise InputError("files.no_folder", path=str(folder), folder=str(target.parent))
     if target.exists() and (not target.is_dir() or (any(target.iterdir()) and not (target / MARK).is_file())):
         raise InputError("deploy.folder_taken", path=str(folder))
-    contents = {MARK: mark, **files}
+    contents = {MARK: manifest, **files}
     for path in contents:
-        _check_path(path)
-    aside = target.with_name(f".{target.name}.{uuid.uuid4().hex[:12]}")
+        # Reject paths that would be outside of the folder on any system.
+        names = path.split("/")
+        if not all(_FILE_NAME.fullmatch(name) and not name.endswith(".") for name in names):
+            raise InputError("deploy.outside", path=path)
+    temporary = target.with_name(f".{target.name}.{uuid.uuid4().hex[:12]}")
     try:
         for path, content in contents.items():
-            place = aside.joinpath(*PurePosixPath(path).parts)
-            place.parent.mkdir(parents=True, exist_ok=True)
-            place.write_bytes(content.encode() if isinstance(content, str) else content)
+            file = temporary.joinpath(*PurePosixPath(path).parts)
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_bytes(content.encode() if isinstance(content, str) else content)
         if target.exists():
-            _move_into(aside, target, contents)
+            _move_into(temporary, target, contents)
         else:
-            aside.rename(target)
+            temporary.rename(target)
     except OSError as problem:
         raise InputError("files.unwritable", path=str(folder), why=problem.strerror or str(problem)) from problem
     finally:
         with suppress(OSError):
-            shutil.rmtree(aside)
+            shutil.rmtree(temporary)
     return folder
 
 
-def _check_path(path: str) -> None:
-    """Refuse what would lie outside the folder, on any system."""
-    parts = path.split("/")
-    if not all(_FILE_NAME.fullmatch(part) and not part.endswith(".") for part in parts):
-        raise InputError("deploy.outside", path=path)
-
-
-def _move_into(aside: Path, target: Path, paths: Mapping[str, str | bytes]) -> None:
+def _move_into(temporary: Path, target: Path, paths: Mapping[str, str | bytes]) -> None:
     for path in paths:
-        place = target.joinpath(*PurePosixPath(path).parts)
-        # A link instead of a folder leads out of it; one instead of a file is replaced itself.
-        if any(parent.is_symlink() for parent in place.parents if target in parent.parents):
+        file = target.joinpath(*PurePosixPath(path).parts)
+        # A link in place of a folder leads out of the target; a link in place of a file is replaced.
+        if any(parent.is_symlink() for parent in file.parents if target in parent.parents):
             raise InputError("deploy.outside", path=path)
-        place.parent.mkdir(parents=True, exist_ok=True)
-        os.replace(aside.joinpath(*PurePosixPath(path).parts), place)
+        file.parent.mkdir(parents=True, exist_ok=True)
+        os.replace(temporary.joinpath(*PurePosixPath(path).parts), file)

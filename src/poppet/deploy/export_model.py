@@ -1,35 +1,37 @@
-"""What every target carries of a circuit: numbers, inputs with their courses, states, memory, outputs, tolerances."""
+"""Model of a circuit for the export targets: parameters, inputs with signals, states, outputs, tolerances."""
 
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from poppet.core.errors import InputError
+from poppet.circuit.addresses import change_values
+from poppet.circuit.wiring import check_starts
+from poppet.core.errors import ErrorCollector, InputError
 from poppet.deploy.export_files import identifier, identifiers
-from poppet.engine.printers.instructions import traced_functions
+from poppet.engine.printers.instructions import trace_functions
 from poppet.identify.free_parameter import number_specs
+from poppet.parts.compound import Compound
 from poppet.parts.fields import NumberSpec, flatten
+from poppet.parts.part import Part, Surroundings
 
 if TYPE_CHECKING:
-    from typing import Any
-
     from poppet.circuit.circuit import Circuit
     from poppet.circuit.instance import Instance
     from poppet.engine.model import Model
     from poppet.engine.problem import Problem
 
-MOST_SEGMENTS = 100_000
-"""Segments of the signals of a run; a target carries them as constants."""
+MAX_SEGMENTS = 100_000
+"""Maximum number of segments of all signals; a target stores them as constants."""
 
 
 class ExportParameter(NamedTuple):
-    """A number of p, SI and absolute."""
+    """Parameter in p, SI and absolute."""
 
     address: str
     identifier: str
@@ -38,19 +40,18 @@ class ExportParameter(NamedTuple):
     low: float
     high: float
     meaning: str
-    shown: str  # as it was written, `6 bar g`
-    # Why it may not be changed at run time: `tied`, others follow from it; `delay`, it moves the breakpoints of a
-    # signal; `derived`, it follows from others itself; `driven`, a signal decides it. Empty where it may.
+    # Reason for which the value must not change at run time: `tied` (other parameters depend on it), `delay` (it moves
+    # the breakpoints of a signal), `derived` (it depends on other parameters), `driven` (a signal sets it), or empty.
     fixed: str
 
     @property
     def is_free(self) -> bool:
-        """True where it may be changed at run time."""
+        """True if the value can change at run time."""
         return not self.fixed
 
 
 class ExportInput(NamedTuple):
-    """An input of u, SI and absolute."""
+    """Input in u, SI and absolute."""
 
     address: str
     identifier: str
@@ -58,98 +59,97 @@ class ExportInput(NamedTuple):
     value: float  # at the start
     low: float
     high: float
-    number: int  # place in p of the number that it takes without a signal, -1 for none
+    parameter: int  # index in p of the value without a signal; -1 if there is none
     is_driven: bool  # by a signal of the circuit
-    slope_of: int  # place in u of the input whose slope it is, -1 for none
+    slope_of: int  # index in u of the input whose slope it is; -1 if there is none
 
 
-class Quantity(NamedTuple):
-    """A state, an element of the memory or an output."""
+class ExportQuantity(NamedTuple):
+    """State, discrete state or output."""
 
     address: str
     identifier: str
     unit: str
-    value: float  # at the start; of an output NaN
+    value: float  # at the start; NaN for an output
 
 
 @dataclass(frozen=True, eq=False)
 class ExportModel:
-    """A circuit as its targets take it: names, units, places, start values; courses and tolerances in the problem."""
+    """Names, units, indices and start values of a circuit; the problem has the signals and tolerances."""
 
     name: str  # an identifier
     title: str
     instance: Instance
     problem: Problem
-    numbers: tuple[ExportParameter, ...]  # in the order of p
+    parameters: tuple[ExportParameter, ...]  # in the order of p
     inputs: tuple[ExportInput, ...]  # in the order of u
-    states: tuple[Quantity, ...]  # controlled ones, in the order of x
-    memory: tuple[Quantity, ...]  # behind the numbers in p; the first `model.n_timers` are timers
-    outputs: tuple[Quantity, ...]  # in the order of y
+    states: tuple[ExportQuantity, ...]  # with error control, in the order of x
+    memory: tuple[ExportQuantity, ...]  # discrete states, after the parameters in p; first `model.n_timers` timers
+    outputs: tuple[ExportQuantity, ...]  # in the order of y
 
     @property
     def model(self) -> Model:
-        """The traced model."""
+        """Traced model."""
         return self.instance.model
 
     @cached_property
     def functions(self) -> dict[str, Any]:
-        """The traced functions, to be read by a printer."""
-        return traced_functions(self.model)
+        """CasADi functions of the model, for a printer."""
+        return trace_functions(self.model)
 
 
 def build_export_model(circuit: Circuit, name: str = "") -> ExportModel:
-    """What targets carry of a circuit.
+    """Return the model of a circuit for the export targets.
 
     Parameters
     ----------
     circuit : Circuit
-        With a duration, over which its signals are carried.
+        Circuit with a duration, over which the signals are exported.
     name : str, optional
-        Of the model; default its title. An identifier is made of it.
+        Name of the model, which becomes an identifier (default: title of the circuit).
 
     Returns
     -------
-    Carried
+    ExportModel
 
     Raises
     ------
     InputErrors
-        If it has no duration, or signals of more than 100,000 segments.
+        If the circuit has no duration, or signals of more than 100,000 segments.
     """
-    # What costs nothing is refused before anything is compiled.
+    # Checks without cost come before the compilation.
     circuit.run.grid()
     instance = circuit.instance
     problem, model = instance.problem(circuit.run), instance.model
-    if problem.starts.size > MOST_SEGMENTS:
-        raise InputError("deploy.segments", "signals", count=int(problem.starts.size), most=MOST_SEGMENTS)
-    n, numbers = len(model.parameters), _numbers(circuit, instance, problem)
+    if problem.starts.size > MAX_SEGMENTS:
+        raise InputError("deploy.segments", "signals", count=int(problem.starts.size), most=MAX_SEGMENTS)
+    discrete_start = problem.p[len(model.parameters) :]
     states = zip(model.states, problem.x0[: len(model.states)], strict=True)
-    memory = zip(model.memory, problem.p[n:], strict=True)
     return ExportModel(
-        identifier(name or circuit.title or "model"), circuit.title, instance, problem, numbers,
-        _inputs(instance, problem),
-        _quantities((s.name, s.unit, x) for s, x in states),
-        _quantities((*of, z) for of, z in memory),
-        _quantities((*of, np.nan) for of in model.outputs),
+        identifier(name or circuit.title or "model"), circuit.title, instance, problem,
+        _export_parameters(circuit, instance, problem),
+        _export_inputs(instance, problem),
+        _export_quantities((state.name, state.unit, value) for state, value in states),
+        _export_quantities((*row, value) for row, value in zip(model.memory, discrete_start, strict=True)),
+        _export_quantities((*row, np.nan) for row in model.outputs),
     )  # fmt: skip
 
 
-def _quantities(rows: Iterable[tuple[str, str, float]]) -> tuple[Quantity, ...]:
-    found = list(rows)
-    own = identifiers([address for address, _, _ in found])
-    return tuple(Quantity(a, own[k], unit, float(value)) for k, (a, unit, value) in enumerate(found))
+def _export_quantities(rows: Iterable[tuple[str, str, float]]) -> tuple[ExportQuantity, ...]:
+    rows = list(rows)
+    names = identifiers([address for address, _, _ in rows])
+    return tuple(ExportQuantity(a, name, unit, float(v)) for name, (a, unit, v) in zip(names, rows, strict=True))
 
 
-def _numbers(circuit: Circuit, instance: Instance, problem: Problem) -> tuple[ExportParameter, ...]:
-    specs, written = number_specs(circuit), circuit.numbers()
-    for section in ("ambient", "gas"):
-        specs |= {f"{section}.{key}": spec for key, spec, _ in flatten(getattr(circuit, section))}
+def _export_parameters(circuit: Circuit, instance: Instance, problem: Problem) -> tuple[ExportParameter, ...]:
+    addresses = instance.model.parameters
+    specs, numbers = _parameter_specs(circuit), circuit.numbers()
     delays = {item.delay for item in instance.model.inputs if item.delay}
     guided = {item.slope_of for item in instance.model.inputs if item.slope_of in instance.signals}
-    own, found = identifiers(instance.model.parameters), []
-    for k, address in enumerate(instance.model.parameters):
-        value, number = float(problem.p[k]), written.get(address)
-        spec = specs.get(address) or NumberSpec("1", address)
+    tied = find_tied(circuit)
+    parameters = []
+    for address, name, value in zip(addresses, identifiers(addresses), problem.p[: len(addresses)], strict=True):
+        number, spec = numbers.get(address), specs.get(address) or NumberSpec("1", address)
         if number is None:
             fixed = "derived"
         elif address in delays:
@@ -157,52 +157,104 @@ def _numbers(circuit: Circuit, instance: Instance, problem: Problem) -> tuple[Ex
         elif address in guided:
             fixed = "driven"
         else:
-            fixed = "tied" if _is_tied(circuit, address, value, spec) else ""
-        low, high = max(spec.ends[0], _beside(spec.above, 1.0)), min(spec.ends[1], _beside(spec.below, -1.0))
-        unit, shown = (number.unit, number.display()) if number else (spec.unit, "")
-        found.append(ExportParameter(address, own[k], unit, value, low, high, spec.doc, shown, fixed))
-    return tuple(found)
+            fixed = "tied" if address in tied else ""
+        low, high = max(spec.ends[0], _next_float(spec.above, 1.0)), min(spec.ends[1], _next_float(spec.below, -1.0))
+        unit = number.unit if number else spec.unit
+        parameters.append(ExportParameter(address, name, unit, float(value), low, high, spec.meaning, fixed))
+    return tuple(parameters)
 
 
-def _beside(end: float, way: float) -> float:
-    """The number next to an end that is none itself; next to zero one that no processor takes for zero."""
-    return end + way * max(abs(end) * sys.float_info.epsilon, sys.float_info.min) if np.isfinite(end) else end
+def _parameter_specs(circuit: Circuit) -> dict[str, NumberSpec]:
+    """Return the declarations of all parameters by address."""
+    specs = number_specs(circuit)
+    for section in ("ambient", "gas"):
+        specs |= {f"{section}.{key}": spec for key, spec, _ in flatten(getattr(circuit, section))}
+    return specs
 
 
-def _is_tied(circuit: Circuit, address: str, value: float, spec: NumberSpec) -> bool:
-    """Whether something else follows from a number: other numbers, or the structure."""
-    # Not `Instance.tied`, which makes the instance of every variation: a target asks about all numbers one by one.
-    tried = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
-    probe = next((v for v in tried if spec.holds(v)), None)
-    if probe is None:
-        return True
-    try:
-        moved = circuit.with_values({address: probe})
-    except InputError:  # alone it cannot move
-        return True
-    same = {**circuit.parameters, address: moved.parameters[address]}
-    return moved.parameters != same or moved.parameters[address] != probe or moved.structure != circuit.structure
+def _next_float(limit: float, direction: float) -> float:
+    """Return the number next to an excluded limit; next to zero, the smallest normal number."""
+    if not np.isfinite(limit):
+        return limit
+    return limit + direction * max(abs(limit) * sys.float_info.epsilon, sys.float_info.min)
 
 
-def _inputs(instance: Instance, problem: Problem) -> tuple[ExportInput, ...]:
-    names, found = instance.input_names, []
-    own = identifiers(names)
+def find_tied(circuit: Circuit) -> frozenset[str]:
+    """Return the addresses of parameters that must not change alone.
+
+    Either other parameters or the structure depend on such a parameter, or no neighbouring value is valid. A parameter
+    of a part acts on the run-time values of this part alone. If a part declares neither derived values nor checks, all
+    its parameters are independent. In any other part, each parameter is changed within the part. The ambient conditions
+    and the gas act on all parts.
+    """
+    specs, values = _parameter_specs(circuit), circuit.parameters
+    tied, neighbours = set(), {}
+    for address in circuit.numbers().keys() & values.keys():
+        value, spec = values[address], specs.get(address) or NumberSpec("1", address)
+        candidates = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
+        valid = [candidate for candidate in candidates if spec.holds(candidate)]
+        if valid:
+            neighbours[address] = valid[0]
+        else:
+            tied.add(address)
+    for name, part in circuit.parts.items():
+
+        def check(changed: Part, name: str = name) -> None:
+            with ErrorCollector() as errors:
+                check_starts(errors, {**circuit.parts, name: changed}, circuit.signals)
+
+        tied |= {f"{name}.{key}" for key in _tied_in_part(part, _below(neighbours, name), circuit.surroundings, check)}
+    for section in ("ambient", "gas"):
+        for key, neighbour in _below(neighbours, section).items():
+            address = f"{section}.{key}"
+            try:
+                is_tied = circuit.with_values({address: neighbour}).parameters != {**values, address: neighbour}
+            except InputError:
+                is_tied = True
+            if is_tied:
+                tied.add(address)
+    return frozenset(tied)
+
+
+def _below(values: Mapping[str, float], name: str) -> dict[str, float]:
+    """Return the values whose addresses begin with a name, by the rest of their addresses."""
+    return {key.removeprefix(f"{name}."): value for key, value in values.items() if key.startswith(f"{name}.")}
+
+
+def _tied_in_part(
+    part: Part, neighbours: Mapping[str, float], surroundings: Surroundings, check: Callable[[Part], None]
+) -> set[str]:
+    """Return the parameters of a part that must not change alone; `check` rejects an invalid changed part."""
+    tied: set[str] = set()
+    values = part.parameters(surroundings)
+    if isinstance(part, Compound) and type(part).parameters is Compound.parameters:
+        # The values of a member depend on the member and on the parameters of the compound itself.
+        for name, member in part.members.items():
+            keys = _tied_in_part(member, _below(neighbours, name), surroundings, lambda changed: None)
+            tied |= {f"{name}.{key}" for key in keys}
+        neighbours = {key: v for key, v in neighbours.items() if key.partition(".")[0] not in part.members}
+    elif set(values) <= set(part.numbers()) and type(part).check is Part.check:
+        return tied
+    for key, neighbour in neighbours.items():
+        try:
+            changed = change_values({"part": part}, {f"part.{key}": neighbour})["part"]
+            check(changed)
+            is_tied = changed.parameters(surroundings) != {**values, key: neighbour}
+        except InputError:
+            is_tied = True
+        if is_tied or changed.structure() != part.structure():
+            tied.add(key)
+    return tied
+
+
+def _export_inputs(instance: Instance, problem: Problem) -> tuple[ExportInput, ...]:
+    names, inputs = instance.input_names, []
     first = problem.coefficients[problem.courses[0]]
-    u = first[:, 0] + first[:, 2] * np.sin(first[:, 5])
-    for k, item in enumerate(instance.model.inputs):
-        low, high = (instance.parameters[e] if isinstance(e, str) else e for e in (item.low, item.high))
+    start_values = first[:, 0] + first[:, 2] * np.sin(first[:, 5])
+    for item, name, value in zip(instance.model.inputs, identifiers(names), start_values, strict=True):
+        low, high = (instance.parameters[end] if isinstance(end, str) else end for end in (item.low, item.high))
         is_driven = (item.slope_of or item.name) in instance.signals
-        place = instance.place(item.default) if isinstance(item.default, str) and not item.slope_of else -1
+        parameter = instance.place(item.default) if isinstance(item.default, str) and not item.slope_of else -1
         slope_of = names.index(item.slope_of) if item.slope_of else -1
-        found.append(ExportInput(item.name, own[k], item.unit, float(u[k]), low, high, place, is_driven, slope_of))
-    return tuple(found)
-
-
-def without_signals(of: ExportModel) -> ExportModel:
-    """The same with inputs that are held where they begin, for targets whose host drives them."""
-    from poppet.engine.problem import held_coefficients
-
-    u = np.array([item.value for item in of.inputs])
-    start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
-    problem = replace(of.problem, starts=start, courses=course, coefficients=held_coefficients(u), jumps=jump)
-    return replace(of, problem=problem)
+        inputs.append(ExportInput(item.name, name, item.unit, float(value), low, high, parameter, is_driven, slope_of))
+    return tuple(inputs)

@@ -1,4 +1,4 @@
-"""A circuit as plain functions of time and state, for any solver of differential equations."""
+"""Export of a circuit as functions of time and state, for any solver of differential equations."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Stretch:
-    """A part of a run in which no signal jumps and no memory changes.
+    """Time interval in which no signal jumps and no discrete state changes.
 
     Parameters
     ----------
     begin, end : float
-        Its ends [s].
+        Limits of the interval [s].
     memory : (n_memory,) array
-        Sampled memory in it, SI, to be given to the next stretch.
+        Discrete states, SI; pass them to the next interval.
     """
 
     begin: float
@@ -38,7 +38,7 @@ class Stretch:
     _segment: int
 
     def f(self, t: float, x: Array) -> Array:
-        """Rates.
+        """Return the rates.
 
         Parameters
         ----------
@@ -55,7 +55,7 @@ class Stretch:
         return rates(self._problem, self._segment, t, self._whole(x))[: len(x)]
 
     def jac(self, t: float, x: Array) -> Array:
-        """Exact derivatives of the rates by the states.
+        """Return the Jacobian of the rates.
 
         Parameters
         ----------
@@ -71,7 +71,7 @@ class Stretch:
         return jacobian(self._problem, self._segment, t, self._whole(x))[: len(x), : len(x)]
 
     def outputs(self, t: ArrayLike, x: Array) -> dict[str, Any]:
-        """Outputs by their addresses.
+        """Return the outputs by address.
 
         Parameters
         ----------
@@ -83,7 +83,7 @@ class Stretch:
         Returns
         -------
         dict
-            To a float or an (n_times,) array, SI.
+            Address to a float or an (n_times,) array, SI.
         """
         times = np.atleast_1d(np.asarray(t, dtype=float))
         kernel = self._problem.kernel
@@ -95,36 +95,36 @@ class Stretch:
         return dict(zip(kernel.model.columns[0], columns, strict=True))
 
     def _whole(self, x: Array) -> Array:
-        """States with the quadratures behind them, on which nothing depends."""
+        """Return the states with quadratures, on which no rate depends."""
         return np.concatenate([x, np.zeros(self._problem.x0.size - len(x))])
 
 
 @dataclass(frozen=True, eq=False)
 class Ode:
-    r"""A circuit with its signals as :math:`\dot x = f(t, x)`, :math:`y = g(t, x)`.
+    r"""Circuit with its signals as :math:`\dot x = f(t, x)`, :math:`y = g(t, x)`.
 
     Parameters
     ----------
     x0 : (n,) array
         State at the start, SI.
     states : tuple of str
-        Addresses, in the order of x.
+        Addresses of the states, in the order of x.
     units : dict
-        Address of every state and output to its SI unit.
+        SI unit of each state and output by address.
     scale : (n,) array
-        Absolute tolerance of each state per relative tolerance, SI: pressures and masses are ten decades apart, so that
-        no single absolute tolerance serves them.
+        Absolute tolerance of each state per relative tolerance, SI. Pressures and masses differ by ten decades: no
+        single absolute tolerance suits both.
     breakpoints : (n_breakpoints,) array
-        Times at which a signal jumps or has a kink, 0 among them [s].
+        Times at which a signal jumps or has a kink, including 0 [s].
     end : float
-        Time up to which the signals hold [s].
+        End of the signals [s].
     memory : tuple of str
-        Addresses of the sampled memory; empty where nothing is sampled or switched.
+        Addresses of the discrete states; empty if the circuit has no sampled or switched part.
 
     Notes
     -----
-    At a breakpoint `f` is that of the time after it. A solver that steps over one loses digits; who wants them all
-    integrates from stretch to stretch, as one must with sampled memory.
+    At a breakpoint, `f` uses the signal after it. A step across a breakpoint is less accurate. For full accuracy,
+    integrate each interval of `stretch` separately. A circuit with discrete states requires this.
 
     Examples
     --------
@@ -148,43 +148,43 @@ class Ode:
     _problem: Problem
 
     def f(self, t: float, x: Array) -> Array:
-        """Rates of a circuit without sampled memory; as `Stretch.f`.
+        """Return the rates of a circuit without discrete states, like `Stretch.f`.
 
         Raises
         ------
         InputError
-            If the circuit has sampled memory, which changes at instants: they end a stretch.
+            If the circuit has discrete states, which change at sample instants: use `stretch`.
         """
         return self._at(t).f(t, x)
 
     def jac(self, t: float, x: Array) -> Array:
-        """Exact derivatives of `f` by the states; as `Stretch.jac`."""
+        """Return the Jacobian of `f`, like `Stretch.jac`."""
         return self._at(t).jac(t, x)
 
     def outputs(self, t: ArrayLike, x: Array) -> dict[str, Any]:
-        """Outputs by their addresses; as `Stretch.outputs`, with the signals of each time."""
+        """Return the outputs by address, like `Stretch.outputs`, with the signals of each time."""
         if not np.ndim(t):
             time = float(np.asarray(t))
             return self._at(time).outputs(time, x)
-        rows = [self.outputs(each, state) for each, state in zip(np.asarray(t, dtype=float), x.T, strict=True)]
+        rows = [self.outputs(time, state) for time, state in zip(np.asarray(t, dtype=float), x.T, strict=True)]
         return {name: np.array([row[name] for row in rows]) for name in self._problem.kernel.model.columns[0]}
 
     def stretch(self, t: float, x: Array, memory: Array | None = None) -> Stretch:
-        """What follows a time, up to where a signal jumps or the memory changes next.
+        """Return the interval after a time, up to the next jump or change of a discrete state.
 
         Parameters
         ----------
         t : float
-            Where the last stretch ended, or 0 [s].
+            End of the last interval, or 0 [s].
         x : (n,) array
-            State there, SI.
+            State at that time, SI.
         memory : (n_memory,) array, optional
-            That of the last stretch; default the one at the start.
+            Discrete states of the last interval (default: those at the start).
 
         Returns
         -------
         Stretch
-            In which instants at `t` have acted already.
+            Interval with the discrete states after `t`.
         """
         p, n = self._problem.p.copy(), self._problem.p.size - len(self.memory)
         if memory is not None:
@@ -206,7 +206,7 @@ class Ode:
 
 
 def to_ode(circuit: Circuit, duration: Any = None) -> Ode:
-    """A circuit as plain functions of time and state: `Circuit.to_ode`."""
+    """Return a circuit as functions of time and state; see `Circuit.to_ode`."""
     instance = circuit.instance
     problem = instance.problem(circuit.run.changed(duration=duration))
     model = instance.model

@@ -1,14 +1,14 @@
-"""Many runs of one problem that differ in some of its numbers, on threads that do not hold the interpreter's lock.
+"""Runs of one problem with different parameters, on threads that release the interpreter lock.
 
-This is what ensembles stand on. A batch is plain arrays: a problem, the places of the varied numbers in p, and a row of
-values for each run. Threads take slices of the runs from one queue; what a run gives depends on its numbers alone, not
-on its neighbours, on the number of threads, or on the slice that it came in.
+Ensembles use this module. A batch consists of a problem, the indices of the varied parameters in p, and a row of values
+per run. Threads take slices of the runs from a queue. The result of a run depends only on its parameters, not on other
+runs, on the number of threads or on its slice.
 
-Curves are not kept. The rows of a slice are handed to a function, `reduce`, as soon as they are there, and their memory
-is used again. Who wants a time of rise or an overshoot chooses the outputs with `Kernel.observing`, reads them off the
-rows of all runs of a slice at once (NumPy lets go of the lock in large arrays), and keeps a few numbers a run; who
-wants curves returns a copy. What needs no rows is there anyway: states and outputs at the end, extremes and total
-change of every state over all steps, statistics, residuals. With a grid of the end alone a run writes one row.
+Rows of outputs are temporary: the function `reduce` receives the rows of a slice, whose memory is then reused. A metric
+such as a rise time selects its outputs with `Kernel.observing`, and evaluates the rows of all runs of a slice together
+(NumPy releases the lock for large arrays). To keep the rows, `reduce` returns a copy. Without rows, a batch provides
+final states and outputs, extremes and total change of each state, statistics and residuals. If the grid contains only
+the end, a run writes one row.
 """
 
 from __future__ import annotations
@@ -24,97 +24,99 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.engine.balances import allowed, missing
+from poppet.engine.balances import allowed, imbalance
 from poppet.engine.call import Call
 from poppet.engine.lane_kernel import Lanes, lane_functions, usual_width
-from poppet.engine.members import Batch, Ends, Integers
+from poppet.engine.members import Batch, Integers, RunEnds
 from poppet.engine.problem import Array, Outcome
 from poppet.engine.solve import solve
 
 ROWS_BYTES = 1 << 25
-"""Memory for the rows of a slice in each thread [B]; a slice has one run at least."""
+"""Memory for the rows of a slice per thread [B]; a slice has at least one run."""
 _OUTCOMES = tuple(Outcome)
 
 
-class Rows(NamedTuple):
-    """The rows of a slice of the runs, in memory that is used again."""
+class BatchRows(NamedTuple):
+    """Rows of a slice of the runs, in memory that is reused."""
 
-    runs: Integers  # (m,) which runs these are
+    runs: Integers  # (m,) indices of the runs
     time: Array  # (n_times,) the grid [s]
-    values: Array  # (m, n_outputs, n_times) outputs; NaN behind the last row of a run
-    counts: Integers  # (m,) rows of each run
-    reached: Array  # (m,) time of the last row of each run [s], which is not in the grid where a condition stopped it
+    values: Array  # (m, n_outputs, n_times) outputs; NaN after the last row of a run
+    counts: Integers  # (m,) number of rows of each run
+    reached: Array  # (m,) time of the last row of each run [s]; not in the grid if a condition stopped the run
 
 
-Reduce = Callable[[Rows], Array]
-"""From the rows of m runs to what is kept of them, (m, ...); called on several threads, and for any slice of the runs,
-so it must look at each alone. It sees a run that is handed over twice, and the second time counts."""
+Reduce = Callable[[BatchRows], Array]
+"""Function from the rows of m runs to their results, (m, ...).
+
+Several threads call it with arbitrary slices, so the result of a run must not depend on other runs. A run that is
+repeated with another solver is passed twice; the second result is valid."""
 
 
 @dataclass(frozen=True)
 class BatchRun:
-    """What a batch came to."""
+    """Result of a batch."""
 
     batch: Batch
-    ends: Ends
-    reduced: Array | None  # (n_runs, ...) what `reduce` gave
-    notes: dict[int, tuple[Note, ...]]  # of each run on which the kernel stalled: what a single run would say
-    width: int  # of the lanes; 1 where the scalar kernel ran one after the other
+    ends: RunEnds
+    reduced: Array | None  # (n_runs, ...) results of `reduce`
+    notes: dict[int, tuple[Note, ...]]  # index of each run on which the kernel stalled to its notes
+    width: int  # number of lanes; 1 for the scalar kernel
     threads: int
 
     def residuals(self) -> dict[str, Array]:
-        """Balances of every run: store and quantity, `tank mass`, to error in parts of what is allowed, (n_runs,).
+        """Return the balances of all runs: `tank mass` to error divided by its limit, (n_runs,).
 
-        Up to 1 a balance is kept, as in `poppet.engine.balances`.
+        A balance is correct up to 1, as in `poppet.engine.balances`.
         """
         e = self.ends
-        found: dict[str, Array] = {}
+        result: dict[str, Array] = {}
         for b in self.batch.problem.kernel.model.balances:
-            start, end = (e.x0.T, e.x.T) if b.quantity == "mass" else (e.before.T, e.after.T)
-            error, gross = missing(b, start, end, e.x.T, e.through.T)
+            start, end = (e.x0.T, e.x.T) if b.quantity == "mass" else (e.initial_energies.T, e.final_energies.T)
+            error, gross = imbalance(b, start, end, e.x.T, e.through.T)
             inventory = np.maximum(start[b.inventory], end[b.inventory])
-            found[f"{b.store} {b.quantity}"] = error / allowed(b.quantity, gross, inventory)
-        return found
+            result[f"{b.store} {b.quantity}"] = error / allowed(b.quantity, gross, inventory)
+        return result
 
 
 class Worker(Protocol):
-    """Runs slices of a batch, in one thread at a time."""
+    """Object that runs slices of a batch in one thread."""
 
-    most: int  # runs in a slice
+    max_runs: int  # of a slice
 
     def run(self, first: int, last: int, table: Array | None) -> None:
-        """Runs from `first` up to `last`; rows into `table`, (last - first, n_outputs, n_times), where wanted."""
+        """Run `first` to `last` - 1 and write rows into a table, (last - first, n_outputs, n_times)."""
 
     def halt(self) -> None:
-        """Ask, from another thread, that it end soon."""
+        """Request the end of the current run, from another thread."""
 
 
-class Scalar:
-    """A worker that runs one after the other with the scalar kernel."""
+class ScalarWorker:
+    """Worker that runs one run after the other with the scalar kernel."""
 
-    most = 16
+    max_runs = 16
 
-    def __init__(self, batch: Batch, ends: Ends) -> None:
+    def __init__(self, batch: Batch, ends: RunEnds) -> None:
         problem, kernel = batch.problem, batch.problem.kernel
         self.batch, self.ends, self._is_halted = batch, ends, False
-        own = replace(problem, p=problem.p.copy(), x0=problem.x0.copy(), coefficients=problem.coefficients.copy())
-        self._call = Call(own)
-        self._start = kernel.caller("start", own.p, own.x0, own.p[len(kernel.model.parameters) :])
+        copy = replace(problem, p=problem.p.copy(), x0=problem.x0.copy(), coefficients=problem.coefficients.copy())
+        self._call = Call(copy)
+        self._start = kernel.caller("start", copy.p, copy.x0, copy.p[len(kernel.model.parameters) :])
 
     def run(self, first: int, last: int, table: Array | None) -> None:
-        """One after the other."""
+        """Run `first` to `last` - 1, one after the other."""
         problem = self._call.problem
         for run in range(first, last):
             if self._is_halted:
                 return
             self.batch.write(run, problem.p, problem.coefficients)
             self._start()
-            self.ends.write(run, problem, self._call.found(self._call.again()))
+            self.ends.write(run, problem, self._call.result(self._call.repeat()))
             if table is not None:
                 table[run - first] = self._call.table
 
     def halt(self) -> None:
-        """Ask, from another thread, that it end soon."""
+        """Request the end of the current run, from another thread."""
         self._is_halted = True
         self._call.halt()
 
@@ -132,90 +134,90 @@ def run_batch(
     Parameters
     ----------
     batch : Batch
-        Problem and numbers.
+        Problem and parameter values.
     reduce : callable, optional
-        From the rows of some runs to what is kept of them; without it no rows are kept.
+        Function from the rows of some runs to their results; without it, rows are discarded.
     threads : int, optional
-        At most so many; default one for each processor that this process may use.
+        Maximum number of threads; default one per processor that is available to this process.
     lanes : int, optional
-        Runs that a thread computes side by side: 1, 2, 4 or 8; default what fills the registers of the processor, or
-        what `POPPET_LANES` says. 1 is the scalar kernel. A circuit without states has no lanes.
+        Number of runs that a thread computes simultaneously: 1, 2, 4 or 8. The default is the environment variable
+        `POPPET_LANES`, or the width of the registers of the processor. 1 selects the scalar kernel, which also runs
+        circuits without states.
     progress : callable, optional
-        Called in this thread, some times a second, with the number of runs that are done.
+        Called in this thread, several times per second, with the number of completed runs.
 
     Returns
     -------
     BatchRun
-        Ends, statistics and residuals of all runs, and what `reduce` gave.
+        Final states, statistics and residuals of all runs, and the results of `reduce`.
 
     Notes
     -----
-    A run on which the kernel stalls is handed over as `poppet.engine.solve` does it, when all others are done. An
-    interruption ends all threads before it goes on; the runs of other outcomes than `INTERRUPTED` are done by then, but
-    nothing is handed back.
+    A run on which the kernel stalls is repeated with other solvers (`poppet.engine.solve`) after all other runs. An
+    interruption ends all threads and is then raised again, without a result.
     """
     if reduce is None:
         batch = replace(batch, problem=replace(batch.problem, grid=batch.problem.grid[-1:].copy()))
-    ends = Ends.of(batch)
+    ends = RunEnds.of(batch)
     width = (lanes or usual_width()) if batch.problem.x0.size else 1
     threads = max(1, min(threads or usable_cores(), batch.size // width))
     pool = _Pool(batch, ends, reduce, _workers(batch, ends, width, threads))
     pool.run(progress)
     stalled = np.flatnonzero(ends.counts[:, 5] == _OUTCOMES.index(Outcome.STALLED)).tolist()
-    notes = {run: pool.hand_over(run) for run in stalled}
-    return BatchRun(batch, ends, pool.kept, notes, width, threads)
+    notes = {run: pool.repeat_stalled(run) for run in stalled}
+    return BatchRun(batch, ends, pool.reduced, notes, width, threads)
 
 
-def _workers(batch: Batch, ends: Ends, width: int, count: int) -> list[Worker]:
+def _workers(batch: Batch, ends: RunEnds, width: int, count: int) -> list[Worker]:
     if width == 1:
-        return [Scalar(batch, ends) for _ in range(count)]
+        return [ScalarWorker(batch, ends) for _ in range(count)]
     functions = lane_functions(batch.problem.kernel, width)
     return [Lanes(batch, ends, functions, width) for _ in range(count)]
 
 
 def usable_cores() -> int:
-    """Processors that this process may use."""
-    # Not on every system.
-    own = getattr(os, "sched_getaffinity", None)
-    return len(own(0)) if own else os.cpu_count() or 1
+    """Return the number of processors that are available to this process."""
+    # Not available on all systems.
+    affinity = getattr(os, "sched_getaffinity", None)
+    return len(affinity(0)) if affinity else os.cpu_count() or 1
 
 
 class _Pool:
-    """Workers on threads, each of which takes the next slice when it has finished one."""
+    """Workers on threads; each takes the next slice after it has completed one."""
 
-    def __init__(self, batch: Batch, ends: Ends, reduce: Reduce | None, workers: Sequence[Worker]) -> None:
+    def __init__(self, batch: Batch, ends: RunEnds, reduce: Reduce | None, workers: Sequence[Worker]) -> None:
         self.batch, self.ends, self.reduce, self.workers = batch, ends, reduce, workers
-        self.kept: Array | None = None
+        self.reduced: Array | None = None
         self.shape = len(batch.problem.kernel.model.outputs), batch.problem.grid.size
-        fitting = ROWS_BYTES // (8 * self.shape[0] * self.shape[1] or 1) if reduce else batch.size
-        self.size = max(1, min(workers[0].most, fitting, -(-batch.size // len(workers))))
-        # One step of the interpreter takes the next number: no two threads get the same.
+        memory_limit = ROWS_BYTES // (8 * self.shape[0] * self.shape[1] or 1) if reduce else batch.size
+        self.size = max(1, min(workers[0].max_runs, memory_limit, -(-batch.size // len(workers))))
+        # `next` of a counter is atomic: each thread gets another slice.
         self._slices, self._is_halted, self._lock = count(), False, Lock()
-        self.done = 0
+        self.n_completed = 0
 
     def run(self, progress: Callable[[int], Any] | None) -> None:
-        """Run all."""
+        """Run all slices."""
         if len(self.workers) == 1 and progress is None and current_thread() is not main_thread():
-            # Nobody interrupts another thread than the main one, so that there is nothing to stand by for.
-            self._work(self.workers[0])
+            # Only the main thread can be interrupted: no second thread is necessary.
+            self._run_slices(self.workers[0])
             return
         with ThreadPoolExecutor(len(self.workers)) as threads:
-            futures = [threads.submit(self._work, worker) for worker in self.workers]
+            futures = [threads.submit(self._run_slices, worker) for worker in self.workers]
             try:
                 while wait(futures, 0.1).not_done:
                     if progress is not None:
-                        progress(self.done)
+                        progress(self.n_completed)
             finally:
-                # After an interruption, for what they write into must outlive them.
+                # Also after an interruption: the threads must end before their arrays are freed.
                 self._is_halted = True
                 for worker in self.workers:
                     worker.halt()
         for future in futures:
             future.result()
         if progress is not None:
-            progress(self.done)
+            progress(self.n_completed)
 
-    def _work(self, worker: Worker) -> None:
+    def _run_slices(self, worker: Worker) -> None:
         table = None if self.reduce is None else np.empty((self.size, *self.shape))
         for number in self._slices:
             first = number * self.size
@@ -224,27 +226,27 @@ class _Pool:
                 return
             worker.run(first, last, table)
             if table is not None and not self._is_halted:
-                self._keep(np.arange(first, last), table[: last - first])
+                self._reduce(np.arange(first, last), table[: last - first])
             with self._lock:
-                self.done += last - first
+                self.n_completed += last - first
 
-    def _keep(self, runs: Integers, table: Array) -> None:
+    def _reduce(self, runs: Integers, table: Array) -> None:
         assert self.reduce is not None
         ends = self.ends
-        rows = Rows(runs, self.batch.problem.grid, table, ends.counts[runs, 2], ends.reached[runs, 0])
-        found = np.asarray(self.reduce(rows))
+        rows = BatchRows(runs, self.batch.problem.grid, table, ends.counts[runs, 2], ends.reached[runs, 0])
+        results = np.asarray(self.reduce(rows))
         with self._lock:
-            if self.kept is None:
-                self.kept = np.empty((self.batch.size, *found.shape[1:]), dtype=found.dtype)
-        self.kept[runs] = found
+            if self.reduced is None:
+                self.reduced = np.empty((self.batch.size, *results.shape[1:]), dtype=results.dtype)
+        self.reduced[runs] = results
 
-    def hand_over(self, run: int) -> tuple[Note, ...]:
-        """Repeat a run that stalled."""
+    def repeat_stalled(self, run: int) -> tuple[Note, ...]:
+        """Repeat a stalled run with other solvers."""
         problem = self.batch.member(run)
-        found = solve(problem)
-        self.ends.write(run, problem, found)
+        raw = solve(problem)
+        self.ends.write(run, problem, raw)
         if self.reduce is not None:
             table = np.full((1, *self.shape), np.nan)
-            table[0, :, : found.time.size] = found.values
-            self._keep(np.array([run]), table)
-        return found.notes
+            table[0, :, : raw.time.size] = raw.values
+            self._reduce(np.array([run]), table)
+        return raw.notes

@@ -1,4 +1,4 @@
-"""Compile printed functions with LLVM and hand out their addresses."""
+"""Compilation of printed functions with LLVM."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ from poppet.engine.printers.llvm import PRELUDE, print_function
 
 
 class CompiledFunctions(NamedTuple):
-    """Machine code: the address of each function by name, and the LLVM engine that owns the code while it lives."""
+    """Machine code: function addresses by name, and the LLVM engine that owns the code."""
 
     addresses: Mapping[str, int]
     owner: Any
 
 
 class LaneFunctions(NamedTuple):
-    """Machine code for lanes: addresses, who owns the code, and the elements that `derived` puts behind p."""
+    """Machine code for lanes: addresses, owner of the code, and number of elements that `derived` appends to p."""
 
     addresses: Mapping[str, int]
     owner: Any
@@ -41,19 +41,19 @@ def _target_machine() -> Any:
 
 
 def compile_functions(functions: Mapping[str, Any], *, more: str = "", fuses: bool = True) -> CompiledFunctions:
-    """Compile traced functions, and `more` text of functions that may call them.
+    """Compile traced functions, and the text `more` of functions that can call them.
 
-    Where it `fuses`, a processor that multiplies and adds at once may do so, with one rounding in place of two.
+    With `fuses`, the processor can use fused multiply-add operations, which round once instead of twice.
     """
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + more
-    text = text if fuses else _rounding_twice(text)
-    # What `more` defines is to be found as well, and its printer is the one who knows what that is.
+    text = text if fuses else _without_fused_operations(text)
+    # Functions of `more` are found by their definitions.
     names = *functions, *re.findall(r"^define void @(\w+)\(", more, re.MULTILINE)
     return load(object_code(text, optimised_object), names)
 
 
-def _rounding_twice(text: str) -> str:
-    """The same text with nothing in it that a processor may fuse."""
+def _without_fused_operations(text: str) -> str:
+    """Return the text without operations that a processor can fuse."""
     declared = re.compile(r"^declare double @llvm\.fmuladd\.f64\(.*\)$", re.MULTILINE)
     text = declared.sub(
         "define internal double @twice_rounded(double %a, double %b, double %c) alwaysinline {\n"
@@ -67,7 +67,7 @@ def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
     """Load object code into this process."""
     import llvmlite.binding as llvm
 
-    # An empty module: MCJIT is used as a linker of object code that is there already.
+    # An empty module: MCJIT only links the object code.
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _target_machine())
     engine.add_object_file(llvm.object_file.ObjectFileRef.from_data(code))
     engine.finalize_object()
@@ -75,15 +75,15 @@ def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
 
 
 def optimised_object(text: str) -> bytes:
-    """Object code of LLVM IR."""
+    """Return the object code of LLVM IR."""
     import llvmlite.binding as llvm
 
     machine = _target_machine()
     module = llvm.parse_assembly(text)
-    # The text names no triple, so that it is the same on all machines; LLVM refuses to mix.
+    # The text has no target triple because it is equal on all machines; LLVM requires one triple.
     module.triple = machine.triple
     options = llvm.create_pipeline_tuning_options(speed_level=2)
-    # Most of what makes the loops of a step fast.
+    # Vectorisation contributes most to the speed of the loops of a step.
     options.loop_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)
@@ -91,7 +91,7 @@ def optimised_object(text: str) -> bytes:
 
 
 class PrebuiltIntegrator(NamedTuple):
-    """An integrator as LLVM IR, and what `tools/make_integrator.py` makes it from."""
+    """Integrator as LLVM IR with its sources, from `tools/make_integrator.py`."""
 
     text: str  # file
     sources: tuple[str, ...]
@@ -99,28 +99,28 @@ class PrebuiltIntegrator(NamedTuple):
     entry: str
 
     def mark(self) -> str:
-        """First line of the text: the source that it was made from."""
+        """Return the first line of the text, which identifies the sources."""
         source = b"".join(Path(__file__).with_name(name).read_bytes().replace(b"\r\n", b"\n") for name in self.sources)
         return f"made from {', '.join(self.sources)}, sha256 {hashlib.sha256(source).hexdigest()}"
 
     def printed(self) -> str:
-        """LLVM IR of the present source, by numba."""
+        """Return LLVM IR of the present sources, from Numba."""
         module, name = self.maker.rsplit(".", 1)
         text: str = getattr(import_module(module), name)()
         return text
 
     def read(self) -> str:
-        """LLVM IR of the integrator."""
+        """Return LLVM IR of the integrator."""
         path = Path(__file__).with_name(self.text)
         if path.exists():
             first, _, text = path.read_text(encoding="utf-8").partition("\n")
             if first == f"; {self.mark()}":
                 return text
-        # Numba takes seconds; only where somebody works on the source.
+        # Numba takes seconds; only after a change of the sources.
         return self.printed()
 
     def compiled(self) -> Any:
-        """The integrator, a function of the address of its row of fields."""
+        """Return the integrator, a function of the address of its `Job`."""
         return as_function(load(object_code(self.read(), optimised_object), [self.entry]))
 
 
@@ -131,21 +131,21 @@ LANES = PrebuiltIntegrator("lanes.ll", ("lanes.py", *_SOURCES), "poppet.engine.l
 
 @lru_cache(maxsize=1)
 def integrator() -> Any:
-    """`poppet.engine.integrator.integrate`, a function of a `Job`'s address."""
+    """Return `poppet.engine.integrator.integrate`, a function of the address of a `Job`."""
     return INTEGRATOR.compiled()
 
 
 @lru_cache(maxsize=1)
 def lane_integrator() -> Any:
-    """`poppet.engine.lanes.integrate_lanes`, a function of a `LaneJob`'s address."""
+    """Return `poppet.engine.lanes.integrate_lanes`, a function of the address of a `LaneJob`."""
     return LANES.compiled()
 
 
 def as_function(compiled: CompiledFunctions) -> Any:
-    """An integrator in this process."""
+    """Return a compiled integrator as a Python function."""
     import ctypes
 
-    # CFUNCTYPE, unlike PYFUNCTYPE, releases the interpreter's lock: `Call` watches the run from another thread.
+    # CFUNCTYPE releases the interpreter lock, unlike PYFUNCTYPE: `Call` runs it in another thread.
     function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(next(iter(compiled.addresses.values())))
-    function.owner = compiled.owner  # the code lives as long as this does
+    function.owner = compiled.owner  # keeps the code
     return function

@@ -1,12 +1,12 @@
-"""Sparse elimination for the integrator's matrix, worked out once per circuit.
+"""Sparse elimination of the matrix of the integrator, planned once per circuit.
 
-The matrix of a Rosenbrock step is ``W = I/(h gamma) - J``. Its pattern never changes, so the elimination order and the
-fill are found once (Markowitz, on the diagonal) and the arithmetic becomes a straight list of multiplications that is
-printed like every other traced function. Two functions result, so that one factorisation serves all six stages.
-Quadratures (states that nothing depends on) are eliminated first and cost no fill.
+The matrix of a Rosenbrock step is ``W = I/(h gamma) - J``. Its pattern is constant, so the elimination order and the
+fill are determined once (Markowitz, on the diagonal). The arithmetic becomes a sequence of multiplications, which is
+printed like other traced functions. Factorisation and solution are separate functions, because all six stages use one
+factorisation. Quadratures (states on which no rate depends) are eliminated first and cause no fill.
 
-There is no pivoting at run time: for small steps W is diagonally dominant, and a step that meets a vanishing pivot
-yields a value that is not finite, is rejected and tried again shorter.
+There is no pivoting at run time. For small steps, W is diagonally dominant. A pivot of zero gives a result that is not
+finite; the step is then rejected and repeated with a smaller length.
 """
 
 from __future__ import annotations
@@ -18,12 +18,12 @@ class Elimination(NamedTuple):
     """Order of the pivots and the pattern of the factors."""
 
     order: tuple[int, ...]
-    rows: dict[int, tuple[int, ...]]  # pivot to the rows below it that hold an entry in its column
-    columns: dict[int, tuple[int, ...]]  # pivot to the columns right of it that hold an entry in its row
+    rows: dict[int, tuple[int, ...]]  # pivot to the rows below it with an entry in its column
+    columns: dict[int, tuple[int, ...]]  # pivot to the columns to its right with an entry in its row
 
 
 def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
-    """Choose the pivot order of least fill and record the pattern it produces."""
+    """Return a pivot order with little fill and the resulting pattern."""
     in_row: list[set[int]] = [set() for _ in range(size)]
     in_column: list[set[int]] = [set() for _ in range(size)]
     for row, column in pattern:
@@ -35,7 +35,7 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
     rows: dict[int, tuple[int, ...]] = {}
     columns: dict[int, tuple[int, ...]] = {}
     while remaining:
-        # The usual estimate of fill; ties go to the state that comes first.
+        # Markowitz's estimate of the fill; the first state has priority.
         pivot = min(remaining, key=lambda k: (len(in_row[k]) * len(in_column[k]), k))
         remaining.discard(pivot)
         below, right = in_column[pivot], in_row[pivot]
@@ -51,18 +51,18 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
 
 
 def solver_functions(sparsity: Any) -> tuple[Any, Any]:
-    """Trace the factorisation and the solution of ``(I*s - J) x = b``."""
+    """Return CasADi functions for the factorisation and the solution of ``(I*s - J) x = b``."""
     import casadi as ca
 
     size = sparsity.size1()
-    places = list(zip(*sparsity.get_triplet(), strict=True))
-    plan = eliminate({(int(r), int(c)) for r, c in places}, size)
-    jacobian, shift = ca.SX.sym("j", len(places)), ca.SX.sym("s")
-    # The shift stands on the whole diagonal, also where J has no entry.
+    nonzeros = list(zip(*sparsity.get_triplet(), strict=True))
+    plan = eliminate({(int(r), int(c)) for r, c in nonzeros}, size)
+    jacobian, shift = ca.SX.sym("j", len(nonzeros)), ca.SX.sym("s")
+    # The shift is on the whole diagonal, including zeros of J.
     entries: dict[tuple[int, int], Any] = {(k, k): shift for k in range(size)}
-    for number, (row, column) in enumerate(places):
-        entries[row, column] = entries.get((row, column), 0) - jacobian[number]
-    # Multipliers below, pivots inverted on the diagonal: a division once per step, none in the six solutions.
+    for k, (row, column) in enumerate(nonzeros):
+        entries[row, column] = entries.get((row, column), 0) - jacobian[k]
+    # Multipliers below the diagonal, inverse pivots on it: one division per step, none in the six solutions.
     for pivot in plan.order:
         inverse = entries[pivot, pivot] = 1 / entries[pivot, pivot]
         for row in plan.rows[pivot]:
@@ -78,7 +78,7 @@ def solver_functions(sparsity: Any) -> tuple[Any, Any]:
 
 
 def _substitute(plan: Elimination, lu: dict[tuple[int, int], Any], values: list[Any]) -> list[Any]:
-    """Forward and backward substitution over symbols."""
+    """Return the solution by forward and backward substitution of symbols."""
     for pivot in plan.order:
         for row in plan.rows[pivot]:
             values[row] = values[row] - lu[row, pivot] * values[pivot]

@@ -1,4 +1,4 @@
-"""Lanes for a kernel: how wide, their machine code, and the worker of a batch that runs them."""
+"""Lanes of a kernel: width, machine code, and the worker of a batch that runs them."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy as np
 from poppet.engine.compiled import CompiledFunctions, LaneFunctions, lane_integrator, load, optimised_object
 from poppet.engine.job import BEFORE, LaneJob, address
 from poppet.engine.kernel import Kernel
-from poppet.engine.members import Batch, Ends, Integers
+from poppet.engine.members import Batch, Integers, RunEnds
 from poppet.engine.object_cache import object_code
-from poppet.engine.printers.instructions import InstructionList, outputs_function, traced_functions
+from poppet.engine.printers.instructions import InstructionList, outputs_function, trace_functions
 from poppet.engine.printers.lane_values import lane_listings
 from poppet.engine.printers.llvm import Kind, print_function
 from poppet.engine.printers.llvm_lanes import (
@@ -31,49 +31,49 @@ from poppet.engine.problem import Array, Problem
 WIDTHS = 1, 2, 4, 8
 _OF_SLICE = [LaneJob._fields.index(name) for name in ("first", "last", "base", "table")]
 _LINE = 8
-"""Doubles of the widest element: arrays begin at multiples of it."""
+"""Alignment of the arrays in doubles: the size of the widest element."""
 
 
 def usual_width() -> int:
-    """Lanes that fill the registers of this processor, or what `POPPET_LANES` says."""
-    named = os.environ.get("POPPET_LANES")
-    return int(named) if named else _widest()
+    """Return the number of lanes: that of `POPPET_LANES`, or the width of the registers of this processor."""
+    variable = os.environ.get("POPPET_LANES")
+    return int(variable) if variable else _register_width()
 
 
 @lru_cache(maxsize=1)
-def _widest() -> int:
+def _register_width() -> int:
     import llvmlite.binding as llvm
 
     features = llvm.get_host_cpu_features()
-    wide = ((8, "avx512f"), (4, "avx2"), (2, "sse2"), (2, "neon"))
-    return next((width for width, feature in wide if features.get(feature, False)), 1)
+    widths = ((8, "avx512f"), (4, "avx2"), (2, "sse2"), (2, "neon"))
+    return next((width for width, feature in widths if features.get(feature, False)), 1)
 
 
 def kernel_of_this_machine() -> str:
-    """What the last digits of a batch depend on beside its numbers: the processor and the width of its lanes."""
+    """Return the processor and the number of lanes, which affect the last digits of a batch."""
     import llvmlite.binding as llvm
 
     return f"{llvm.get_host_cpu_name()}, {usual_width()} lanes"
 
 
 def lane_functions(kernel: Kernel, width: int) -> LaneFunctions:
-    """Machine code of a kernel for lanes; a kernel that observes other outputs shares all but the rows."""
+    """Return the machine code of a kernel for lanes; kernels with other outputs share all functions except rows."""
     if width not in kernel.lanes:
         kind, shared = Kind(width), kernel.shared_lanes
         if width not in shared:
             shared[width] = _step_functions(kernel, kind)
         rows = print_rows(outputs_function(kernel.model), kernel.model.size, kind)
-        own = _compiled(kind, [rows], ("rows", "rows_held"))
-        both = {**shared[width].addresses, **own.addresses}
-        kernel.lanes[width] = shared[width]._replace(addresses=both, owner=(shared[width].owner, own.owner))
+        code = _compile(kind, [rows], ("rows", "rows_held"))
+        addresses = {**shared[width].addresses, **code.addresses}
+        kernel.lanes[width] = shared[width]._replace(addresses=addresses, owner=(shared[width].owner, code.owner))
     return kernel.lanes[width]
 
 
 def _step_functions(kernel: Kernel, kind: Kind) -> LaneFunctions:
-    model, functions = kernel.model, traced_functions(kernel.model)
-    listed, n_derived = lane_listings(functions, model)
-    listed |= {name: InstructionList.of(functions[name]) for name in ("factor", "solve")}
-    text = [print_function(function, name, kind) for name, function in listed.items()]
+    model, functions = kernel.model, trace_functions(kernel.model)
+    listings, n_derived = lane_listings(functions, model)
+    listings |= {name: InstructionList.of(functions[name]) for name in ("factor", "solve")}
+    text = [print_function(function, name, kind) for name, function in listings.items()]
     text.append(print_step(model.size, len(model.states), len(model.inputs), kind))
     text += [
         print_choose(kind),
@@ -82,24 +82,26 @@ def _step_functions(kernel: Kernel, kind: Kind) -> LaneFunctions:
         print_commit(model.size, kind),
     ]
     names = ("jacobian", "jacobian_held", "derived", "step", "dense", "choose", "judge", "settle", "commit")
-    return LaneFunctions(*_compiled(kind, text, names), n_derived)
+    return LaneFunctions(*_compile(kind, text, names), n_derived)
 
 
-def _compiled(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFunctions:
+def _compile(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFunctions:
     import llvmlite.binding as llvm
 
-    for symbol, at in vector_functions(kind.width).values():
-        llvm.add_symbol(symbol, at)
+    for symbol, function_address in vector_functions(kind.width).values():
+        llvm.add_symbol(symbol, function_address)
     return load(object_code("\n".join([lanes_prelude(kind), *text]), optimised_object), names)
 
 
 class Lanes:
-    """A worker that runs several at a time; what it is handed is that of `poppet.engine.batch.Worker`."""
+    """Worker of a batch that runs several runs simultaneously; see `poppet.engine.batch.Worker`."""
 
-    def __init__(self, batch: Batch, ends: Ends, functions: LaneFunctions, width: int, *, leads: bool = False) -> None:
+    def __init__(
+        self, batch: Batch, ends: RunEnds, functions: LaneFunctions, width: int, *, leads: bool = False
+    ) -> None:
         problem, kernel, model = batch.problem, batch.problem.kernel, batch.problem.kernel.model
-        # Lanes wait for nothing but the end of a slice, so a slice is long.
-        self.most, self._shape = 32 * width, (len(model.outputs), problem.grid.size)
+        # Lanes wait only at the end of a slice, so slices are long.
+        self.max_runs, self._shape = 32 * width, (len(model.outputs), problem.grid.size)
         self.ends, conditions = ends, problem.stop_conditions
         coefficients = np.array([problem.coefficients] * width) if batch.held else problem.coefficients
         limits = [problem.maximum_step, problem.most_attempts, leads, problem.relative_tolerance]
@@ -122,16 +124,16 @@ class Lanes:
             "counts": ends.counts,
             "watch": self._watch,
         }
-        own = {name: kernel.job[name] for name in LaneJob._fields if name in kernel.job}
-        own |= {name: kernel.functions.addresses.get(name, 0) for name in ("start", "energy", "outputs", "update")}
-        own |= {name: address(array) for name, array in self._arrays.items()}
-        own |= {**functions.addresses, **self._memory(kernel, width, functions.n_derived)}
+        fields = {name: kernel.job[name] for name in LaneJob._fields if name in kernel.job}
+        fields |= {name: kernel.functions.addresses.get(name, 0) for name in ("start", "energy", "outputs", "update")}
+        fields |= {name: address(array) for name, array in self._arrays.items()}
+        fields |= {**functions.addresses, **self._memory(kernel, width, functions.n_derived)}
         if problem.coefficients[:, :, 1:3].any():
-            # Where inputs move at times, neighbours must not decide which of the two a lane gets: they may round apart.
-            own["jacobian_held"] = own["jacobian"]
+            # If inputs change, all lanes use the same function: the two functions can round differently.
+            fields["jacobian_held"] = fields["jacobian"]
         self._owner = functions.owner, kernel.functions.owner
         job = LaneJob(
-            **own, width=width, n_energies=model.n_energies, n_derived=functions.n_derived,
+            **fields, width=width, n_energies=model.n_energies, n_derived=functions.n_derived,
             n_segments=problem.starts.size, n_courses=len(problem.coefficients), n_rows=problem.grid.size,
             n_conditions=len(conditions), n_varied=batch.places.size, n_held=len(batch.held),
             n_record=ends.record.shape[1], first=0, last=0, busy=0, base=0, table=0,
@@ -139,7 +141,7 @@ class Lanes:
         self._job = np.array(job, dtype=np.int64)
 
     def _memory(self, kernel: Kernel, width: int, n_derived: int) -> dict[str, int]:
-        """Addresses of the arrays of the lanes, which lie one behind the other."""
+        """Return the addresses of the arrays of the lanes, which are contiguous."""
         j = kernel.job
         n, n_c, n_u, n_p = j["n_states"], j["n_controlled"], j["n_inputs"], j["n_numbers"] + j["n_memory"]
         sizes = {
@@ -150,58 +152,57 @@ class Lanes:
         }  # fmt: skip
         one = 6 * n + 2 * n_u + 2 + j["n_outputs"] + j["n_timers"] + j["n_memory"] + 3 * n_c
         self._block = np.zeros(_LINE + width * sum(sizes.values()) + one)
-        at = -(-address(self._block) // (8 * _LINE)) * 8 * _LINE
-        found = {}
+        position = -(-address(self._block) // (8 * _LINE)) * 8 * _LINE
+        addresses = {}
         for name, size in sizes.items():
-            found[name] = at
-            at += 8 * width * size
-        return found | {"one": at}
+            addresses[name] = position
+            position += 8 * width * size
+        return addresses | {"one": position}
 
     def run(self, first: int, last: int, table: Array | None) -> None:
-        """As many at a time as there are lanes."""
+        """Run `first` to `last` - 1, one run per lane."""
         if table is None:
             table = np.empty((last - first, *self._shape))
         self._job[_OF_SLICE] = first, last, first, address(table)
         lane_integrator()(address(self._job))
 
     def halt(self) -> None:
-        """Ask, from another thread, that it end soon."""
+        """Request the end of the current runs, from another thread."""
         self._watch[1] = 1.0
 
 
 class LockstepLanes:
-    """A run, and others that make its steps whatever their errors, side by side: they differ smoothly in the numbers.
+    """Runs with the steps of the first run, without error control: their results are smooth functions of p.
 
-    Write numbers into `values`, the first run's into the first row, then `run`. Rows behind the last one of a run are
-    NaN; all end with the first one. Problems with sampled memory, stop conditions or without states have no such lanes.
+    Write parameters into `values`, those of the first run into the first row, then call `run`. All runs end with the
+    first; missing rows are NaN. Problems with discrete states, stop conditions or no states are not supported.
     """
 
     def __init__(self, problem: Problem, count: int, places: Integers, held: tuple[tuple[int, int], ...]) -> None:
         width = usual_width()
-        # Every group of lanes has a first run of its own, with the digits of all others, and a lane without a run of
-        # its own has the first one once again.
+        # Each group of lanes contains the first run, with equal digits; unused lanes repeat the first run.
         groups = max(1, -(-(count - 1) // (width - 1)))
-        others = np.arange(groups * (width - 1)).reshape(groups, -1) + 1
-        square = np.zeros((groups, width), dtype=np.int64)
-        square[:, 1:] = np.where(others < count, others, 0)
-        self._whose = whose = square.ravel()
-        self._rows = np.array([0, *np.flatnonzero(whose)])
+        followers = np.arange(groups * (width - 1)).reshape(groups, -1) + 1
+        run_of_lane = np.zeros((groups, width), dtype=np.int64)
+        run_of_lane[:, 1:] = np.where(followers < count, followers, 0)
+        self._run_of_lane = run_of_lane.ravel()
+        self._rows = np.array([0, *np.flatnonzero(self._run_of_lane)])
         self.values = np.empty((count, places.size))
-        self._batch = Batch(problem, places, np.empty((whose.size, places.size)), held)
+        self._batch = Batch(problem, places, np.empty((run_of_lane.size, places.size)), held)
         lanes = lane_functions(problem.kernel, width)
-        self._lanes = Lanes(self._batch, Ends.of(self._batch), lanes, width, leads=True)
-        self._table = np.empty((whose.size, len(problem.kernel.model.outputs), problem.grid.size))
+        self._lanes = Lanes(self._batch, RunEnds.of(self._batch), lanes, width, leads=True)
+        self._table = np.empty((run_of_lane.size, len(problem.kernel.model.outputs), problem.grid.size))
         self._width = width
 
     @staticmethod
     def takes(problem: Problem) -> bool:
-        """Whether a problem may be run so, and this machine has lanes enough for it to pay."""
+        """Return True if the problem is supported and this processor has more than two lanes."""
         model = problem.kernel.model
         return bool(model.size and not model.memory and not problem.stop_conditions and usual_width() > 2)
 
     def run(self) -> Array:
-        """Outputs of all at the times of the grid, (n_runs, n_outputs, n_times)."""
-        np.take(self.values, self._whose, axis=0, out=self._batch.values)
-        for first in range(0, self._whose.size, self._width):
+        """Return the outputs of all runs at the times of the grid, (n_runs, n_outputs, n_times)."""
+        np.take(self.values, self._run_of_lane, axis=0, out=self._batch.values)
+        for first in range(0, self._run_of_lane.size, self._width):
             self._lanes.run(first, first + self._width, self._table[first : first + self._width])
         return np.asarray(self._table[self._rows])

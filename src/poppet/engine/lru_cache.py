@@ -1,4 +1,4 @@
-"""What was made lately, kept by a key: a table that does not grow without bound."""
+"""Cache with a maximum number of entries."""
 
 from __future__ import annotations
 
@@ -7,28 +7,28 @@ from collections.abc import Callable, Hashable
 from threading import Lock
 from typing import Generic, TypeVar
 
-Kept = TypeVar("Kept")
+ValueT = TypeVar("ValueT")
 
 
-class LruCache(Generic[Kept]):
-    """At most `most` values; the one that was asked for longest ago goes first."""
+class LruCache(Generic[ValueT]):
+    """Cache that drops the least recently used entry."""
 
-    def __init__(self, most: int) -> None:
-        self.most = most
-        self._values: OrderedDict[Hashable, Kept] = OrderedDict()
+    def __init__(self, max_entries: int) -> None:
+        self.max_entries = max_entries
+        self._values: OrderedDict[Hashable, ValueT] = OrderedDict()
         self._lock = Lock()
 
-    def get(self, key: Hashable, make: Callable[[], Kept]) -> Kept:
-        """The value of a key, made where it is not kept."""
+    def get(self, key: Hashable, make: Callable[[], ValueT]) -> ValueT:
+        """Return the value of a key; `make` computes it if it is not in the cache."""
         with self._lock:
             if key in self._values:
                 self._values.move_to_end(key)
                 return self._values[key]
-        # Without the lock: making takes long, may ask for other keys, and twice the same does no harm.
+        # Without the lock: `make` can take long or use the cache; a second computation is harmless.
         value = make()
         with self._lock:
             self._values[key] = value
-            while len(self._values) > self.most:
+            while len(self._values) > self.max_entries:
                 self._values.popitem(last=False)
         return value
 
@@ -36,6 +36,6 @@ class LruCache(Generic[Kept]):
         return len(self._values)
 
     def clear(self) -> None:
-        """Forget all."""
+        """Remove all entries."""
         with self._lock:
             self._values.clear()

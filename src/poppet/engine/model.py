@@ -1,12 +1,12 @@
-"""The flat model of a circuit: named states, inputs, parameters and outputs over symbolic expressions.
+"""Flat model of a circuit: named states, inputs, parameters and outputs with symbolic expressions.
 
-``x' = f(t, x, u, p)``, ``y = g(t, x, u, p)``, ``x(0) = x0(p)``; argument order (t, x, u, p) everywhere. Behind the
-states that the error control watches stand quadratures, integrals of the flows and heats: the integrator carries them
-along by the same formula, so that the conservation residuals of a run hold to round-off.
+``x' = f(t, x, u, p)``, ``y = g(t, x, u, p)``, ``x(0) = x0(p)``; the order of arguments is always (t, x, u, p). Vector x
+contains the states with error control, then quadratures: integrals of flows and heats. The integrator applies the same
+formula to quadratures, so the balances of a run are exact except for rounding errors.
 
-What is sampled or switched has memory z behind the numbers in p: first timers, each the time of its next instant, then
-what is remembered. Between instants z is constant; when timers have come to their time, ``z+ = h(t, x, u, p)`` of those
-that have.
+Vector p contains the parameters, then the discrete state z of sampled or switched parts: first timers (the time of the
+next instant of each), then stored values. Between instants z is constant. At an instant, the timers that are due change
+it: ``z+ = h(t, x, u, p)``.
 """
 
 from __future__ import annotations
@@ -18,31 +18,31 @@ from typing import Any, NamedTuple
 
 
 class StateInfo(NamedTuple):
-    """A state that the error control watches, by address."""
+    """State with error control."""
 
-    name: str
+    name: str  # address
     unit: str
-    nominal: float  # usual size
+    nominal: float  # typical size
     tolerance: float  # factor on the relative tolerance
     floor: float  # absolute tolerance per relative tolerance and size
-    positive: bool  # a step that makes it zero or less is rejected
+    positive: bool  # steps to zero or below are rejected
 
 
 class InputInfo(NamedTuple):
-    """An input, by address; text in place of a number is the address of a parameter."""
+    """Input; a text in place of a number is the address of a parameter."""
 
-    name: str
+    name: str  # address
     unit: str
     kind: str  # as in `poppet.core.units.quantity`
-    default: str | float  # its value without a signal
+    default: str | float  # value without a signal
     low: str | float
     high: str | float
-    delay: str  # parameter by which its signal comes later; empty for none
-    slope_of: str = ""  # input whose time derivative it is: it has no signal of its own
+    delay: str  # parameter with the delay of its signal, or empty
+    slope_of: str = ""  # address of another input, if this input is its time derivative
 
 
 class FlowInfo(NamedTuple):
-    """A flow between stores, None being outside the circuit, and the places of its integrals in the state vector."""
+    """Flow between gas nodes (None is outside the circuit), with the indices of its integrals in x."""
 
     name: str
     source: str | None
@@ -52,49 +52,49 @@ class FlowInfo(NamedTuple):
 
 
 class StoreInfo(NamedTuple):
-    """A store whose balance is checked: places of its mass and of the integral of its heat in the state vector."""
+    """Gas node with a balance, with the indices of its mass and of the integral of its heat in x."""
 
     name: str
     mass: int
     heat: int
-    has_energy: bool  # linear in the states, so that the balance of energy is checked too
-    work: int | None = None  # place of the integral of the work done on its gas
+    has_energy: bool  # has an energy balance, because its energy is linear in the states
+    work: int | None = None  # index of the integral of the work on its gas
 
 
-class Balance(NamedTuple):
-    """The inventory of a store changes by the sum of some integrals."""
+class InventoryBalance(NamedTuple):
+    """Balance: the change of an inventory equals a sum of integrals."""
 
     store: str
     quantity: str  # mass, energy or motion
-    inventory: int  # place of a mass in the state vector, or of an energy among those of the model
-    integrals: tuple[tuple[float, int], ...]  # sign and place in the state vector
+    inventory: int  # index of a mass in x, or of an energy among the energies of the model
+    integrals: tuple[tuple[float, int], ...]  # sign and index in x
 
 
 @dataclass(frozen=True)
 class Model:
-    """A traced circuit."""
+    """Traced circuit."""
 
     states: tuple[StateInfo, ...]  # controlled states, in the order of x; quadratures follow them
     n_quadratures: int
     inputs: tuple[InputInfo, ...]  # in the order of u
     parameters: tuple[str, ...]  # addresses in the order of p
     outputs: tuple[tuple[str, str], ...]  # address and SI unit, in the order of y
-    # Bookkeeping for the conservation residuals.
+    # For the balances.
     flows: tuple[FlowInfo, ...]
     stores: tuple[StoreInfo, ...]
-    # CasADi symbols `t`, `x`, `u`, `p` (numbers, then memory) and `fired` (1 for each timer that has come)
+    # CasADi symbols `t`, `x`, `u`, `p` (parameters, then z) and `fired` (1 for each timer that is due)
     symbols: dict[str, Any] = field(repr=False)
-    # CasADi expressions `rates` (all of x), `outputs`, `start`, `energy` (of each store with an energy balance,
-    # then of each body), `memory_start` and `update` (all of z)
+    # CasADi expressions `rates` (of x), `outputs`, `start`, `energy` (of each gas node with an energy balance, then of
+    # each body), `memory_start` and `update` (of z)
     expressions: dict[str, Any] = field(repr=False)
     memory: tuple[tuple[str, str], ...] = ()  # address and unit of each element of z
-    n_timers: int = 0  # how many of them, the first, are timers
-    # Name of each body with energy, and the places of the integrals of the powers that act on it.
+    n_timers: int = 0  # number of timers, the first elements of z
+    # Name of each body with energy, and the indices of the integrals of the powers on it.
     bodies: tuple[tuple[str, tuple[int, ...]], ...] = ()
 
     @property
     def size(self) -> int:
-        """Length of x, quadratures included."""
+        """Length of x, including quadratures."""
         return len(self.states) + self.n_quadratures
 
     @property
@@ -104,12 +104,12 @@ class Model:
 
     @cached_property
     def acting(self) -> tuple[bool, ...]:
-        """For each element of z whether the rates depend on it."""
+        """True for each element of z on which the rates depend."""
         if not self.memory:
             return ()
         import casadi as ca
 
-        # Memory that moves no rate, as a held command in its band, need not end a step.
+        # A change of another element, for example of a command within its band, does not end a step.
         z = self.symbols["p"][len(self.parameters) :]
         dependence = ca.jacobian_sparsity(self.expressions["rates"], self.symbols["p"])
         columns = set(dependence.get_col())
@@ -117,22 +117,22 @@ class Model:
 
     @cached_property
     def counting(self) -> tuple[bool, ...]:
-        """For each element of z whether it is a clock or its counter: it follows nothing but itself, numbers, time."""
+        """True for each element of z that is a clock or counter: it depends only on z, parameters and time."""
         if not self.memory:
             return ()
         import casadi as ca
 
         update, first = self.expressions["update"], len(self.parameters)
-        needs: dict[int, set[int]] = {k: set() for k in range(len(self.memory))}
+        dependencies: dict[int, set[int]] = {k: set() for k in range(len(self.memory))}
         for row, column in zip(*ca.jacobian_sparsity(update, self.symbols["p"]).get_triplet(), strict=True):
-            needs[row] |= {column - first} if column >= first else set()
+            dependencies[row] |= {column - first} if column >= first else set()
         driven = {
-            row for each in ("x", "u") for row in ca.jacobian_sparsity(update, self.symbols[each]).get_triplet()[0]
+            row for name in ("x", "u") for row in ca.jacobian_sparsity(update, self.symbols[name]).get_triplet()[0]
         }
-        # What follows something driven is driven itself, however many steps away.
-        while more := {row for row, columns in needs.items() if columns & driven} - driven:
+        # Also elements that depend on driven elements, in any number of steps.
+        while more := {row for row, columns in dependencies.items() if columns & driven} - driven:
             driven |= more
-        return tuple(k not in driven for k in needs)
+        return tuple(k not in driven for k in dependencies)
 
     @cached_property
     def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -140,9 +140,9 @@ class Model:
         return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
 
     @cached_property
-    def balances(self) -> tuple[Balance, ...]:
-        """What must hold over any run: mass of every store, energy where it is linear in the states."""
-        found, energies = [], count()
+    def balances(self) -> tuple[InventoryBalance, ...]:
+        """Balances of all runs: mass of each gas node, and each energy that is linear in the states."""
+        balances, energies = [], count()
         for store in self.stores:
             signs = [
                 (flow, sign)
@@ -151,32 +151,33 @@ class Model:
                 if name == store.name
             ]
             masses = tuple((sign, flow.mass) for flow, sign in signs)
-            found.append(Balance(store.name, "mass", store.mass, masses))
+            balances.append(InventoryBalance(store.name, "mass", store.mass, masses))
             if store.has_energy:
-                given = [*((sign, flow.enthalpy) for flow, sign in signs), (1.0, store.heat)]
-                given += [] if store.work is None else [(1.0, store.work)]
-                found.append(Balance(store.name, "energy", next(energies), tuple(given)))
-        for name, places in self.bodies:
-            found.append(Balance(name, "motion", next(energies), tuple((1.0, place) for place in places)))
-        return tuple(found)
+                integrals = [*((sign, flow.enthalpy) for flow, sign in signs), (1.0, store.heat)]
+                integrals += [] if store.work is None else [(1.0, store.work)]
+                balances.append(InventoryBalance(store.name, "energy", next(energies), tuple(integrals)))
+        for name, powers in self.bodies:
+            integrals = [(1.0, index) for index in powers]
+            balances.append(InventoryBalance(name, "motion", next(energies), tuple(integrals)))
+        return tuple(balances)
 
     @cached_property
     def linear_function(self) -> Any:
-        """A CasADi function (t, x, u, p) -> (f, y, A, B, C, D) over the controlled states, by exact derivatives."""
+        """CasADi function (t, x, u, p) -> (f, y, A, B, C, D) of the states without quadratures."""
         import casadi as ca
 
         s, n = self.symbols, len(self.states)
         rates, outputs = self.expressions["rates"][:n], self.expressions["outputs"]
         x = s["x"]
-        found = [rates, outputs, ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
-        found += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
-        return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [ca.densify(each) for each in found])
+        results = [rates, outputs, ca.jacobian(rates, x)[:, :n], ca.jacobian(rates, s["u"])]
+        results += [ca.jacobian(outputs, x)[:, :n], ca.jacobian(outputs, s["u"])]
+        return ca.Function("linear", [s["t"], x, s["u"], s["p"]], [ca.densify(result) for result in results])
 
     @cached_property
     def sampled_functions(self) -> tuple[Any, Any]:
-        """Two CasADi functions of a model with memory, by exact derivatives, over states and memory (x, z).
+        """CasADi functions of a sampled model with exact derivatives by states and discrete states (x, z).
 
-        The first is (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du), the second, an instant, is
+        Between instants: (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du). At an instant:
         (t, x, u, p, fired) -> (z+, dz+/d(x, z), dz+/du).
         """
         import casadi as ca
@@ -184,16 +185,16 @@ class Model:
         s, n, numbers = self.symbols, len(self.states), len(self.parameters)
         arguments = [s[name] for name in ("t", "x", "u", "p")]
 
-        def slopes(expression: Any) -> list[Any]:
+        def derivatives(expression: Any) -> list[Any]:
             by_x = ca.jacobian(expression, s["x"])[:, :n]
-            both = ca.horzcat(by_x, ca.jacobian(expression, s["p"])[:, numbers:])
-            return [ca.densify(both), ca.densify(ca.jacobian(expression, s["u"]))]
+            by_xz = ca.horzcat(by_x, ca.jacobian(expression, s["p"])[:, numbers:])
+            return [ca.densify(by_xz), ca.densify(ca.jacobian(expression, s["u"]))]
 
         rates, outputs, update = self.expressions["rates"][:n], self.expressions["outputs"], self.expressions["update"]
-        # Together, for rates, outputs and slopes have most of their subexpressions in common.
-        between = ca.cse([ca.densify(rates), ca.densify(outputs), *slopes(rates), *slopes(outputs)])
-        instant = ca.cse([ca.densify(update), *slopes(update)])
+        # Together, because rates, outputs and derivatives share most subexpressions.
+        intersample = ca.cse([ca.densify(rates), ca.densify(outputs), *derivatives(rates), *derivatives(outputs)])
+        instant = ca.cse([ca.densify(update), *derivatives(update)])
         return (
-            ca.Function("between", arguments, between),
+            ca.Function("between", arguments, intersample),
             ca.Function("instant", [*arguments, s["fired"]], instant),
         )

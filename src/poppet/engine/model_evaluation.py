@@ -1,4 +1,4 @@
-"""CasADi functions called on NumPy arrays."""
+"""CasADi functions of NumPy arrays."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
-class Evaluation:
-    """A CasADi function of dense arguments and results, each a matrix, in memory of its own.
+class ArrayFunction:
+    """CasADi function with dense arguments and results in its own memory; not thread-safe.
 
-    A call through CasADi's matrices takes ten times as long as the arithmetic in it. Not for several threads at once.
+    A call with CasADi matrices takes ten times longer than its arithmetic.
     """
 
     def __init__(self, function: Any) -> None:
-        self._given = [np.zeros(function.numel_in(k)) for k in range(function.n_in())]
-        self._found = [np.zeros(function.numel_out(k)) for k in range(function.n_out())]
+        self._arguments = [np.zeros(function.numel_in(k)) for k in range(function.n_in())]
+        self._results = [np.zeros(function.numel_out(k)) for k in range(function.n_out())]
         self._shapes = [function.size_out(k) for k in range(function.n_out())]
-        # The buffer knows addresses only: the arrays above live as long as it does.
+        # The buffer contains only addresses; the arrays above keep the memory.
         self._buffer, self._evaluate = function.buffer()
-        for place, memory, set_one in (
-            *((k, each, self._buffer.set_arg) for k, each in enumerate(self._given)),
-            *((k, each, self._buffer.set_res) for k, each in enumerate(self._found)),
-        ):
-            if memory.size:
-                set_one(place, memory.data)
+        for arrays, set_address in ((self._arguments, self._buffer.set_arg), (self._results, self._buffer.set_res)):
+            for k, array in enumerate(arrays):
+                if array.size:
+                    set_address(k, array.data)
 
-    def __call__(self, *given: float | Array) -> list[Array]:
-        """Results for vectors or numbers."""
-        for memory, value in zip(self._given, given, strict=True):
-            memory[:] = value
+    def __call__(self, *arguments: float | Array) -> list[Array]:
+        """Return the results for vectors or numbers."""
+        for array, value in zip(self._arguments, arguments, strict=True):
+            array[:] = value
         self._evaluate()
-        # Column by column, as CasADi keeps them; copied, for the next call writes over them.
-        return [found.reshape(shape, order="F").copy() for found, shape in zip(self._found, self._shapes, strict=True)]
+        # In column order, as in CasADi; copied, because the next call overwrites them.
+        return [
+            array.reshape(shape, order="F").copy() for array, shape in zip(self._results, self._shapes, strict=True)
+        ]

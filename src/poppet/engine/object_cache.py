@@ -1,13 +1,13 @@
-"""Object code on disk: what was compiled once on this machine is not compiled again.
+"""Cache of object code on disk.
 
-Entries are files named by a hash of everything that decides the code: its source, the version of LLVM, and the
-processor. They are written aside and renamed, so that two processes never read half an entry; one that cannot be read
-is made anew. `POPPET_CACHE_DIR` names the folder; without it the user's cache folder is taken. If the folder cannot be
-written, everything works, only slower.
+The name of an entry is a hash of the source, the LLVM version and the processor. A new entry is written to a temporary
+file, which is then renamed, so other processes never read an incomplete entry. An unreadable entry is compiled again.
+The environment variable `POPPET_CACHE_DIR` sets the folder; the default is the user's cache folder. If the folder is
+not writable, each process compiles its code.
 
-An entry is machine code that will run with the user's rights. What is trusted is the file system alone: folder and
-entry must belong to the user, and nobody else may write them; else they are neither read nor written. The hash in front
-of an entry finds halves, not forgeries.
+An entry is machine code that runs with the rights of the user. Folder and entry must belong to the user, and other
+users must not have write permission; otherwise they are neither read nor written. The hash in an entry detects
+incomplete files, not forgeries.
 """
 
 from __future__ import annotations
@@ -22,32 +22,32 @@ from collections.abc import Callable
 from functools import lru_cache
 from pathlib import Path
 
-MOST_ENTRIES = 400
-"""Entries kept; the oldest go first."""
+MAX_ENTRIES = 400
+"""Maximum number of entries; the oldest are deleted."""
 _MARK = b"poppet1\n"
 
 
 def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
-    """Code from the cache, or freshly compiled and kept."""
+    """Return object code from the cache, or compile and store it."""
     path = cache_folder() / f"{_key(source)}.o"
     with contextlib.suppress(OSError):
         entry = _read(path)
         digest, code = entry[len(_MARK) : len(_MARK) + 32], entry[len(_MARK) + 32 :]
-        # Half an entry that a full disk left behind must not be run.
+        # A full disk can leave an incomplete entry.
         if entry.startswith(_MARK) and hashlib.sha256(code).digest() == digest:
             return code
     code = compile_it(source)
-    # A folder that is full, read-only or open to others costs time at the next start, no more.
+    # Without a usable folder, the next process compiles again.
     with contextlib.suppress(OSError):
-        _keep(path, _MARK + hashlib.sha256(code).digest() + code)
+        _store(path, _MARK + hashlib.sha256(code).digest() + code)
     return code
 
 
 def cache_folder() -> Path:
-    """Where the entries lie."""
-    named = os.environ.get("POPPET_CACHE_DIR")
-    if named:
-        return Path(named)
+    """Return the folder of the entries."""
+    folder = os.environ.get("POPPET_CACHE_DIR")
+    if folder:
+        return Path(folder)
     if sys.platform == "win32":
         return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData" / "Local")) / "poppet" / "cache"
     if sys.platform == "darwin":
@@ -70,20 +70,20 @@ def _key(source: str) -> str:
 
 def _read(path: Path) -> bytes:
     _check(path.parent.stat())
-    # The opened file is looked at, not its name, and no link is followed: between two looks a name may change hands.
+    # The open file is checked, and links are not followed: another process could replace the path after a check.
     handle = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0))
     with os.fdopen(handle, "rb") as file:
         _check(os.fstat(file.fileno()))
         return file.read()
 
 
-def _check(found: os.stat_result) -> None:
-    """Refuse what somebody else owns or may write; Windows keeps the user's folder to the user itself."""
-    if os.name == "posix" and (found.st_uid != os.geteuid() or found.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
-        raise PermissionError("others may write here")
+def _check(status: os.stat_result) -> None:
+    """Raise PermissionError if another user owns or can write a file; Windows protects the user's folder."""
+    if os.name == "posix" and (status.st_uid != os.geteuid() or status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
+        raise PermissionError("other users have write permission")
 
 
-def _keep(path: Path, entry: bytes) -> None:
+def _store(path: Path, entry: bytes) -> None:
     path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
     _check(path.parent.stat())
     # With rights 0600.
@@ -91,16 +91,11 @@ def _keep(path: Path, entry: bytes) -> None:
     try:
         with os.fdopen(handle, "wb") as file:
             file.write(entry)
-        # Renaming is atomic within a folder: others see the old entry, the new one, or none.
+        # Atomic within a folder.
         os.replace(name, path)
     except OSError:
         Path(name).unlink(missing_ok=True)
         raise
-    # Only where something new was written: reading stays free of it.
-    _forget_oldest(path.parent)
-
-
-def _forget_oldest(folder: Path) -> None:
-    entries = sorted(folder.glob("*.o"), key=lambda entry: entry.stat().st_mtime)
-    for entry in entries[:-MOST_ENTRIES]:
-        entry.unlink(missing_ok=True)
+    files = sorted(path.parent.glob("*.o"), key=lambda file: file.stat().st_mtime)
+    for obsolete in files[:-MAX_ENTRIES]:
+        obsolete.unlink(missing_ok=True)

@@ -1,4 +1,4 @@
-"""What a run is handed and what it hands back, in plain arrays; and how a run can end, as codes."""
+"""Problem and result of a run as plain arrays, and the outcomes of a run."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ Array = NDArray[np.float64]
 
 MOST_ATTEMPTS = 20_000_000
 EMPTY = 1e-6
-"""A store that has fallen to this part of what it held at the start counts as emptied."""
+"""Fraction of the initial content below which a gas node is empty."""
 
 
 class Outcome(enum.Enum):
-    """How a run ended; the value is its code, and `ending` says more."""
+    """Outcome of a run; the value is its code, and `ending` returns a note with facts."""
 
-    # In the order of the integrator's status.
+    # In the order of the status values of the integrator.
     DONE = "run.done"
     STOPPED = "run.stopped"
     STALLED = "run.stalled"
@@ -32,63 +32,63 @@ class Outcome(enum.Enum):
 
     @property
     def is_success(self) -> bool:
-        """True when the result is what was asked for."""
+        """True if the run reached its end or a stop condition."""
         return self in (Outcome.DONE, Outcome.STOPPED)
 
 
 class StopCondition(NamedTuple):
-    """A run stops when ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` becomes positive."""
+    """Condition that stops a run if ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` is positive."""
 
-    reason: Note  # why the run ends here, `run.condition_met` or `run.left_domain`; the time is added to its facts
-    places: tuple[int, int]  # -1 for none
+    reason: Note  # `run.condition_met` or `run.left_domain`; `ending` adds the time to its facts
+    places: tuple[int, int]  # indices of outputs, -1 for none
     weights: tuple[float, float, float]
 
     @property
     def is_failure(self) -> bool:
-        """True for a condition that nobody asked for: the run left the domain of a characteristic."""
+        """True if the run left the domain of a characteristic; False for conditions of the user."""
         return self.reason.code == "run.left_domain"
 
 
 @dataclass(frozen=True)
 class Problem:
-    """All that one run needs, in plain arrays, which no solver writes into."""
+    """Problem of one run as plain arrays, which solvers do not change."""
 
     kernel: Kernel
-    p: Array  # (n_parameters + n_memory,) run-time numbers, and behind them the sampled memory at the start
+    p: Array  # (n_parameters + n_memory,) parameters, then the discrete state at the start
     x0: Array  # (n_states,) initial state, quadratures included
     starts: Array  # (n_segments,) breakpoints of the inputs [s]
-    courses: NDArray[np.int64]  # (n_segments,) which set of coefficients holds on each segment
+    courses: NDArray[np.int64]  # (n_segments,) index of the coefficients of each segment
     coefficients: Array  # (n_courses, n_inputs, 7) inputs, as `poppet.timeseries.segments` writes them
-    jumps: NDArray[np.bool_]  # (n_segments,) true where an input is discontinuous
+    jumps: NDArray[np.bool_]  # (n_segments,) True if an input is discontinuous at the start of the segment
     grid: Array  # (n_times,) output times, the last one is the end [s]
     relative_tolerance: float = 1e-6
     stop_conditions: tuple[StopCondition, ...] = ()
     maximum_step: float = np.inf  # longest step [s]
-    most_attempts: int = MOST_ATTEMPTS  # of steps
+    most_attempts: int = MOST_ATTEMPTS  # maximum number of attempted steps
 
 
-def held_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **more: float) -> Problem:
-    """A run from t = 0 on whose inputs u, (n_inputs,), are held; `more` are further fields of a problem."""
+def constant_input_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **more: float) -> Problem:
+    """Return the problem of a run from t = 0 with constant inputs u, (n_inputs,); `more` are fields of `Problem`."""
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
-    return Problem(kernel, p, x0, start, course, held_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
+    return Problem(kernel, p, x0, start, course, constant_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
 
 
-def held_coefficients(u: Array, begin: float = 0.0) -> Array:
-    """Coefficients of one segment from `begin` on, on which inputs are held; without inputs there is room for one."""
-    held = np.zeros((1, max(1, u.size), 7))
-    held[0, : u.size, 0], held[:, :, 6] = u, begin
-    return held
+def constant_coefficients(u: Array, begin: float = 0.0) -> Array:
+    """Return the coefficients of one segment from `begin` with constant inputs; without inputs, one column remains."""
+    coefficients = np.zeros((1, max(1, u.size), 7))
+    coefficients[0, : u.size, 0], coefficients[:, :, 6] = u, begin
+    return coefficients
 
 
 @dataclass(frozen=True)
 class RawRun:
-    """What a solver hands back."""
+    """Result of a solver run, as plain arrays."""
 
     outcome: Outcome
     time: Array  # (n_times,) output times reached [s]
     values: Array  # (n_outputs, n_times) outputs
     x: Array  # (n_states,) state at the end
-    extremes: Array  # (2, n_states) least and greatest value of each state over all steps
+    extremes: Array  # (2, n_states) minimum and maximum of each state over all steps
     through: Array  # (n_states,) sum of |change| of each state over all steps
     accepted: int  # steps
     rejected: int
@@ -107,22 +107,22 @@ class RawRun:
 
 
 def is_failure(problem: Problem, run: RawRun) -> bool:
-    """True when a run is not what was asked for: it ended before its time, or left the domain of a characteristic."""
+    """Return True if a run ended early, except by a stop condition of the user."""
     return not run.outcome.is_success or (run.stop >= 0 and problem.stop_conditions[run.stop].is_failure)
 
 
 def ending(problem: Problem, run: RawRun) -> Note:
-    """How a run ended, and what to try where it failed."""
+    """Return a note on the outcome of a run."""
     if run.outcome is Outcome.STOPPED:
         reason = problem.stop_conditions[run.stop].reason
         return Note(reason.code, reason.address, **reason.facts, time=run.reached)
     if run.outcome.is_success:
         return Note(run.outcome.value)
-    after = {"time": run.reached, "attempts": run.attempts}
+    facts = {"time": run.reached, "attempts": run.attempts}
     states = problem.kernel.model.states
-    low = [(run.x[k], s.name) for k, s in enumerate(states) if s.positive and run.x[k] < EMPTY * problem.x0[k]]
-    if low and run.outcome in (Outcome.STALLED, Outcome.TOO_MANY):
-        # Of several emptied stores the one with least left.
-        amount, name = min(low)
-        return Note(f"run.emptied.{run.outcome.name.lower()}", name, **after, amount=float(amount))
-    return Note(f"run.ended.{run.outcome.name.lower()}", **after)
+    empty = [(run.x[k], s.name) for k, s in enumerate(states) if s.positive and run.x[k] < EMPTY * problem.x0[k]]
+    if empty and run.outcome in (Outcome.STALLED, Outcome.TOO_MANY):
+        # The gas node with the smallest content.
+        amount, name = min(empty)
+        return Note(f"run.emptied.{run.outcome.name.lower()}", name, **facts, amount=float(amount))
+    return Note(f"run.ended.{run.outcome.name.lower()}", **facts)

@@ -1,4 +1,4 @@
-"""Run a problem: with the kernel, and where that stalls with tighter tolerances and other methods."""
+"""Solution of a problem with the kernel and, if it stalls, with tighter tolerances and other solvers."""
 
 from __future__ import annotations
 
@@ -12,11 +12,12 @@ from poppet.engine.call import Call
 from poppet.engine.problem import Outcome, Problem, RawRun
 
 TIGHTER, TIGHTEST = (0.1, 0.01, 1e-3, 1e-4), 1e-13
-"""Factors on the tolerance with which a run that stalled is repeated, and the tightest tolerance: a stall is often a
-step too long for a contact or a check valve that opens and closes. Milliseconds each, where what comes after them may
-take minutes."""
-DEARER, MOST_DEAR = 50, 20_000
-"""Attempts of the kernel for which there is one of Radau, the last resort, and how many at most: a minute of them."""
+"""Factors on the tolerance for repeated runs, and the tightest tolerance.
+
+A run often stalls because a step is too long for a contact or check valve that opens and closes. A repeated run takes
+milliseconds, other solvers can take minutes."""
+RADAU_COST, MAX_RADAU_ATTEMPTS = 50, 20_000
+"""Kernel attempts per attempt of Radau, the last resort, and the maximum of Radau: about a minute."""
 
 
 def solve(
@@ -24,46 +25,46 @@ def solve(
     solver: str = "rosenbrock",
     progress: Callable[[float], Any] | None = None,
     *,
-    hands_over: bool = True,
+    repeats_stalled: bool = True,
 ) -> RawRun:
-    """Run a problem."""
+    """Run a problem; a stalled run is repeated with other tolerances and solvers."""
     if solver == "rosenbrock":
-        run = kernel_run(problem, progress)
-        if run.outcome is Outcome.STALLED and hands_over:
-            return _handed_over(problem, run, progress)
+        run = run_kernel(problem, progress)
+        if run.outcome is Outcome.STALLED and repeats_stalled:
+            return _repeat_stalled(problem, run, progress)
         return run
-    from poppet.engine.reference_solvers.solvers import SOLVERS, solve_otherwise
+    from poppet.engine.reference_solvers.solvers import SOLVERS, solve_with_reference
 
     if solver not in SOLVERS:
         raise InputError(
-            "run.unknown_solver", "run.solver", solver=solver, near=NameSuggestion(solver, ("rosenbrock", *SOLVERS))
+            "fields.not_an_option",
+            "run.solver",
+            value=solver,
+            meaning="solver",
+            near=NameSuggestion(solver, ("rosenbrock", *SOLVERS)),
         )
-    return solve_otherwise(problem, solver, progress)
+    return solve_with_reference(problem, solver, progress)
 
 
-def kernel_run(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
-    """Run a problem with the Rosenbrock kernel, whatever comes of it."""
-    return Call(problem).made(progress)
+def run_kernel(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
+    """Run a problem with the Rosenbrock kernel only."""
+    return Call(problem).run(progress)
 
 
-def _handed_over(problem: Problem, stalled: RawRun, progress: Callable[[float], Any] | None) -> RawRun:
-    """Repeat a run that stalled, with tighter tolerances first and a Newton-based method then, and say so."""
-    from poppet.engine.reference_solvers.solvers import solve_otherwise
+def _repeat_stalled(problem: Problem, stalled: RawRun, progress: Callable[[float], Any] | None) -> RawRun:
+    """Repeat a stalled run with tighter tolerances, then with other solvers, and add a note."""
+    from poppet.engine.reference_solvers.solvers import solve_with_reference
 
-    # From the first numbers each time: where the stalled run has got to may be wrong already.
+    # From the initial state, because the end of the stalled run can be inaccurate.
     for tolerance in dict.fromkeys(max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):
-        run = kernel_run(replace(problem, relative_tolerance=tolerance), progress)
+        run = run_kernel(replace(problem, relative_tolerance=tolerance), progress)
         if run.outcome is Outcome.TOO_MANY:
-            break  # more digits want more attempts still
+            break  # tighter tolerances need more attempts
         if run.outcome is not Outcome.STALLED:
-            return _with_note(run, Note("run.repeated", time=stalled.reached, tolerance=tolerance))
-    most = problem.most_attempts
-    for solver, attempts in (("cvodes", most), ("radau", min(most // DEARER, MOST_DEAR))):
-        run = solve_otherwise(replace(problem, most_attempts=attempts), solver)
+            return replace(run, notes=(*run.notes, Note("run.repeated", time=stalled.reached, tolerance=tolerance)))
+    max_attempts = problem.most_attempts
+    for solver, attempts in (("cvodes", max_attempts), ("radau", min(max_attempts // RADAU_COST, MAX_RADAU_ATTEMPTS))):
+        run = solve_with_reference(replace(problem, most_attempts=attempts), solver)
         if run.outcome.is_success:
-            return _with_note(run, Note("run.handed_over", time=stalled.reached, solver=solver))
-    return _with_note(stalled, Note("run.no_way_on"))
-
-
-def _with_note(run: RawRun, note: Note) -> RawRun:
-    return replace(run, notes=(*run.notes, note))
+            return replace(run, notes=(*run.notes, Note("run.handed_over", time=stalled.reached, solver=solver)))
+    return replace(stalled, notes=(*stalled.notes, Note("run.no_way_on")))

@@ -1,4 +1,7 @@
-"""Many runs of a circuit with uncertain numbers: what they are, where they lie, what they tell."""
+"""Ensembles: runs of a circuit with uncertain parameters."""
+
+import warnings
+from typing import Any
 
 from poppet.ensemble.bands import Bands
 from poppet.ensemble.ensemble_plan import EnsemblePlan
@@ -23,3 +26,15 @@ __all__ = [
     "run_plan",
     "size",
 ]
+
+_OLD_NAMES = {"Plan": EnsemblePlan, "Index": SobolIndex, "Range": TornadoRange, "Case": WorstCase}
+"""Old names, which work until version 1.0."""
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _OLD_NAMES:
+        raise AttributeError(f"module 'poppet.ensemble' has no attribute {name!r}")
+    renamed = _OLD_NAMES[name]
+    message = f"poppet.ensemble.{name} is now called {renamed.__name__}."
+    warnings.warn(message, DeprecationWarning, stacklevel=2)
+    return renamed

@@ -1,4 +1,7 @@
-"""Quantile bands of curves from counts: shards add up in any order, and memory does not grow with the runs."""
+"""Quantile bands of outputs from histograms.
+
+Histograms of shards are added in any order, and their memory does not depend on the number of runs.
+"""
 
 from __future__ import annotations
 
@@ -12,56 +15,56 @@ from numpy.typing import NDArray
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, Integers
 
 TIMES = 201
-"""Rows of a curve at which bands are kept, at most."""
+"""Maximum number of rows of an output with bands."""
 BINS = 128
 _MARGIN = 0.5
-"""By which part of the spread of the first runs the bins reach beyond them, on either side."""
+"""Margin of the bins on either side, relative to the range of the first runs."""
 
 
-def rows_of(grid: Array) -> Integers:
-    """Which rows bands have."""
+def band_rows(grid: Array) -> Integers:
+    """Return the indices of the rows that have bands."""
     return np.unique(np.linspace(0, grid.size - 1, min(TIMES, grid.size)).round().astype(np.int64))
 
 
-def edges(plan: EnsemblePlan, grid: Array, pilot: Array) -> Array:
-    """Lowest and highest edge of the bins, (n_curves, n_times, 2), from some runs, (m, n_curves, n_rows)."""
-    found = np.zeros((len(plan.curves), rows_of(grid).size, 2))
+def band_edges(plan: EnsemblePlan, grid: Array, pilot: Array) -> Array:
+    """Return the limits of the bins, (n_curves, n_times, 2), from the first runs, (m, n_curves, n_rows)."""
+    limits = np.zeros((len(plan.curves), band_rows(grid).size, 2))
     if len(pilot):
-        seen = pilot[:, :, rows_of(grid)]
-        low, high = np.nanmin(seen, axis=0), np.nanmax(seen, axis=0)
-        # Where all runs agree, bins as wide as rounding.
+        samples = pilot[:, :, band_rows(grid)]
+        low, high = np.nanmin(samples, axis=0), np.nanmax(samples, axis=0)
+        # If all runs agree, the width of the bins is that of rounding.
         margin = np.maximum(_MARGIN * (high - low), 1e-9 * np.maximum(np.abs(low), np.abs(high)) + 1e-30)
-        found[..., 0], found[..., 1] = low - margin, high + margin
-    return found
+        limits[..., 0], limits[..., 1] = low - margin, high + margin
+    return limits
 
 
 @dataclass(frozen=True)
 class Bands:
-    """How many runs pass through each bin, and beside them all."""
+    """Histograms of outputs over all runs."""
 
     curves: tuple[str, ...]
     time: Array  # (n_times,) [s]
     edges: Array  # (n_curves, n_times, 2)
-    counts: NDArray[np.int64]  # (n_curves, n_times, BINS + 2), the first and last beyond the bins
+    counts: NDArray[np.int64]  # (n_curves, n_times, BINS + 2); the first and the last count values outside the bins
 
     @staticmethod
     def of(plan: EnsemblePlan, grid: Array, limits: Array, values: Array) -> Bands:
-        """Of some runs, (m, n_curves, n_rows)."""
-        rows = rows_of(grid)
+        """Return the histograms of some runs, (m, n_curves, n_rows)."""
+        rows = band_rows(grid)
         counts = np.zeros((*limits.shape[:2], BINS + 2), dtype=np.int64)
         low, high = limits[..., 0], limits[..., 1]
         with np.errstate(invalid="ignore"):
-            place = np.floor((values[:, :, rows] - low) / (high - low) * BINS)
-        # Rows behind the end of a run that stopped are not numbers and count nowhere.
+            position = np.floor((values[:, :, rows] - low) / (high - low) * BINS)
+        # Rows after the end of a stopped run are NaN and are not counted.
         for curve in range(counts.shape[0]):
             for k in range(rows.size):
-                own = place[:, curve, k]
-                bins = np.clip(own[~np.isnan(own)], -1, BINS).astype(np.int64) + 1
+                bins_of_runs = position[:, curve, k]
+                bins = np.clip(bins_of_runs[~np.isnan(bins_of_runs)], -1, BINS).astype(np.int64) + 1
                 counts[curve, k] = np.bincount(bins, minlength=BINS + 2)
         return Bands(plan.curves, grid[rows], limits, counts)
 
     def columns(self) -> dict[str, Any]:
-        """As columns of a table, one row for each curve and time."""
+        """Return the histograms as columns of a table, one row for each output and time."""
         n = self.time.size
         return {
             "curve": [name for name in self.curves for _ in range(n)],
@@ -73,7 +76,7 @@ class Bands:
 
     @staticmethod
     def read(columns: Mapping[str, Any]) -> Bands:
-        """From such columns."""
+        """Read histograms from the columns of a table."""
         curves = tuple(dict.fromkeys(columns["curve"]))
         n = len(columns["curve"]) // max(len(curves), 1)
         limits = np.stack([np.asarray(columns["low"]), np.asarray(columns["high"])], axis=-1)
@@ -84,15 +87,15 @@ class Bands:
         return Bands(self.curves, self.time, self.edges, self.counts + other.counts)
 
     def quantile(self, curve: str, u: float) -> Array:
-        """A quantile at every time, (n_times,), straight within a bin; infinite where it lies beside the bins."""
-        at = self.curves.index(curve)
-        counts, (low, high) = self.counts[at], self.edges[at].T
+        """Return a quantile at every time, (n_times,), interpolated within a bin; it is infinite outside the bins."""
+        index = self.curves.index(curve)
+        counts, (low, high) = self.counts[index], self.edges[index].T
         total = counts.cumsum(axis=1)
-        wanted = u * total[:, -1:]
-        k = (total >= np.maximum(wanted, 1e-9)).argmax(axis=1)
-        each = np.arange(len(k))
-        before = np.where(k > 0, total[each, np.maximum(k - 1, 0)], 0)
+        target = u * total[:, -1:]
+        k = (total >= np.maximum(target, 1e-9)).argmax(axis=1)
+        rows = np.arange(len(k))
+        previous = np.where(k > 0, total[rows, np.maximum(k - 1, 0)], 0)
         with np.errstate(divide="ignore", invalid="ignore"):
-            part = (wanted[:, 0] - before) / counts[each, k]
-        value = low + (k - 1 + part) * (high - low) / BINS
+            fraction = (target[:, 0] - previous) / counts[rows, k]
+        value = low + (k - 1 + fraction) * (high - low) / BINS
         return np.where(total[:, -1] == 0, np.nan, np.where(k == 0, -np.inf, np.where(k == BINS + 1, np.inf, value)))

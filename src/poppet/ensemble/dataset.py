@@ -1,4 +1,4 @@
-"""An ensemble on disk: Parquet shards that are written aside and renamed, and a manifest that says what they are."""
+"""Ensemble on disk: Parquet shards and a manifest. Files are written atomically."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ from poppet.timeseries.tables.parquet import arrow, table_in
 MANIFEST = "manifest.json"
 FORMAT = 1
 _NOT_OF_RUNS = ("indices",)
-"""What may be changed later without touching the runs that are there."""
+"""Settings that can change while the stored runs stay valid."""
 
 
 def fingerprint(circuit: Circuit) -> str:
-    """Hash of all that a run of a circuit depends on."""
+    """Return a hash of all inputs of a run of a circuit."""
     problem = circuit.problem(circuit.run)
     arrays = (
         problem.p, problem.x0, problem.starts, problem.courses, problem.coefficients, problem.jumps, problem.grid,
@@ -43,12 +43,12 @@ def fingerprint(circuit: Circuit) -> str:
     return content.hexdigest()
 
 
-def described(plan: EnsemblePlan) -> dict[str, Any]:
-    """What decides the runs: of each aspect its facts as plain values, for a manifest and its hash."""
+def describe_plan(plan: EnsemblePlan) -> dict[str, Any]:
+    """Return all settings that determine the runs, as plain values for the manifest and its hash."""
     circuit = plan.circuit
     numbers: dict[str, Any] = {a: {"distribution": d.kind, **d.numbers} for a, d in plan.alone.items()}
-    for address, own in plan.alone.items():
-        numbers[address] |= {k: v for k, v in (("from", own.low), ("to", own.high)) if np.isfinite(v)}
+    for address, distribution in plan.alone.items():
+        numbers[address] |= {k: v for k, v in (("from", distribution.low), ("to", distribution.high)) if np.isfinite(v)}
     if plan.joint_normal is not None:
         numbers["from_fit"] = {"addresses": list(plan.joint), **vars(plan.joint_normal)}
     if plan.table is not None:
@@ -66,14 +66,14 @@ def described(plan: EnsemblePlan) -> dict[str, Any]:
 
 
 def versions() -> dict[str, str]:
-    """Of all that has a part in the bits."""
+    """Return the versions of all software that affects the results."""
     python = ".".join(map(str, sys.version_info[:3]))
     return {"poppet": __version__, "python": python, **_packages(), "kernel": kernel_of_this_machine()}
 
 
 @cache
 def _packages() -> dict[str, str]:
-    # Milliseconds each, in texts that packages have left behind.
+    # Each look-up takes milliseconds.
     from importlib.metadata import version
 
     return {name: version(name) for name in ("numpy", "scipy", "casadi", "llvmlite", "pyarrow")}
@@ -81,41 +81,41 @@ def _packages() -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Dataset:
-    """A folder of shards."""
+    """Folder of shards with its manifest."""
 
     folder: Path
     manifest: Mapping[str, Any]
-    hashes: Mapping[str, str] = field(default_factory=dict)  # by which files were known when all of it was there
+    hashes: Mapping[str, str] = field(default_factory=dict)  # of the files of a complete dataset
 
     @staticmethod
     def opened(folder: Path, plan: EnsemblePlan) -> Dataset:
-        """The dataset of a plan in a folder that is new, empty, or holds a part of it."""
+        """Open the dataset of a plan in a folder that is new, empty or incomplete."""
         arrow()
-        content = {"format": FORMAT, "poppet ensemble": described(plan), "versions": versions()}
-        # As a file gives it back.
+        content = {"format": FORMAT, "poppet ensemble": describe_plan(plan), "versions": versions()}
+        # As it is read from a file.
         content = json.loads(_text(content))
         content["sha256"] = _hash({k: v for k, v in content["poppet ensemble"].items() if k not in _NOT_OF_RUNS})
-        path, there = folder / MANIFEST, None
+        path, stored = folder / MANIFEST, None
         if path.exists():
-            there = _checked(path, content)
+            stored = _read_manifest(path, content)
         elif folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
             raise InputError("ensemble.folder_taken", path=str(folder))
         try:
             folder.mkdir(parents=True, exist_ok=True)
         except OSError as problem:
             raise InputError("files.unwritable", path=str(folder), why=problem.strerror or str(problem)) from problem
-        if there is None:
-            found = Dataset(folder, content)
-        elif there["poppet ensemble"] == content["poppet ensemble"]:
-            return Dataset(folder, content, there.get("files", {}))
+        if stored is None:
+            dataset = Dataset(folder, content)
+        elif stored["poppet ensemble"] == content["poppet ensemble"]:
+            return Dataset(folder, content, stored.get("files", {}))
         else:
-            # Shards of other indices look like those that are wanted: they go before the manifest says these.
+            # Shards of other indices have equal names. Delete them before the manifest changes.
             for path in (folder / "indices").glob("part-*.parquet"):
                 path.unlink()
-            files = there.get("files", {})
-            found = Dataset(folder, content, {k: v for k, v in files.items() if not k.startswith("indices/")})
-        found._write_manifest()
-        return found
+            files = stored.get("files", {})
+            dataset = Dataset(folder, content, {k: v for k, v in files.items() if not k.startswith("indices/")})
+        dataset._write_manifest()
+        return dataset
 
     def _write_manifest(self) -> None:
         text = _text(self.manifest)
@@ -124,19 +124,19 @@ class Dataset:
             write_whole(path, lambda stream: stream.write(text.encode("utf-8")))
 
     def sealed(self) -> Dataset:
-        """With the hashes of all files in its manifest."""
+        """Return the dataset with the hashes of all files in its manifest."""
         files = sorted(path for path in self.folder.glob("*/part-*.parquet"))
         hashes = {path.relative_to(self.folder).as_posix(): _digest(path) for path in files}
-        found = Dataset(self.folder, {**self.manifest, "files": hashes})
-        found._write_manifest()
-        return found
+        dataset = Dataset(self.folder, {**self.manifest, "files": hashes})
+        dataset._write_manifest()
+        return dataset
 
     def missing(self, plan: EnsemblePlan, kind: str) -> list[int]:
-        """Numbers of the shards of a kind that are not there, or not whole."""
+        """Return the numbers of the shards of a kind that are missing or incomplete."""
         design = design_of(plan, kind)
-        beside = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
-        found, count = [], -(-design.size // design.shard)
-        for folder in (kind, beside) if beside else (kind,):
+        curve_folder = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
+        missing, count = [], -(-design.size // design.shard)
+        for folder in (kind, curve_folder) if curve_folder else (kind,):
             strays = {path.name for path in (self.folder / folder).glob("part-*.parquet")} - set(
                 map(_name, range(count))
             )
@@ -144,66 +144,68 @@ class Dataset:
                 raise InputError("ensemble.stray_file", path=str(self.folder / folder / min(strays)))
         for number in range(count):
             rows = min(design.shard, design.size - number * design.shard)
-            if self._rows(kind, number) != rows or (beside and self._rows(beside, number) < 0):
-                found.append(number)
-        return found
+            if self._rows(kind, number) != rows or (curve_folder and self._rows(curve_folder, number) < 0):
+                missing.append(number)
+        return missing
 
     def _rows(self, kind: str, number: int) -> int:
-        """Rows of a shard; none where its file is not there, is not what it was, or cannot be read."""
+        """Return the number of rows of a shard, or -1 if its file is missing, changed or not readable."""
         path = self.folder / kind / _name(number)
-        known = self.hashes.get(f"{kind}/{_name(number)}")
-        if not path.exists() or (known and _digest(path) != known):
+        expected = self.hashes.get(f"{kind}/{_name(number)}")
+        if not path.exists() or (expected and _digest(path) != expected):
             return -1
         with suppress(OSError, arrow().ArrowException):
             return int(arrow().parquet.read_metadata(path).num_rows)
         return -1
 
     def write(self, files: Mapping[str, bytes]) -> None:
-        """Write the files of a shard, the one that says that it is done last."""
+        """Write the files of a shard; the last file marks it as complete."""
         for name, content in files.items():
             path = self.folder / name
             path.parent.mkdir(exist_ok=True)
             write_whole(path, lambda stream, content=content: stream.write(content))  # type: ignore[misc]
 
     def shards(self, kind: str, columns: list[str] | None = None) -> Iterator[dict[str, NDArray[Any]]]:
-        """Columns of one shard after the other, in the order of the runs."""
+        """Yield the columns of each shard in the order of the runs."""
         for path in sorted((self.folder / kind).glob("part-*.parquet")):
             table = table_in(path, columns)
             yield {name: table[name].to_numpy() for name in table.column_names}
 
-    def columns(self, kind: str, columns: list[str] | None = None, most: int | None = None) -> dict[str, NDArray[Any]]:
-        """Columns of all shards, or of the first ones with that many runs."""
+    def columns(
+        self, kind: str, columns: list[str] | None = None, max_rows: int | None = None
+    ) -> dict[str, NDArray[Any]]:
+        """Return the columns of all shards, or of the first `max_rows` runs."""
         parts: list[dict[str, NDArray[Any]]] = []
         count = 0
         for shard in self.shards(kind, columns):
             parts.append(shard)
             count += len(next(iter(shard.values())))
-            if most is not None and count >= most:
+            if max_rows is not None and count >= max_rows:
                 break
-        return {name: np.concatenate([part[name] for part in parts])[:most] for name in (parts[0] if parts else ())}
+        return {name: np.concatenate([part[name] for part in parts])[:max_rows] for name in (parts[0] if parts else ())}
 
 
 def _name(number: int) -> str:
     return f"part-{number:05d}.parquet"
 
 
-def _checked(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
-    """The manifest that is there, refused if it is not one of this dataset."""
+def _read_manifest(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the stored manifest; reject that of another dataset."""
     try:
-        there = json.loads(path.read_text(encoding="utf-8"))
-        known = there["poppet ensemble"]
+        stored = json.loads(path.read_text(encoding="utf-8"))
+        stored_plan = stored["poppet ensemble"]
     except (OSError, ValueError, KeyError, TypeError):
         raise InputError("ensemble.folder_taken", path=str(path.parent)) from None
-    if there.get("sha256") != content["sha256"]:
-        wanted = content["poppet ensemble"]
-        differs = [key for key in wanted if key not in _NOT_OF_RUNS and known.get(key) != wanted[key]]
-        title = known.get("circuit", {}).get("title", "") if isinstance(known, dict) else ""
+    if stored.get("sha256") != content["sha256"]:
+        expected = content["poppet ensemble"]
+        differs = [key for key in expected if key not in _NOT_OF_RUNS and stored_plan.get(key) != expected[key]]
+        title = stored_plan.get("circuit", {}).get("title", "") if isinstance(stored_plan, dict) else ""
         raise InputError("ensemble.other_dataset", path=str(path.parent), differs=differs, title=title)
-    if there.get("versions") != content["versions"]:
-        old, new = there.get("versions", {}), content["versions"]
+    if stored.get("versions") != content["versions"]:
+        old, new = stored.get("versions", {}), content["versions"]
         changed = {name: f"{old.get(name, '-')} -> {new[name]}" for name in new if old.get(name) != new[name]}
         raise InputError("ensemble.other_versions", path=str(path.parent), changed=changed)
-    return dict(there)
+    return dict(stored)
 
 
 def _text(content: Mapping[str, Any]) -> str:

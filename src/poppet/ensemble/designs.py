@@ -1,4 +1,4 @@
-"""Which numbers the runs of an ensemble have: those of the sample, and of what tells the influence of each number."""
+"""Parameters of the runs: sample, tornado and Sobol indices."""
 
 from __future__ import annotations
 
@@ -12,55 +12,55 @@ from poppet.ensemble.sampling import points
 
 KINDS = ("runs", "tornado", "indices")
 LOW, HIGH = 0.05, 0.95
-"""Quantiles of a number between which a tornado moves it."""
+"""Quantiles of a parameter in a tornado chart."""
 
 
 @dataclass(frozen=True)
-class Design:
-    """Runs of a kind."""
+class RunDesign:
+    """Number of runs of a kind, and their parameters."""
 
     size: int
     shard: int
-    values: Callable[[int, int], Array]  # numbers of some of the runs, (m, n)
+    values: Callable[[int, int], Array]  # parameters of the runs from a first to a last one, (m, n)
 
 
-def design_of(plan: EnsemblePlan, kind: str) -> Design:
-    """The runs of a kind: `runs`, `tornado`, `indices`."""
+def design_of(plan: EnsemblePlan, kind: str) -> RunDesign:
+    """Return the runs of a kind: `runs`, `tornado` or `indices`."""
     if kind == "runs":
-        return Design(plan.runs, plan.shard, plan.sample)
+        return RunDesign(plan.runs, plan.shard, plan.sample)
     if kind == "tornado":
         n = len(plan.addresses)
-        return Design(2 * n + 1, 1024, lambda first, last: _tornado(plan)[first:last])
+        return RunDesign(2 * n + 1, 1024, lambda first, last: _tornado(plan)[first:last])
     size = plan.indices * (len(plan.factors) + 2)
-    return Design(size, min(plan.shard, 4096), lambda first, last: _saltelli(plan, first, last))
+    return RunDesign(size, min(plan.shard, 4096), lambda first, last: _saltelli(plan, first, last))
 
 
 def _tornado(plan: EnsemblePlan) -> Array:
-    """All medians, then each number at its low and its high quantile beside the medians of the others."""
+    """Return the medians, then for each parameter a low and a high quantile with the medians of the others."""
     middle = np.array([plan.quantile(address, 0.5) for address in plan.addresses])
-    found = np.tile(middle, (2 * len(middle) + 1, 1))
+    values = np.tile(middle, (2 * len(middle) + 1, 1))
     for k, address in enumerate(plan.addresses):
-        found[1 + 2 * k, k], found[2 + 2 * k, k] = (plan.quantile(address, u) for u in (LOW, HIGH))
-    return found
+        values[1 + 2 * k, k], values[2 + 2 * k, k] = (plan.quantile(address, u) for u in (LOW, HIGH))
+    return values
 
 
 def _saltelli(plan: EnsemblePlan, first: int, last: int) -> Array:
-    """Blocks of A, of B, and for each factor of A with the columns of that factor from B.
+    """Return blocks A and B, and for each factor block A with the columns of that factor from B.
 
     A and B are halves of one Sobol sequence of twice the dimension (Saltelli et al., Comput. Phys. Commun. 181, 2010).
     """
     n, base = len(plan.addresses), plan.indices
     runs = np.arange(first, last)
     block, row = runs // base, runs % base
-    found = np.empty((runs.size, n))
+    values = np.empty((runs.size, n))
     factors = list(plan.factors.values())
-    for each in np.unique(block):
-        own = row[block == each]
-        # A stream of its own: the sample must not repeat itself here.
-        both = points("sobol", plan.seed + 1, base, 2 * n, int(own[0]), int(own[-1]) + 1, ())
-        u = both[:, n:].copy() if each == 1 else both[:, :n].copy()
-        if each >= 2:
-            columns = list(factors[each - 2])
-            u[:, columns] = both[:, n:][:, columns]
-        found[block == each] = plan.values(u)
-    return found
+    for block_index in np.unique(block):
+        rows = row[block == block_index]
+        # Another seed: the points must differ from those of the sample.
+        points_ab = points("sobol", plan.seed + 1, base, 2 * n, int(rows[0]), int(rows[-1]) + 1, ())
+        u = points_ab[:, n:].copy() if block_index == 1 else points_ab[:, :n].copy()
+        if block_index >= 2:
+            columns = list(factors[block_index - 2])
+            u[:, columns] = points_ab[:, n:][:, columns]
+        values[block == block_index] = plan.values(u)
+    return values

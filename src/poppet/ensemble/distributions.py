@@ -1,7 +1,4 @@
-"""Distributions of uncertain numbers, by their quantiles: a point of the unit interval becomes a value.
-
-SciPy has the functions; what stands here is the little that an ensemble needs of each: quantile, and probability below.
-"""
+"""Distributions of uncertain parameters: quantile function and cumulative probability."""
 
 from __future__ import annotations
 
@@ -20,25 +17,25 @@ from poppet.core.units import Kind, quantity
 from poppet.parts.fields import NumberSpec
 
 Array = NDArray[np.float64]
-POSSIBLE = 1e-12
-"""Probability of impossible values that is passed over: of 1e7 draws one is expected to lie there in 1e5 ensembles."""
+MAX_INVALID_PROBABILITY = 1e-12
+"""Maximum probability of invalid values; one of 1e5 ensembles with 1e7 samples contains such a value."""
 DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
-"""What a spread is, of a number that has a reference."""
+"""Kind of a quantity to the kind of its differences."""
 
 
 class Form(NamedTuple):
-    """A distribution without the numbers that it is given."""
+    """Fields and functions of a kind of distribution."""
 
     fields: tuple[str, ...]
-    spreads: tuple[str, ...]  # fields that are differences of such numbers
+    spreads: tuple[str, ...]  # fields that are differences
     factors: tuple[str, ...]  # fields without a unit
-    relative: str  # field of a spread as a part of the middle, empty for none
+    relative: str  # field of a spread relative to the centre; empty if there is none
     quantile: Callable[[Array, Mapping[str, float]], Array]
     below: Callable[[float, Mapping[str, float]], float]  # probability of smaller values
 
     @property
     def names(self) -> tuple[str, ...]:
-        """All fields that a file may give."""
+        """Fields that a file can contain."""
         return tuple(dict.fromkeys((*self.fields, *((self.relative,) if self.relative else ()), "low", "high")))
 
 
@@ -96,14 +93,14 @@ FORMS = {
     "uniform": Form(("low", "high"), (), (), "relative_range", _uniform, _below_uniform),
     "triangular": Form(("low", "mode", "high"), (), (), "", _triangular, _below_triangular),
 }
-"""By the name that a file uses."""
+"""Distributions by the name in a file."""
 MIDDLES = "mean", "median", "mode"
-"""Fields that are the value of the number unless given."""
+"""Fields whose default is the value of the parameter in the circuit."""
 
 
 @dataclass(frozen=True)
 class Distribution:
-    """A distribution with its numbers, in SI and absolute, cut off outside `low` ... `high`."""
+    """Distribution with its parameters, SI and absolute, truncated to `low` ... `high`."""
 
     kind: str
     numbers: Mapping[str, float]
@@ -111,22 +108,22 @@ class Distribution:
     high: float = math.inf
 
     def below(self, x: float) -> float:
-        """Probability of smaller values."""
+        """Return the probability of smaller values."""
         (a, b), form = self._cut, FORMS[self.kind]
         return float(np.clip((form.below(x, self.numbers) - a) / (b - a), 0.0, 1.0))
 
     def quantile(self, u: Array) -> Array:
-        """Values at probabilities 0 < u < 1."""
+        """Return values at probabilities 0 < u < 1."""
         a, b = self._cut
-        # Rounding must not carry a value out of the limits.
+        # Rounding must not move a value outside the limits.
         return np.clip(FORMS[self.kind].quantile(a + u * (b - a), self.numbers), self.low, self.high)
 
     def within(self, low: float, high: float) -> Distribution:
-        """The same, given that the value lies there."""
+        """Return the distribution truncated to a range."""
         return Distribution(self.kind, self.numbers, max(low, self.low), min(high, self.high))
 
     def outside(self, low: float, high: float) -> float:
-        """Probability of values below the one or above the other."""
+        """Return the probability of values outside a range."""
         return self.below(low) + (1.0 - self.below(high))
 
     @property
@@ -135,49 +132,49 @@ class Distribution:
         return below(self.low, self.numbers), below(self.high, self.numbers)
 
 
-def read_distribution(given: Any, spec: NumberSpec, number: Number, place: str, ambient: float) -> Distribution:
-    """Read the distribution of a number that is declared so and has this value."""
+def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, ambient: float) -> Distribution:
+    """Read the distribution of a parameter from its declaration and its value in the circuit."""
     with ErrorCollector() as errors:
-        if not isinstance(given, Mapping):
-            errors.add("fields.no_table", place, value=given)
-        elif given.get("distribution") not in FORMS:
-            kind = given.get("distribution", "")
+        if not isinstance(raw, Mapping):
+            errors.add("fields.no_table", address, value=raw)
+        elif raw.get("distribution") not in FORMS:
+            kind = raw.get("distribution", "")
             errors.add(
-                "ensemble.distribution", f"{place}.distribution", value=kind, near=NameSuggestion(str(kind), FORMS)
+                "ensemble.distribution", f"{address}.distribution", value=kind, near=NameSuggestion(str(kind), FORMS)
             )
-    kind = given["distribution"]
+    kind = raw["distribution"]
     form, relative = FORMS[kind], FORMS[kind].relative
-    one, value = Field(unit="1"), Field(unit=spec.unit, kind=spec.kind)
+    factor, value = Field(unit="1"), Field(unit=spec.unit, kind=spec.kind)
     spread = Field(unit=spec.unit, kind=DIFFERENCE.get(spec.kind, spec.kind))
-    units = {**dict.fromkeys((*form.factors, relative), one), **dict.fromkeys(form.spreads, spread)}
+    units = {**dict.fromkeys((*form.factors, relative), factor), **dict.fromkeys(form.spreads, spread)}
     fields = {"distribution": Field(), **{key: units.get(key, value) for key in form.names}}
     with ErrorCollector() as errors:
-        read = read_fields(errors, given, fields, place, ambient_pressure=ambient)
+        read = read_fields(errors, raw, fields, address, ambient_pressure=ambient)
     middle = number.absolute(ambient)
     if relative in read:
-        # Of a gauge pressure the part that was written, not the atmosphere below it.
-        written = quantity(given["mean"], spec.unit, kind=spec.kind) if "mean" in read else number
-        part = read.pop(relative) * abs(written.value)
-        made = {"sigma": part} if kind == "normal" else {"low": middle - part, "high": middle + part}
-        if made.keys() & read.keys():
-            raise InputError("ensemble.given_twice", place, names=[relative, *(made.keys() & read.keys())])
-        read |= made
+        # A relative field of a gauge pressure refers to the gauge value.
+        written = quantity(raw["mean"], spec.unit, kind=spec.kind) if "mean" in read else number
+        half = read.pop(relative) * abs(written.value)
+        derived = {"sigma": half} if kind == "normal" else {"low": middle - half, "high": middle + half}
+        if derived.keys() & read.keys():
+            raise InputError("ensemble.given_twice", address, names=[relative, *(derived.keys() & read.keys())])
+        read |= derived
     read |= {key: middle for key in MIDDLES if key in form.fields and key not in read}
     missing = [key for key in form.fields if key not in read]
     if missing:
-        raise InputError("ensemble.missing", place, names=missing, count=len(missing), kind=kind)
+        raise InputError("ensemble.missing", address, names=missing, count=len(missing), kind=kind)
     numbers = {key: float(read[key]) for key in form.fields}
-    _check(numbers, read, place)
+    _check(numbers, read, address)
     limits = (read.get("low", -math.inf), read.get("high", math.inf)) if "low" not in form.fields else (-np.inf, np.inf)
     return Distribution(kind, numbers, *limits)
 
 
-def _check(numbers: Mapping[str, float], read: Mapping[str, Any], place: str) -> None:
+def _check(numbers: Mapping[str, float], read: Mapping[str, Any], address: str) -> None:
     for key in ("sigma", "log_sigma"):
         if key in numbers and not numbers[key] > 0.0:
-            raise InputError("ensemble.no_spread", f"{place}.{key}", value=numbers[key])
+            raise InputError("ensemble.no_spread", f"{address}.{key}", value=numbers[key])
     low, high = read.get("low", -math.inf), read.get("high", math.inf)
     middle = [numbers[key] for key in MIDDLES if key in numbers]
-    if not low < high or not all(low <= each <= high for each in middle):
+    if not low < high or not all(low <= value <= high for value in middle):
         facts = {"low": low, "high": high, "middle": middle}
-        raise InputError("ensemble.limits", place, **facts)
+        raise InputError("ensemble.limits", address, **facts)

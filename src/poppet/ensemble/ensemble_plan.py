@@ -1,4 +1,4 @@
-"""The plan of an ensemble: what is uncertain, what is measured of each run, what is required; read from tables."""
+"""Plan of an ensemble: uncertain parameters, metrics and requirements, read from tables."""
 
 from __future__ import annotations
 
@@ -14,12 +14,13 @@ from numpy.typing import NDArray
 
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.options import Ambient, GasChoice
+from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.tables import Field, read_fields
-from poppet.ensemble.distributions import POSSIBLE, Distribution, read_distribution
+from poppet.ensemble.distributions import MAX_INVALID_PROBABILITY, Distribution, read_distribution
 from poppet.ensemble.metrics import Metric, read_metric
 from poppet.ensemble.requirements import Requirement, read_requirement
-from poppet.ensemble.sampling import MOST_SOBOL, WAYS, points
+from poppet.ensemble.sampling import MAX_SOBOL, METHODS, points
 from poppet.identify.free_parameter import number_specs
 from poppet.identify.result import Result, read_result
 from poppet.parts.fields import NumberSpec, declared
@@ -27,24 +28,27 @@ from poppet.parts.fields import NumberSpec, declared
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
-KEPT = ("metrics", "bands", "all")
-"""What is kept of a run: its metrics; with all others together, bands of its curves; the curves themselves."""
+STORED = ("metrics", "bands", "all")
+"""Stored data: metrics of each run; quantile bands of outputs over all runs; complete outputs."""
 LEVELS = 5
-"""Values of each number in a grid."""
-MOST_RUNS = 2**31
+"""Default number of values per parameter in a grid."""
+MAX_RUNS = 2**31
 _SHARDS, _LEAST, _LEAST_SAMPLED, _MOST, _MOST_CURVES = 32, 512, 64, 16_384, 2_048
-"""Shards of an ensemble, and the runs that a shard has at least and at most: a file costs as much as hundreds of
-runs, but those with sampled memory, which take a hundred times as long."""
+"""Shards of an ensemble, and minimum and maximum runs of a shard.
+
+Writing a file takes as long as hundreds of runs. Runs with discrete states take a hundred times longer than others.
+"""
 FIELDS = {
-    "runs": Field(meaning="number of runs; a grid and a file have theirs"),
-    "seed": Field(meaning="the same seed gives the same bits"),
-    "sampling": Field(choices=WAYS, meaning="how numbers are drawn"),
-    "levels": Field(meaning="of a grid: values of each number"),
+    "runs": Field(meaning="number of runs; set by the grid or the file"),
+    "seed": Field(meaning="seed of the random numbers; the same seed gives bit-identical results"),
+    "sampling": Field(choices=METHODS, meaning="sampling method"),
+    "levels": Field(meaning="of a grid: values per parameter"),
     "file": Field(meaning="of sampling = file: a table whose columns are addresses with units"),
-    "keep": Field(choices=KEPT, meaning="what is kept of the runs"),
-    "curves": Field(meaning="addresses of the outputs whose bands or curves are kept"),
-    "indices": Field(meaning="base of the Sobol indices"),
-    "numbers": Field(type="table"),
+    "keep": Field(choices=STORED, meaning="stored data"),
+    "curves": Field(meaning="addresses of the outputs whose bands or curves are stored"),
+    "indices": Field(meaning="base sample size of the Sobol indices"),
+    "parameters": Field(type="table"),
+    "numbers": Field(type="table"),  # old name of `parameters`
     "metrics": Field(type="table"),
 }
 """Fields of the table `ensemble`."""
@@ -52,7 +56,7 @@ FIELDS = {
 
 @dataclass(frozen=True)
 class JointNormal:
-    """The joint normal distribution of an identification."""
+    """Joint normal distribution of the estimates of an identification."""
 
     file: str
     mean: tuple[float, ...]
@@ -62,62 +66,66 @@ class JointNormal:
 
 @dataclass(frozen=True)
 class EnsemblePlan:
-    """All that decides the bits of an ensemble. Columns of numbers: first those by themselves, then joint ones."""
+    """Settings that determine an ensemble.
+
+    The first columns are parameters with distributions of their own, the last ones have a joint distribution.
+    """
 
     circuit: Circuit = field(repr=False)
     runs: int
     seed: int
     sampling: str
     alone: Mapping[str, Distribution]  # by address
-    joint: tuple[str, ...] = ()  # addresses of what `joint_normal` distributes
+    joint: tuple[str, ...] = ()  # addresses of the parameters of `joint_normal`
     joint_normal: JointNormal | None = None
-    table: tuple[tuple[str, ...], Array] | None = None  # addresses and values, (runs, n), where these come from a file
+    table: tuple[tuple[str, ...], Array] | None = None  # addresses and values, (runs, n), of a file
     levels: int = LEVELS
     metrics: tuple[Metric, ...] = ()
     requirements: tuple[Requirement, ...] = ()
     keep: str = "metrics"
-    curves: tuple[str, ...] = ()  # addresses of the outputs of which bands or curves are kept
-    indices: int = 0  # runs of the base sample of Sobol indices, 0 for none
+    curves: tuple[str, ...] = ()  # addresses of the outputs with stored bands or curves
+    indices: int = 0  # base sample size of Sobol indices, 0 for none
+    notes: tuple[Note, ...] = ()  # on the tables
 
     @cached_property
     def addresses(self) -> tuple[str, ...]:
-        """Of the varied numbers, in the order of their columns."""
+        """Addresses of the uncertain parameters in the order of their columns."""
         return self.table[0] if self.table else (*self.alone, *self.joint)
 
     @cached_property
     def factors(self) -> dict[str, tuple[int, ...]]:
-        """What is independent of one another, with its columns: each number by itself, the joint ones together."""
-        found = {address: (k,) for k, address in enumerate(self.alone)}
+        """Independent factors with their columns: each parameter, or all parameters of the joint distribution."""
+        factors = {address: (k,) for k, address in enumerate(self.alone)}
         n = len(self.alone)
-        return found | ({"from_fit": tuple(range(n, n + len(self.joint)))} if self.joint else {})
+        return factors | ({"from_fit": tuple(range(n, n + len(self.joint)))} if self.joint else {})
 
     def values(self, u: Array) -> Array:
-        """Values of the numbers, (m, n), at points of the open unit cube."""
-        found = np.empty_like(u)
+        """Return parameters, (m, n), at points of the open unit cube."""
+        values = np.empty_like(u)
         n = len(self.alone)
-        for k, each in enumerate(self.alone.values()):
-            found[:, k] = each.quantile(u[:, k])
+        for k, distribution in enumerate(self.alone.values()):
+            values[:, k] = distribution.quantile(u[:, k])
         if self.joint_normal is not None:
             from scipy.special import ndtri
 
-            own, z = self.joint_normal, ndtri(u[:, n:])
-            for k, row in enumerate(own.factor):
-                # Summed in one order, whatever the number of rows: a product of matrices may not be.
+            joint_normal, z = self.joint_normal, ndtri(u[:, n:])
+            for k, row in enumerate(joint_normal.factor):
+                # The order of summation must not depend on the number of rows, as in a matrix product.
                 total = np.zeros(len(u))
                 for j in range(k + 1):
                     total += row[j] * z[:, j]
-                found[:, n + k] = own.mean[k] + own.sigma[k] * total
-        return found
+                values[:, n + k] = joint_normal.mean[k] + joint_normal.sigma[k] * total
+        return values
 
     def sample(self, first: int, last: int) -> Array:
-        """Values of some of the runs."""
+        """Return the parameters of some of the runs."""
         if self.table is not None:
             return self.table[1][first:last]
         n = len(self.addresses)
         return self.values(points(self.sampling, self.seed, self.runs, n, first, last, (self.levels,) * n))
 
     def quantile(self, address: str, u: float) -> float:
-        """Quantile of one number by itself, in its sample where that is a table."""
+        """Return the marginal quantile of a parameter; for a table, that of its values."""
         if self.table is not None:
             return float(np.quantile(self.table[1][:, self.table[0].index(address)], u))
         if address in self.alone:
@@ -128,37 +136,37 @@ class EnsemblePlan:
 
     @cached_property
     def shard(self) -> int:
-        """Runs of a shard: a power of two, from the number of runs and the kind of circuit alone."""
-        most = _MOST if self.keep == "metrics" else _MOST_CURVES
-        least = _LEAST_SAMPLED if self.circuit.model.memory else _LEAST
-        return int(min(most, max(least, 2 ** round(math.log2(max(self.runs / _SHARDS, 1.0))))))
+        """Runs of a shard: a power of two that depends on the number of runs and the circuit only."""
+        max_runs = _MOST if self.keep == "metrics" else _MOST_CURVES
+        min_runs = _LEAST_SAMPLED if self.circuit.model.memory else _LEAST
+        return int(min(max_runs, max(min_runs, 2 ** round(math.log2(max(self.runs / _SHARDS, 1.0))))))
 
     @cached_property
     def outputs(self) -> tuple[str, ...]:
-        """Addresses of the outputs that are looked at."""
-        own = [address for metric in self.metrics for address in metric.outputs]
-        return tuple(dict.fromkeys([*own, *self.curves]))
+        """Addresses of the evaluated outputs."""
+        addresses = [address for metric in self.metrics for address in metric.outputs]
+        return tuple(dict.fromkeys([*addresses, *self.curves]))
 
 
 def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) -> EnsemblePlan:
-    """Read the tables of an ensemble; all mistakes at once."""
+    """Read the tables of an ensemble and report all errors together."""
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure
     with ErrorCollector() as errors:
         read = read_fields(errors, ensemble, FIELDS, "ensemble")
-        counts = {key: _whole(errors, read, key, *limits) for key, limits in COUNTS.items() if key in read}
+        counts = {key: _read_count(errors, read, key, *limits) for key, limits in COUNTS.items() if key in read}
         grid = np.zeros(0)
         with errors.collecting():
             grid = circuit.run.grid()
-        numbers = _Numbers(errors, circuit, read, folder)
+        numbers = _ParameterReader(errors, circuit, read, folder)
         metrics: dict[str, Metric] = {}
-        for name, given in read.get("metrics", {}).items():
+        for name, raw in read.get("metrics", {}).items():
             with errors.collecting():
-                place = f"ensemble.metrics.{name}"
-                own = _identifier(name, place, TAKEN)
-                found = read_metric(own, given, outputs, ambient, place, str(folder))
-                metrics[name] = _check_rows(found, grid, place) if grid.size else found
-        wanted = _requirements(errors, requirements, read.get("metrics", {}), metrics, ambient)
+                address = f"ensemble.metrics.{name}"
+                identifier = _identifier(name, address, RESERVED)
+                metric = read_metric(identifier, raw, outputs, ambient, address, str(folder))
+                metrics[name] = _check_rows(metric, grid, address) if grid.size else metric
+        required = _requirements(errors, requirements, read.get("metrics", {}), metrics, ambient)
         keep, curves = read.get("keep", "metrics"), read.get("curves", ())
         curves = (curves,) if isinstance(curves, str) else tuple(map(str, curves))
         for address in curves:
@@ -168,18 +176,19 @@ def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) 
             curves = tuple(dict.fromkeys(metric.of[0] for metric in metrics.values()))
         if not metrics and not curves:
             errors.add("ensemble.no_metric", "ensemble.metrics")
+    notes = (Note("ensemble.old_numbers", "ensemble.numbers"),) if "numbers" in read else ()
     plan = EnsemblePlan(
         circuit, counts.get("runs", 0), counts.get("seed", 0), numbers.sampling, numbers.alone, numbers.joint,
-        numbers.normal, numbers.table, counts.get("levels", LEVELS), tuple(metrics.values()), tuple(wanted), keep,
-        curves if keep != "metrics" else (), counts.get("indices", 0),
+        numbers.normal, numbers.table, counts.get("levels", LEVELS), tuple(metrics.values()), tuple(required), keep,
+        curves if keep != "metrics" else (), counts.get("indices", 0), notes,
     )  # fmt: skip
-    return _counted(plan, counts)
+    return _with_run_count(plan, counts)
 
 
-COUNTS = {"runs": (1, MOST_RUNS), "seed": (0, 2**63), "levels": (1, 1_000_000), "indices": (0, 2**20)}
+COUNTS = {"runs": (1, MAX_RUNS), "seed": (0, 2**63), "levels": (1, 1_000_000), "indices": (0, 2**20)}
 
 
-def _whole(errors: ErrorCollector, read: Mapping[str, Any], key: str, low: int, high: int) -> int:
+def _read_count(errors: ErrorCollector, read: Mapping[str, Any], key: str, low: int, high: int) -> int:
     value = read[key]
     if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
         errors.extend([OutOfRangeError("ensemble.count", f"ensemble.{key}", value=value, low=low, high=high)])
@@ -189,53 +198,53 @@ def _whole(errors: ErrorCollector, read: Mapping[str, Any], key: str, low: int, 
     return value
 
 
-TAKEN = ("run", "done", "outcome", "notes", "balance")
-"""Columns that every dataset has beside its metrics."""
+RESERVED = ("run", "done", "outcome", "notes", "balance")
+"""Columns of every dataset in addition to its metrics."""
 ALL = "all"
-"""What all requirements together are called."""
+"""Name of all requirements together."""
 
 
-def _identifier(name: str, place: str, taken: tuple[str, ...]) -> str:
-    # Requirements name files, which must not lie elsewhere.
+def _identifier(name: str, address: str, reserved: tuple[str, ...]) -> str:
+    # A name becomes a file name, so it must not contain a path.
     if not name.isidentifier():
-        raise InputError("ensemble.name", place, name=name)
-    if name in taken:
-        raise InputError("ensemble.name_taken", place, name=name)
+        raise InputError("ensemble.name", address, name=name)
+    if name in reserved:
+        raise InputError("ensemble.name_taken", address, name=name)
     return name
 
 
-def _check_rows(metric: Metric, grid: Array, place: str) -> Metric:
-    """Refuse a time of which no row would be looked at, or that the run does not reach."""
+def _check_rows(metric: Metric, grid: Array, address: str) -> Metric:
+    """Reject a window without rows or beyond the end of the run."""
     facts: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
     if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):
-        raise InputError("ensemble.beyond", place, **facts)
+        raise InputError("ensemble.beyond", address, **facts)
     if not ((grid >= metric.begin) & (grid <= metric.end)).any():
-        raise InputError("ensemble.no_rows", place, **facts)
+        raise InputError("ensemble.no_rows", address, **facts)
     return metric
 
 
 def _requirements(
-    errors: ErrorCollector, given: Any, named: Mapping[str, Any], metrics: Mapping[str, Metric], ambient: float
+    errors: ErrorCollector, raw: Any, metric_names: Mapping[str, Any], metrics: Mapping[str, Metric], ambient: float
 ) -> list[Requirement]:
-    found = []
-    if not isinstance(given, Mapping):
-        errors.add("fields.no_table", "requirements", value=given)
+    required = []
+    if not isinstance(raw, Mapping):
+        errors.add("fields.no_table", "requirements", value=raw)
         return []
-    for name, text in given.items():
+    for name, text in raw.items():
         with errors.collecting():
-            place = f"requirements.{name}"
+            address = f"requirements.{name}"
             try:
-                found.append(read_requirement(_identifier(name, place, (ALL,)), text, metrics, ambient, place))
+                required.append(read_requirement(_identifier(name, address, (ALL,)), text, metrics, ambient, address))
             except InputError as error:
-                # A metric with a mistake of its own is no second one.
-                if error.code != "ensemble.unknown_metric" or error.facts["name"] not in named:
-                    error.facts["near"] = NameSuggestion(error.facts.get("name", ""), named)
+                # An invalid metric is one error, not two.
+                if error.code != "ensemble.unknown_metric" or error.facts["name"] not in metric_names:
+                    error.facts["near"] = NameSuggestion(error.facts.get("name", ""), metric_names)
                     raise
-    return found
+    return required
 
 
-def _counted(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePlan:
-    """The plan with the number of runs that its sampling has."""
+def _with_run_count(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePlan:
+    """Return the plan with the number of runs of its sampling method."""
     n, runs = len(plan.addresses), counts.get("runs")
     if plan.sampling == "grid":
         fixed = plan.levels**n
@@ -248,29 +257,30 @@ def _counted(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePlan:
         fixed = runs
     if runs is not None and runs != fixed:
         raise InputError("ensemble.runs_follow", "ensemble.runs", runs=runs, fixed=fixed, sampling=plan.sampling)
-    if fixed > (2**30 if plan.sampling == "sobol" else MOST_RUNS):
-        raise OutOfRangeError("ensemble.count", "ensemble.runs", value=fixed, low=1, high=MOST_RUNS)
-    if plan.sampling == "sobol" and n > MOST_SOBOL:
-        raise OutOfRangeError("ensemble.dimensions", "ensemble.sampling", dimensions=n, most=MOST_SOBOL)
+    if fixed > (2**30 if plan.sampling == "sobol" else MAX_RUNS):
+        raise OutOfRangeError("ensemble.count", "ensemble.runs", value=fixed, low=1, high=MAX_RUNS)
+    if plan.sampling == "sobol" and n > MAX_SOBOL:
+        raise OutOfRangeError("ensemble.dimensions", "ensemble.sampling", dimensions=n, most=MAX_SOBOL)
     if plan.indices and plan.table is not None:
         raise InputError("ensemble.indices_of_file", "ensemble.indices")
     return EnsemblePlan(**{**vars_of(plan), "runs": fixed})
 
 
 def vars_of(plan: EnsemblePlan) -> dict[str, Any]:
-    """Fields of a plan, without what it has worked out."""
+    """Return the fields of a plan without cached properties."""
     return {name: getattr(plan, name) for name in plan.__dataclass_fields__}
 
 
-# --- Numbers ---
-
-
-class _Numbers:
-    """What is uncertain, as the tables say it."""
+class _ParameterReader:
+    """Distributions of the uncertain parameters, read from the tables."""
 
     def __init__(self, errors: ErrorCollector, circuit: Circuit, read: Mapping[str, Any], folder: Path) -> None:
         self.circuit, self.folder, self.ambient = circuit, folder, circuit.surroundings.pressure
-        # A way that is misspelt is a mistake already.
+        key = "numbers" if "numbers" in read and "parameters" not in read else "parameters"
+        self.address = f"ensemble.{key}"
+        if {"numbers", "parameters"} <= read.keys():
+            errors.add("ensemble.numbers_and_parameters", "ensemble.numbers")
+        # An invalid method is reported elsewhere.
         self.sampling = read.get("sampling", "random")
         self.specs = varied_specs(circuit)
         self.given = circuit.numbers()
@@ -278,65 +288,65 @@ class _Numbers:
         self.joint: tuple[str, ...] = ()
         self.normal: JointNormal | None = None
         self.table: tuple[tuple[str, ...], Array] | None = None
-        numbers = dict(read.get("numbers", {}))
+        parameters = dict(read.get(key, {}))
         if self.sampling == "file":
             with errors.collecting():
-                self._of_file(errors, read, numbers)
+                self._of_file(errors, read, parameters)
             return
         if "file" in read:
             errors.add("ensemble.not_of_file", "ensemble.file", sampling=self.sampling)
-        fit = numbers.pop("from_fit", None)
-        if not numbers and fit is None:
-            errors.add("ensemble.no_numbers", "ensemble.numbers")
-        for address, given in numbers.items():
+        fit = parameters.pop("from_fit", None)
+        if not parameters and fit is None:
+            errors.add("ensemble.no_numbers", self.address)
+        for address, raw in parameters.items():
             with errors.collecting():
-                self.alone[address] = self._one(address, given)
+                self.alone[address] = self._one(address, raw)
         if fit is not None:
             with errors.collecting():
-                self._of_fit(errors, fit, numbers)
+                self._of_fit(errors, fit, parameters)
 
-    def _spec(self, address: str, place: str) -> NumberSpec:
+    def _spec(self, address: str, location: str) -> NumberSpec:
         if address not in self.specs:
-            raise InputError("ensemble.number", place, near=NameSuggestion(address, self.specs))
+            raise InputError("ensemble.number", location, near=NameSuggestion(address, self.specs))
         if address in self.circuit.signals or address in self.circuit.connections:
-            raise InputError("ensemble.driven", place)
+            raise InputError("ensemble.driven", location)
         return self.specs[address]
 
-    def _one(self, address: str, given: Any) -> Distribution:
-        place = f"ensemble.numbers.{address}"
-        spec = self._spec(address, place)
-        found = read_distribution(given, spec, self.given[address], place, self.ambient)
-        return possible(found, spec, place)
+    def _one(self, address: str, raw: Any) -> Distribution:
+        location = f"{self.address}.{address}"
+        spec = self._spec(address, location)
+        distribution = read_distribution(raw, spec, self.given[address], location, self.ambient)
+        return restrict_to_valid(distribution, spec, location)
 
-    def _of_fit(self, errors: ErrorCollector, given: Any, alone: Mapping[str, Any]) -> None:
-        place = "ensemble.numbers.from_fit"
-        if not isinstance(given, str | Result):
-            raise InputError("ensemble.no_fit", place, value=given)
-        result = read_result(self.folder / given) if isinstance(given, str) else given
-        # What is given a distribution of its own keeps that.
-        names = [name for name in result.values() if name not in alone]
+    def _of_fit(self, errors: ErrorCollector, raw: Any, listed: Mapping[str, Any]) -> None:
+        location = f"{self.address}.from_fit"
+        if not isinstance(raw, str | Result):
+            raise InputError("ensemble.no_fit", location, value=raw)
+        result = read_result(self.folder / raw) if isinstance(raw, str) else raw
+        # A listed parameter has its own distribution.
+        names = [name for name in result.values() if name not in listed]
         if not names:
-            raise InputError("ensemble.empty_fit", place, fit=str(given))
+            raise InputError("ensemble.empty_fit", location, fit=str(raw))
         for name in names:
             estimate = result.parameters[name]
             with errors.collecting():
-                spec = self._spec(name, place)
+                spec = self._spec(name, location)
                 sigma = estimate.standard_error
                 if not math.isfinite(sigma) or not sigma > 0.0:
-                    raise InputError("ensemble.undetermined", place, name=name, verdict=estimate.verdict)
-                possible(_normal(estimate.value, sigma), spec, place, name)
+                    raise InputError("ensemble.undetermined", location, name=name, verdict=estimate.verdict)
+                restrict_to_valid(_normal(estimate.value, sigma), spec, location, name)
         sigmas = tuple(result.parameters[name].standard_error for name in names)
         rows = [[1.0 if a == b else _correlation(result, a, b) for b in names] for a in names]
         means = tuple(result.parameters[name].value for name in names)
-        title = given if isinstance(given, str) else given.title
+        title = raw if isinstance(raw, str) else raw.title
         self.joint = tuple(names)
         self.normal = JointNormal(title, means, sigmas, _factor(np.array(rows)))
 
-    def _of_file(self, errors: ErrorCollector, read: Mapping[str, Any], numbers: Mapping[str, Any]) -> None:
+    def _of_file(self, errors: ErrorCollector, read: Mapping[str, Any], listed: Mapping[str, Any]) -> None:
         if not isinstance(read.get("file"), str):
             raise InputError("ensemble.no_file", "ensemble.file")
-        if numbers:
-            errors.add("ensemble.file_and_numbers", "ensemble.numbers")
+        if listed:
+            errors.add("ensemble.file_and_numbers", self.address)
         from poppet.timeseries.tables.reading import read_table
 
         table = read_table(self.folder / read["file"])
@@ -354,22 +364,22 @@ class _Numbers:
 
 
 def varied_specs(circuit: Circuit) -> dict[str, NumberSpec]:
-    """Declaration of every number that may be uncertain."""
-    found = number_specs(circuit)
+    """Return the declaration of every parameter that can be uncertain."""
+    specs = number_specs(circuit)
     for owner, kind in (("ambient", Ambient), ("gas", GasChoice)):
-        found |= {f"{owner}.{name}": spec for name, _, spec in declared(kind, NumberSpec)}
-    own = circuit.numbers()
-    return {address: spec for address, spec in found.items() if address in own}
+        specs |= {f"{owner}.{name}": spec for name, _, spec in declared(kind, NumberSpec)}
+    numbers = circuit.numbers()
+    return {address: spec for address, spec in specs.items() if address in numbers}
 
 
-def possible(found: Distribution, spec: NumberSpec, place: str, name: str = "") -> Distribution:
-    """A distribution given that its value is possible; refused where it often is not."""
+def restrict_to_valid(distribution: Distribution, spec: NumberSpec, location: str, name: str = "") -> Distribution:
+    """Truncate a distribution to valid values; reject it if invalid values are too likely."""
     low, high = spec.ends[0], min(spec.ends[1], spec.below)
-    share = found.outside(low, high)
-    if share > POSSIBLE:
-        facts: dict[str, Any] = {"probability": share, "limits": (low, high), "unit": spec.unit, "meaning": spec.doc}
-        raise OutOfRangeError("ensemble.impossible", place, **facts, name=name)
-    return found.within(low, high)
+    share = distribution.outside(low, high)
+    if share > MAX_INVALID_PROBABILITY:
+        facts: dict[str, Any] = {"probability": share, "limits": (low, high), "unit": spec.unit, "name": name}
+        raise OutOfRangeError("ensemble.impossible", location, **facts, meaning=spec.meaning)
+    return distribution.within(low, high)
 
 
 def _normal(mean: float, sigma: float) -> Distribution:
@@ -382,28 +392,32 @@ def _correlation(result: Result, a: str, b: str) -> float:
 
 
 def _factor(correlation: Array) -> tuple[tuple[float, ...], ...]:
-    """Lower triangle of the Cholesky factor; where rounding has made it indefinite, of its nearest."""
+    """Return the Cholesky factor of a correlation matrix, or of the nearest positive definite matrix."""
     try:
         factor = np.linalg.cholesky(correlation)
     except np.linalg.LinAlgError:
         values, vectors = np.linalg.eigh(correlation)
-        near = (vectors * np.maximum(values, 1e-12)) @ vectors.T
-        size = np.sqrt(np.diag(near))
-        factor = np.linalg.cholesky(near / size / size[:, np.newaxis])
+        nearest = (vectors * np.maximum(values, 1e-12)) @ vectors.T
+        size = np.sqrt(np.diag(nearest))
+        factor = np.linalg.cholesky(nearest / size / size[:, np.newaxis])
     return tuple(tuple(map(float, row)) for row in factor)
 
 
 def _in_si(column: Array, unit: str, spec: NumberSpec, name: str, ambient: float) -> Array:
-    """A column of a table of numbers; all of its values must be possible."""
+    """Return a column of parameters in SI units; reject invalid values."""
     from poppet.core.units import convert, quantity
 
-    place = f"ensemble.file: {name}"
+    location = f"ensemble.file: {name}"
     if unit:
-        # Read once as a quantity, which knows references; the column is converted as a whole.
-        quantity(f"1 {unit}", spec.unit, kind=spec.kind, name=place)
+        # Check unit and reference once; convert the whole column.
+        quantity(f"1 {unit}", spec.unit, kind=spec.kind, name=location)
         column = np.asarray(convert(column, unit, spec.unit, ambient_pressure=ambient))
-    bad = np.flatnonzero([not spec.holds(float(value)) for value in column])
-    if bad.size:
-        facts: dict[str, Any] = {"row": int(bad[0]) + 1, "value": float(column[bad[0]]), "count": int(bad.size)}
-        raise OutOfRangeError("ensemble.impossible_rows", place, **facts, unit=spec.unit, meaning=spec.doc)
+    invalid_rows = np.flatnonzero([not spec.holds(float(value)) for value in column])
+    if invalid_rows.size:
+        facts: dict[str, Any] = {
+            "row": int(invalid_rows[0]) + 1,
+            "value": float(column[invalid_rows[0]]),
+            "count": int(invalid_rows.size),
+        }
+        raise OutOfRangeError("ensemble.impossible_rows", location, **facts, unit=spec.unit, meaning=spec.meaning)
     return np.asarray(column, dtype=np.float64)

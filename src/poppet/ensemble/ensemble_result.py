@@ -1,9 +1,10 @@
-"""An ensemble: its plan, its dataset, and what they tell."""
+"""Ensemble: plan, dataset and statistics."""
 
 from __future__ import annotations
 
 import shutil
 import tempfile
+import warnings
 import weakref
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -26,22 +27,22 @@ from poppet.ensemble.worst_cases import WorstCase, save_case, worst_of
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
 
-MOST_EXACT = 2**20
-"""Runs, from the first on, of which quantiles are taken: memory must not grow with the runs."""
+MAX_EXACT_RUNS = 2**20
+"""Maximum number of runs for quantiles, which limits the memory."""
 
 
 @dataclass(frozen=True, eq=False)
 class Ensemble(HtmlMixin):
-    """Many runs of a circuit with uncertain numbers.
+    """Runs of a circuit with uncertain parameters.
 
     Parameters
     ----------
-    plan : Plan
-        What was run.
+    plan : EnsemblePlan
+        Settings of the ensemble.
     dataset : Dataset
-        Where it lies.
+        Stored results.
     is_whole : bool
-        False where Ctrl-C has ended it before its time.
+        False if Ctrl-C stopped the ensemble.
     """
 
     plan: EnsemblePlan
@@ -54,12 +55,12 @@ class Ensemble(HtmlMixin):
         return self.dataset.folder
 
     def to_pandas(self) -> Any:
-        """Numbers and metrics of all runs.
+        """Return parameters and metrics of all runs.
 
         Returns
         -------
         pandas.DataFrame
-            One row for each run; units stand in the Parquet files and in the manifest.
+            One row for each run. The Parquet files and the manifest contain the units.
         """
         from poppet.core.errors import needed
 
@@ -69,101 +70,104 @@ class Ensemble(HtmlMixin):
 
     @property
     def done(self) -> int:
-        """Runs that are there."""
+        """Number of stored runs."""
         return sum(len(shard["run"]) for shard in self.dataset.shards("runs", ["run"]))
 
     def outcomes(self) -> dict[str, int]:
-        """How many runs ended in which way, by code."""
+        """Return the number of runs by the code of their termination reason."""
         return self._counted("outcome")
 
     def noted(self) -> dict[str, int]:
-        """How many runs the kernel did not make alone, by the codes of what was said about them."""
+        """Return the number of runs in which the kernel stalled, by the codes of their notes."""
         return {codes: count for codes, count in self._counted("notes").items() if codes}
 
     def remarks(self) -> tuple[Note, ...]:
-        """What a reader has to know: how many runs failed, have no value of a metric, or stalled."""
+        """Return notes on runs that failed, stalled or have no value of a metric."""
         runs, fine = self.done, ("run.done", "run.stopped")
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
         without = self._without_value()
         return (
+            *self.plan.notes,
             *(Note("ensemble.failed", count=count, runs=runs, outcome=code) for code, count in failed),
             *(Note("ensemble.undefined", count=n, runs=runs, metric=name) for name, n in without.items() if n),
             *(Note("ensemble.noted", count=count, runs=runs, said=code) for code, count in self.noted().items()),
         )
 
     def _without_value(self) -> dict[str, int]:
-        """Of each metric how many runs came to their end and have none."""
-        found = {metric.name: 0 for metric in self.plan.metrics}
-        for shard in self.dataset.shards("runs", ["done", *found]):
-            for name in found:
-                found[name] += int(np.count_nonzero(shard["done"] & np.isnan(shard[name])))
-        return found
+        """Return the number of completed runs without a value, for each metric."""
+        counts = {metric.name: 0 for metric in self.plan.metrics}
+        for shard in self.dataset.shards("runs", ["done", *counts]):
+            for name in counts:
+                counts[name] += int(np.count_nonzero(shard["done"] & np.isnan(shard[name])))
+        return counts
 
     def _counted(self, column: str) -> dict[str, int]:
-        found: dict[str, int] = {}
+        counts: dict[str, int] = {}
         for shard in self.dataset.shards("runs", [column]):
             for text, count in zip(*np.unique(shard[column].astype(str), return_counts=True), strict=True):
-                found[str(text)] = found.get(str(text), 0) + int(count)
-        return found
+                counts[str(text)] = counts.get(str(text), 0) + int(count)
+        return counts
 
     def yields(self) -> list[Yield]:
-        """Share of good runs, for each requirement and, where there are several, for all together.
+        """Return the yield of each requirement and, if there are several, of all together.
 
         Returns
         -------
         list of Yield
-            With intervals of 95 %; a run that failed meets no requirement.
+            With 95 % confidence intervals. A failed run meets no requirement.
         """
-        wanted = self.plan.requirements
-        good, runs = np.zeros(len(wanted) + 1, dtype=np.int64), 0
-        for shard in self.dataset.shards("runs", ["done", *(each.metric for each in wanted)]):
-            met = [each.met(shard[each.metric]) & shard["done"].astype(bool) for each in wanted]
+        requirements = self.plan.requirements
+        n_good, runs = np.zeros(len(requirements) + 1, dtype=np.int64), 0
+        for shard in self.dataset.shards("runs", ["done", *(requirement.metric for requirement in requirements)]):
+            is_met = [
+                requirement.met(shard[requirement.metric]) & shard["done"].astype(bool) for requirement in requirements
+            ]
             runs += len(shard["done"])
-            counts = [np.count_nonzero(each) for each in met]
-            good += np.array([*counts, np.count_nonzero(np.all(met, axis=0)) if met else 0])
-        names = [(each.name, each.text) for each in wanted] + ([(ALL, "")] if len(wanted) > 1 else [])
+            counts = [np.count_nonzero(requirement) for requirement in is_met]
+            n_good += np.array([*counts, np.count_nonzero(np.all(is_met, axis=0)) if is_met else 0])
+        names = [(r.name, r.text) for r in requirements] + ([(ALL, "")] if len(requirements) > 1 else [])
         # The last count is that of all together.
-        counted = zip(names, good.tolist(), strict=len(names) > len(wanted))
+        counted = zip(names, n_good.tolist(), strict=len(names) > len(requirements))
         return [Yield(*name, k, runs, *wilson(k, runs)) for name, k in counted]
 
     def summaries(self) -> list[Summary]:
-        """Of each metric its moments, extremes and quantiles, with those runs counted that have no finite value."""
-        return [summary_of(self.dataset, metric, MOST_EXACT) for metric in self.plan.metrics]
+        """Return moments, extremes and quantiles of each metric, and the numbers of runs without a finite value."""
+        return [summary_of(self.dataset, metric, MAX_EXACT_RUNS) for metric in self.plan.metrics]
 
     def bands(self) -> Bands | None:
-        """Quantiles of curves over time; None where `keep` is not `bands`."""
-        found: Bands | None = None
+        """Return quantiles of outputs versus time; the result is None unless `keep` is `bands`."""
+        total: Bands | None = None
         for shard in self.dataset.shards("bands"):
-            own = Bands.read(shard)
-            found = own if found is None else found + own
-        return found
+            bands = Bands.read(shard)
+            total = bands if total is None else total + bands
+        return total
 
     def tornado(self) -> dict[str, list[TornadoRange]]:
-        """Of each metric what each number does to it alone, the strongest first.
+        """Return the effect of each parameter alone on each metric, the largest first.
 
         Returns
         -------
         dict
-            Name of a metric to its value at the 5 and 95 % quantile of each number, while all others have their median.
+            Metric to its value at the 5 and 95 % quantile of each parameter. All others have their median.
         """
         rows = self.dataset.columns("tornado")
-        found = {}
+        effects = {}
         for metric in self.plan.metrics if rows else ():
             values = rows[metric.name]
             ranges = [
                 TornadoRange(address, *(float(v) for v in (values[0], values[1 + 2 * k], values[2 + 2 * k])))
                 for k, address in enumerate(self.plan.addresses)
             ]
-            found[metric.name] = sorted(ranges, key=lambda each: -each.size)
-        return found
+            effects[metric.name] = sorted(ranges, key=lambda effect: -effect.size)
+        return effects
 
     def indices(self) -> dict[str, list[SobolIndex]]:
-        """Sobol indices of each metric; empty where the plan has no runs for them.
+        """Return the Sobol indices of each metric; the result is empty if the plan has no runs for them.
 
         Returns
         -------
         dict
-            Name of a metric to first and total indices of every factor. Numbers of a fit are one factor together.
+            Metric to first-order and total indices of every factor. All parameters of a fit are one factor.
         """
         rows, factors = self.dataset.columns("indices"), tuple(self.plan.factors)
         if not rows:
@@ -172,19 +176,22 @@ class Ensemble(HtmlMixin):
         return {m.name: sobol_indices(rows[m.name].reshape(shape), factors) for m in self.plan.metrics}
 
     def worst(self, count: int = 3) -> dict[str, list[WorstCase]]:
-        """The worst runs of each requirement.
+        """Return the worst runs of each requirement.
 
         Parameters
         ----------
         count : int, optional
-            How many of each.
+            Number of runs per requirement.
 
         Returns
         -------
         dict
-            Name of a requirement to its runs with the smallest margins, failed ones first.
+            Requirement to its runs with the smallest margins; failed runs are first.
         """
-        return {own.name: worst_of(self.dataset, self.plan, own, count) for own in self.plan.requirements}
+        return {
+            requirement.name: worst_of(self.dataset, self.plan, requirement, count)
+            for requirement in self.plan.requirements
+        }
 
     def save_worst(self, folder: str | Path, count: int = 3) -> list[Path]:
         """Write the worst runs as circuit files.
@@ -192,9 +199,9 @@ class Ensemble(HtmlMixin):
         Parameters
         ----------
         folder : str or Path
-            Where to; made where it is not there.
+            Folder for the files; it is created if necessary.
         count : int, optional
-            How many of each requirement.
+            Number of runs per requirement.
 
         Returns
         -------
@@ -204,13 +211,13 @@ class Ensemble(HtmlMixin):
         Raises
         ------
         InputError
-            If there are no requirements, or the circuit is not that of a file with other numbers.
+            If there are no requirements, or the circuit differs from its file in more than its parameters.
         """
         target = Path(folder)
         if not self.plan.requirements:
             raise InputError("ensemble.no_requirements")
         target.mkdir(parents=True, exist_ok=True)
-        cases = [(case, k) for found in self.worst(count).values() for k, case in enumerate(found, 1)]
+        cases = [(case, k) for worst in self.worst(count).values() for k, case in enumerate(worst, 1)]
         return [save_case(self.plan.circuit, case, target / f"{case.requirement}-{k}.toml") for case, k in cases]
 
 
@@ -230,24 +237,37 @@ def run_ensemble(
         return run_plan(plan, Path(output), executor, workers, progress)
     folder = tempfile.mkdtemp(prefix="poppet-")
     try:
-        found = run_plan(plan, Path(folder), executor, workers, progress)
+        ensemble = run_plan(plan, Path(folder), executor, workers, progress)
     except BaseException:
         shutil.rmtree(folder, ignore_errors=True)
         raise
-    # It goes with the dataset, which whoever reads holds.
-    weakref.finalize(found.dataset, shutil.rmtree, folder, ignore_errors=True)
-    return found
+    # Delete the folder when the dataset is no longer used.
+    weakref.finalize(ensemble.dataset, shutil.rmtree, folder, ignore_errors=True)
+    return ensemble
 
 
 def plan_of(circuit: Circuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> EnsemblePlan:
-    """The plan of a circuit's own tables and of fields that go before them."""
+    """Return the plan from the tables of a circuit; `fields` override them."""
     tables, folder = circuit.origin
-    own = tables.get("ensemble", {})
-    if isinstance(own, Mapping):
-        # The table of a way that is not gone is nothing to complain about.
-        is_other = fields.get("sampling", "file") != "file"
-        own = {key: value for key, value in own.items() if not (is_other and key == "file")} | fields
-    return read_plan(circuit, own, tables.get("requirements", {}) if requirements is None else requirements, folder)
+    table = tables.get("ensemble", {})
+    fields = with_parameters(fields)
+    if isinstance(table, Mapping):
+        # The file of an overridden sampling method is ignored.
+        omitted = {"file"} if fields.get("sampling", "file") != "file" else set()
+        omitted |= {"numbers", "parameters"} if "parameters" in fields else set()
+        table = {key: value for key, value in table.items() if key not in omitted} | fields
+    return read_plan(circuit, table, tables.get("requirements", {}) if requirements is None else requirements, folder)
+
+
+def with_parameters(fields: Mapping[str, Any]) -> dict[str, Any]:
+    """Return keyword arguments with `parameters` in place of the old name `numbers`."""
+    renamed = dict(fields)
+    if "numbers" in fields:
+        if "parameters" in fields:
+            raise InputError("ensemble.numbers_and_parameters", "ensemble.numbers")
+        warnings.warn("The argument numbers is now called parameters.", DeprecationWarning, stacklevel=4)
+        renamed["parameters"] = renamed.pop("numbers")
+    return renamed
 
 
 def run_plan(
@@ -257,7 +277,7 @@ def run_plan(
     workers: int | None = None,
     progress: Callable[[int, int, str], Any] | None = None,
 ) -> Ensemble:
-    """Run what is missing of a plan in a folder."""
+    """Run the missing shards of a plan in a folder."""
     dataset = Dataset.opened(folder, plan)
     is_whole = run_missing(plan, dataset, executor, workers, progress)
     return Ensemble(plan, dataset.sealed() if is_whole else dataset, is_whole)

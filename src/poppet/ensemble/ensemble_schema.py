@@ -1,4 +1,4 @@
-"""The JSON schema of circuit files with the tables of an ensemble, from the declarations that read these."""
+"""JSON schema of circuit files with the tables of an ensemble."""
 
 from __future__ import annotations
 
@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from poppet.circuit.schema import Schema, by_kind, circuit_schema, closed
 from poppet.core.tables import Field
 from poppet.ensemble.distributions import FORMS, MIDDLES, Form
-from poppet.ensemble.ensemble_plan import ALL, COUNTS, FIELDS, TAKEN
-from poppet.ensemble.metrics import FUNCTION, WAYS
+from poppet.ensemble.ensemble_plan import ALL, COUNTS, FIELDS, RESERVED
+from poppet.ensemble.metrics import FUNCTION, METRIC_KINDS
 from poppet.ensemble.metrics import SHARED as OF_METRICS
 from poppet.ensemble.requirements import FORM
 
@@ -16,11 +16,11 @@ _VALUE: Schema = {"$ref": "#/$defs/value"}
 _TEXT: Schema = {"type": "string"}
 _TEXTS: Schema = {"anyOf": [_TEXT, {"type": "array", "items": _TEXT, "minItems": 1}]}
 _OTHERS: dict[str, Schema] = {"file": _TEXT, "unit": _TEXT, "curves": _TEXTS, "of": _TEXTS}
-"""Fields that are no number with a unit."""
+"""Fields that are not values with a unit."""
 
 
 def file_schema() -> Schema:
-    """The JSON schema of circuit files, for editors.
+    """Return the JSON schema of circuit files for editors.
 
     Examples
     --------
@@ -28,25 +28,27 @@ def file_schema() -> Schema:
     ['random', 'latin', 'sobol', 'grid', 'file']
     """
     schema = circuit_schema()
-    numbers = {"from_fit": {"type": "string", "description": "result file of an identification"}}
+    parameters = {
+        "type": "object",
+        "properties": {"from_fit": {"type": "string", "description": "result file of an identification"}},
+        "additionalProperties": {"$ref": "#/$defs/distribution"},
+        "propertyNames": {"pattern": r"^(from_fit|.+\..+)$"},
+        "description": "address to distribution",
+    }
     tables = {
-        "numbers": {
-            "type": "object",
-            "properties": numbers,
-            "additionalProperties": {"$ref": "#/$defs/distribution"},
-            "propertyNames": {"pattern": rf"^({'|'.join(numbers)}|.+\..+)$"},
-            "description": "address to distribution",
-        },
+        "parameters": parameters,
+        "numbers": parameters | {"description": "old name of `parameters`", "deprecated": True},
         "metrics": {
             "type": "object",
             "additionalProperties": {"$ref": "#/$defs/metric"},
-            "propertyNames": _names(*TAKEN),
+            "propertyNames": _names(*RESERVED),
             "description": "name to metric",
         },
     }
     requirement = {"type": "string", "pattern": f"^{FORM.pattern}$"}
+    ensemble = closed(_fields(FIELDS) | _counts() | tables, (), "uncertain parameters and metrics of many runs")
     schema["properties"] |= {
-        "ensemble": closed(_fields(FIELDS) | _counts() | tables, (), "uncertain numbers and metrics of many runs"),
+        "ensemble": ensemble | {"not": {"required": ["numbers", "parameters"]}},
         "requirements": {
             "type": "object",
             "additionalProperties": requirement,
@@ -58,48 +60,49 @@ def file_schema() -> Schema:
         "distribution": by_kind("distribution", {kind: f"distribution_{kind}" for kind in FORMS}, "distribution"),
         **{f"distribution_{kind}": _distribution(kind, form) for kind, form in FORMS.items()},
         "metric": _metric(),
-        **{f"metric_{kind}": _metric_of(kind) for kind in WAYS},
+        **{f"metric_{kind}": _metric_of(kind) for kind in METRIC_KINDS},
         "metric_function": closed(_fields(OF_METRICS) | {"metric": {"pattern": FUNCTION}}, ["of", "metric"]),
     }
     return schema
 
 
-def _names(*taken: str) -> Schema:
-    return {"pattern": rf"^(?!({'|'.join(taken)})$)[^\W\d]\w*$"}
+def _names(*reserved: str) -> Schema:
+    return {"pattern": rf"^(?!({'|'.join(reserved)})$)[^\W\d]\w*$"}
 
 
 def _fields(fields: Mapping[str, Field]) -> Schema:
-    """What is declared of the fields of a table."""
-    found: Schema = {}
+    """Return the schema of the fields of a table."""
+    properties: Schema = {}
     for name, field in fields.items():
-        own = {"enum": list(field.choices), "default": field.choices[0]} if field.choices else _OTHERS.get(name, _VALUE)
+        schema = (
+            {"enum": list(field.choices), "default": field.choices[0]} if field.choices else _OTHERS.get(name, _VALUE)
+        )
         unit = f" [{field.unit}]" if field.unit else ""
-        found[name] = own | ({"description": f"{field.meaning}{unit}"} if field.meaning else {})
-    return found
+        properties[name] = schema | ({"description": f"{field.meaning}{unit}"} if field.meaning else {})
+    return properties
 
 
 def _counts() -> Schema:
-    found: Schema = {}
+    properties: Schema = {}
     for name, (low, high) in COUNTS.items():
-        found[name] = {"type": "integer", "minimum": low, "maximum": high, "description": FIELDS[name].meaning}
-    # A power of two.
+        properties[name] = {"type": "integer", "minimum": low, "maximum": high, "description": FIELDS[name].meaning}
     powers = [2**k for k in range(COUNTS["indices"][1].bit_length())]
-    return found | {"indices": {"enum": [0, *powers], "description": FIELDS["indices"].meaning}}
+    return properties | {"indices": {"enum": [0, *powers], "description": FIELDS["indices"].meaning}}
 
 
 def _distribution(kind: str, form: Form) -> Schema:
-    given = [name for name in form.fields if name not in MIDDLES]
+    required = [name for name in form.fields if name not in MIDDLES]
     fields: Schema = {"distribution": {"const": kind}} | dict.fromkeys(form.names, _VALUE)
     if not form.relative:
-        return closed(fields, ["distribution", *given])
-    return closed(fields, ["distribution"]) | {"anyOf": [{"required": given}, {"required": [form.relative]}]}
+        return closed(fields, ["distribution", *required])
+    return closed(fields, ["distribution"]) | {"anyOf": [{"required": required}, {"required": [form.relative]}]}
 
 
 def _metric() -> Schema:
-    schema = by_kind("metric", {kind: f"metric_{kind}" for kind in WAYS}, "metric")
+    schema = by_kind("metric", {kind: f"metric_{kind}" for kind in METRIC_KINDS}, "metric")
     schema["properties"]["metric"] = {
         "anyOf": [schema["properties"]["metric"], {"type": "string", "pattern": FUNCTION}],
-        "description": "what is worked out, or FILE.py:FUNCTION",
+        "description": "kind of metric, or FILE.py:FUNCTION",
     }
     is_own = {"properties": {"metric": {"pattern": FUNCTION}}, "required": ["metric"]}
     schema["allOf"].append({"if": is_own, "then": {"$ref": "#/$defs/metric_function"}})
@@ -107,8 +110,11 @@ def _metric() -> Schema:
 
 
 def _metric_of(kind: str) -> Schema:
-    way = WAYS[kind]
+    metric_kind = METRIC_KINDS[kind]
     fields = _fields(OF_METRICS) | {"of": {"type": "string", "description": OF_METRICS["of"].meaning}}
-    fields |= {"metric": {"const": kind, "description": way.meaning}} | _fields(way.fields)
-    # A level has no default, as a target has.
-    return closed(fields, ["of", "metric", *(name for name in way.fields if way.fields[name].is_required)], way.meaning)
+    fields |= {"metric": {"const": kind, "description": metric_kind.meaning}} | _fields(metric_kind.fields)
+    return closed(
+        fields,
+        ["of", "metric", *(name for name in metric_kind.fields if metric_kind.fields[name].is_required)],
+        metric_kind.meaning,
+    )

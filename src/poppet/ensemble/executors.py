@@ -1,4 +1,4 @@
-"""Running the shards that are missing, on threads, processes, Dask, or any executor."""
+"""Execution of missing shards on threads, processes, Dask or any executor."""
 
 from __future__ import annotations
 
@@ -13,22 +13,22 @@ from poppet.engine.batch import usable_cores
 from poppet.ensemble.dataset import Dataset
 from poppet.ensemble.designs import KINDS, design_of
 from poppet.ensemble.ensemble_plan import EnsemblePlan
-from poppet.ensemble.shards import work
+from poppet.ensemble.shards import run_shard
 
 Progress = Callable[[int, int, str], Any]
-"""Called with the number of runs of a kind that are done, of all of that kind, and the kind; one after the other."""
+"""Callback with the completed runs of a kind, all runs of that kind, and the kind."""
 EXECUTORS = ("threads", "processes")
-MOST_WORKERS = 4096
-_AHEAD = 2
-"""Shards that wait for each worker."""
-_UNKNOWN = 32
-"""Workers that an executor is taken to have which does not say."""
+MAX_WORKERS = 4096
+_QUEUED_PER_WORKER = 2
+"""Queued shards for each worker."""
+_DEFAULT_WIDTH = 32
+"""Assumed number of workers of an executor without this information."""
 
 
 def run_missing(
     plan: EnsemblePlan, dataset: Dataset, executor: Any, workers: int | None, progress: Progress | None
 ) -> bool:
-    """Run the shards that are not there yet; False where Ctrl-C has ended it, and what was done by then is kept."""
+    """Run the missing shards; return False if Ctrl-C stops the run. Completed shards are stored."""
     todo: list[tuple[str, int]] = []
     sizes: dict[tuple[str, int], int] = {}
     total = {kind: design_of(plan, kind).size for kind in KINDS}
@@ -43,16 +43,16 @@ def run_missing(
         return True
     key, pickled = str(dataset.manifest["sha256"]) + str(plan.indices), pickle.dumps(plan)
     kernel = dataset.manifest["versions"]["kernel"]
-    if workers is not None and not 1 <= workers <= MOST_WORKERS:
-        raise OutOfRangeError("ensemble.count", "workers", value=workers, low=1, high=MOST_WORKERS)
-    with _opened(executor, workers, len(todo)) as (pool, width):
+    if workers is not None and not 1 <= workers <= MAX_WORKERS:
+        raise OutOfRangeError("ensemble.count", "workers", value=workers, low=1, high=MAX_WORKERS)
+    with _open_pool(executor, workers, len(todo)) as (pool, width):
         waiting: dict[Future[Any], tuple[str, int]] = {}
-        rest = iter(todo)
+        tasks = iter(todo)
         try:
             while True:
-                for task in rest:
-                    waiting[pool.submit(work, key, pickled, *task, kernel)] = task
-                    if len(waiting) >= _AHEAD * width:
+                for task in tasks:
+                    waiting[pool.submit(run_shard, key, pickled, *task, kernel)] = task
+                    if len(waiting) >= _QUEUED_PER_WORKER * width:
                         break
                 if not waiting:
                     return True
@@ -65,25 +65,28 @@ def run_missing(
                     kind = next((kind for kind in KINDS if done[kind] < total[kind]), todo[-1][0])
                     progress(done[kind], total[kind], kind)
         except KeyboardInterrupt:
-            _keep(dataset, waiting)
+            _store_finished(dataset, waiting)
             return False
         except BaseException:
-            # A full disk, say: nobody waits for what cannot be kept.
+            # Results cannot be stored, for example on a full disk.
             for future in waiting:
                 future.cancel()
             raise
 
 
-def _keep(dataset: Dataset, waiting: dict[Future[Any], tuple[str, int]]) -> None:
-    """Keep what has been finished, and give up the rest."""
+def _store_finished(dataset: Dataset, waiting: dict[Future[Any], tuple[str, int]]) -> None:
+    """Store completed shards and cancel the others."""
     for future in waiting:
         if not future.cancel() and future.done() and future.exception() is None:
             dataset.write(future.result())
 
 
 @contextmanager
-def _opened(executor: Any, workers: int | None, shards: int) -> Iterator[tuple[Any, int]]:
-    """An executor by name or address, a Dask client, or one that is somebody's own and stays open; and its width."""
+def _open_pool(executor: Any, workers: int | None, shards: int) -> Iterator[tuple[Any, int]]:
+    """Yield an executor and its number of workers.
+
+    `executor` is a name, a Dask address, a Dask client, or an executor of the caller, which stays open.
+    """
     if executor in EXECUTORS:
         width = max(1, min(workers or usable_cores(), shards))
         if executor == "threads":
@@ -91,7 +94,7 @@ def _opened(executor: Any, workers: int | None, shards: int) -> Iterator[tuple[A
         else:
             import multiprocessing
 
-            # A fork of a process with threads may copy a lock that is held.
+            # A fork of a process with threads can copy a locked lock.
             pool = ProcessPoolExecutor(width, multiprocessing.get_context("spawn"))
         try:
             yield pool, width
@@ -104,16 +107,16 @@ def _opened(executor: Any, workers: int | None, shards: int) -> Iterator[tuple[A
         with needed("distributed", "Dask", "dask"):
             import distributed
         with distributed.Client(executor) as client:
-            yield _of_dask(client)
+            yield _dask_pool(client)
         return
     if hasattr(executor, "get_executor"):
-        yield _of_dask(executor)
+        yield _dask_pool(executor)
     elif hasattr(executor, "submit"):
-        yield executor, getattr(executor, "_max_workers", _UNKNOWN)
+        yield executor, getattr(executor, "_max_workers", _DEFAULT_WIDTH)
     else:
         raise InputError("ensemble.executor", value=str(executor), near=NameSuggestion(str(executor), EXECUTORS))
 
 
-def _of_dask(client: Any) -> tuple[Any, int]:
-    # Pure tasks of one name would be one task; these differ in their arguments, and are never asked for again.
+def _dask_pool(client: Any) -> tuple[Any, int]:
+    # Dask merges pure tasks of one name; these tasks differ in their arguments.
     return client.get_executor(pure=False), max(1, sum(client.nthreads().values()))

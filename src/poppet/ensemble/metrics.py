@@ -1,4 +1,4 @@
-"""Metrics: one number of each run, from the rows of a series, of many runs at once."""
+"""Metrics of runs, computed from the rows of outputs for many runs together."""
 
 from __future__ import annotations
 
@@ -23,41 +23,41 @@ Array = NDArray[np.float64]
 Function = Callable[..., float]
 
 KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
-"""What else a value of a series may be, by its SI unit."""
+"""SI unit of an output to its kind of quantity."""
 _INTEGRALS = {"kg/s": "kg", "m^3/s": "m^3", "W": "J", "1": "s", "m/s": "m", "m^3/s ANR": "m^3 ANR"}
-"""SI unit of a series to that of its integral, where that is not the unit with an s behind it."""
+"""SI unit of an output to that of its integral if it is not the unit times s."""
 MARKED = re.compile(r"(.*\S)\s+(ANR|N)")
 
 
 @dataclass(frozen=True)
 class Metric:
-    """A number of a run."""
+    """Metric of a run."""
 
     name: str
     kind: str  # one of `WAYS`, or `function`
     of: tuple[str, ...]  # addresses of outputs; several for a function
     unit: str  # of the column
-    source: str = ""  # SI unit in which it is worked out
-    begin: float = 0.0  # of the rows that are looked at [s]
+    source: str = ""  # SI unit of the computation
+    begin: float = 0.0  # of the evaluated rows [s]
     end: float = np.inf
     value: float = np.nan  # level of `time_to`, absolute
-    target: float | str = np.nan  # value or address of an output that a step aims at; NaN for where it ends
-    band: float = 0.02  # part of a step within which it has settled
-    function: Function | str = ""  # or where it stands, `ripple.py:ripple`
-    folder: str = ""  # to which that refers
+    target: float | str = np.nan  # final value of a step, or address of an output; NaN for the last value
+    band: float = 0.02  # settling band relative to the step
+    function: Function | str = ""  # or its location, `ripple.py:ripple`
+    folder: str = ""  # of the location
 
     @property
     def outputs(self) -> tuple[str, ...]:
-        """Addresses of all outputs that it looks at."""
+        """Addresses of all evaluated outputs."""
         return (*self.of, self.target) if isinstance(self.target, str) else self.of
 
     def facts(self) -> dict[str, Any]:
-        """What decides its value, as plain values."""
-        found = {key: value for key, value in vars(self).items() if key not in ("function", "folder")}
-        return found | ({"function": self._print()} if self.kind == "function" else {})
+        """Return all settings that determine the metric, as plain values."""
+        facts = {key: value for key, value in vars(self).items() if key not in ("function", "folder")}
+        return facts | ({"function": self._print()} if self.kind == "function" else {})
 
     def _print(self) -> str:
-        """What tells functions apart: their text, or where that is not known their compiled code."""
+        """Return a hash of the source of a function, or of its compiled code if there is no source."""
         function = self.callable()
         if isinstance(self.function, str):
             text = (Path(self.folder) / self.function.rpartition(":")[0]).read_text(encoding="utf-8")
@@ -70,11 +70,11 @@ class Metric:
         return hashlib.sha256(text.encode()).hexdigest()
 
     def callable(self) -> Function:
-        """The function of the user."""
-        return _loaded(self.folder, self.function) if isinstance(self.function, str) else self.function
+        """Return the function of the user."""
+        return _load_function(self.folder, self.function) if isinstance(self.function, str) else self.function
 
     def values(self, time: Array, series: Mapping[str, Array]) -> Array:
-        """Of runs whose rows are at the same times, (m,); `series` has (m, n) values by address."""
+        """Return the metric of runs with equal times, (m,); `series` has (m, n) values by address."""
         first, last = np.searchsorted(time, (self.begin, self.end), side="left")
         last += int(last < time.size and time[last] == self.end)
         rows = {address: series[address][:, first:last] for address in self.outputs}
@@ -84,13 +84,13 @@ class Metric:
         t = time[first:last]
         if self.kind == "function":
             return np.array([self._called(t, *(rows[a][k] for a in self.of)) for k in range(m)])
-        found = WAYS[self.kind].reckon(t, rows[self.of[0]], self._aim(rows), self)
-        return np.asarray(self.in_unit(found), dtype=np.float64)
+        values = METRIC_KINDS[self.kind].compute(t, rows[self.of[0]], self._aim(rows), self)
+        return np.asarray(self.in_unit(values), dtype=np.float64)
 
     def _called(self, *series: Array) -> float:
-        """What the function of the user makes of one run."""
+        """Call the function of the user for one run."""
         for view in series:
-            # Other metrics look at the same rows.
+            # Other metrics use the same rows.
             view.flags.writeable = False
         try:
             return float(self.callable()(*series))
@@ -106,22 +106,22 @@ class Metric:
         y = rows[self.of[0]]
         return y[:, -1] if np.isnan(self.target) else np.full(len(y), self.target)
 
-    def in_unit(self, found: Array) -> Array:
-        """Values in SI, in the unit of the column."""
+    def in_unit(self, values: Array) -> Array:
+        """Convert values from SI to the unit of the column."""
         marked = MARKED.fullmatch(self.unit)
-        # A volume at a reference state is known to the units as a flow only.
+        # A volume at a reference state is converted as a flow.
         if marked and self.source == "kg":
-            return np.asarray(convert(found, "kg/s", f"{marked[1]}/s {marked[2]}"))
-        return found if self.unit == self.source else np.asarray(convert(found, self.source, self.unit))
+            return np.asarray(convert(values, "kg/s", f"{marked[1]}/s {marked[2]}"))
+        return values if self.unit == self.source else np.asarray(convert(values, self.source, self.unit))
 
 
 class MetricKind(NamedTuple):
-    """How a metric is worked out."""
+    """Unit, fields and computation of a kind of metric."""
 
-    unit: Callable[[str], str]  # SI unit from that of the series
-    fields: Mapping[str, Field]  # beside those of all metrics
-    # from times (n,), values (m, n), the value that each run aims at, (m,), and the metric, to (m,)
-    reckon: Callable[[Array, Array, Array, Metric], Array]
+    unit: Callable[[str], str]  # SI unit from that of the output
+    fields: Mapping[str, Field]  # in addition to those of all metrics
+    # times (n,), values (m, n), target of each run (m,) and the metric, to (m,)
+    compute: Callable[[Array, Array, Array, Metric], Array]
     meaning: str
 
 
@@ -134,7 +134,7 @@ def _integral_unit(unit: str) -> str:
 
 
 def _integral(t: Array, y: Array) -> Array:
-    # Sums along rows, not a product with weights: the bits of that would depend on how many rows stand together.
+    # Sum along rows: the rounding of a matrix product would depend on the number of rows.
     return np.asarray((0.5 * (y[:, 1:] + y[:, :-1]) * np.diff(t)).sum(axis=1))
 
 
@@ -142,172 +142,174 @@ def _mean(t: Array, y: Array) -> Array:
     return np.asarray(y[:, 0] if t.size == 1 else _integral(t, y) / (t[-1] - t[0]))
 
 
-def _share(y: Array, aim: Array) -> Array:
-    """Values as parts of the step from the first one to the aim."""
+def _relative_step(y: Array, aim: Array) -> Array:
+    """Return values relative to the step from the first value to the target."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray((y - y[:, :1]) / (aim[:, np.newaxis] - y[:, :1]))
 
 
-def _first(t: Array, y: Array, level: float) -> Array:
-    """When a level is first passed, straight between rows [s]; infinite where it never is."""
-    # Whichever side a run begins on.
+def _first_crossing(t: Array, y: Array, level: float) -> Array:
+    """Return the time of the first crossing of a level, interpolated [s]; infinite without a crossing."""
+    # A run can start on either side.
     passed = np.where(y[:, :1] < level, y >= level, y <= level)
     k = passed.argmax(axis=1)
-    each = np.arange(len(y))
-    before = np.maximum(k - 1, 0)
-    low, high = y[each, before], y[each, k]
+    runs = np.arange(len(y))
+    previous = np.maximum(k - 1, 0)
+    low, high = y[runs, previous], y[runs, k]
     with np.errstate(divide="ignore", invalid="ignore"):
-        part = np.where(k > 0, (level - low) / (high - low), 0.0)
-        found = t[before] + part * (t[k] - t[before])
-    return np.where(passed[each, k], found, np.inf)
+        fraction = np.where(k > 0, (level - low) / (high - low), 0.0)
+        times = t[previous] + fraction * (t[k] - t[previous])
+    return np.where(passed[runs, k], times, np.inf)
 
 
-def _time_to(t: Array, y: Array, aim: Array, own: Metric) -> Array:
-    return np.asarray(_first(t, y, own.value) - t[0])
+def _time_to(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
+    return np.asarray(_first_crossing(t, y, metric.value) - t[0])
 
 
-def _rise_time(t: Array, y: Array, aim: Array, own: Metric) -> Array:
-    share = _share(y, aim)
+def _rise_time(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
+    share = _relative_step(y, aim)
     with np.errstate(invalid="ignore"):
-        return np.asarray(_first(t, share, 0.9) - _first(t, share, 0.1))
+        return np.asarray(_first_crossing(t, share, 0.9) - _first_crossing(t, share, 0.1))
 
 
-def _settling_time(t: Array, y: Array, aim: Array, own: Metric) -> Array:
-    error = np.abs(_share(y, aim) - 1.0)
-    outside = ~(error <= own.band)
-    # The last row outside, and the way from there into the band.
-    k = t.size - 1 - outside[:, ::-1].argmax(axis=1)
-    each, after = np.arange(len(y)), np.minimum(k + 1, t.size - 1)
+def _settling_time(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
+    error = np.abs(_relative_step(y, aim) - 1.0)
+    is_outside = ~(error <= metric.band)
+    # Interpolate from the last row outside the band.
+    k = t.size - 1 - is_outside[:, ::-1].argmax(axis=1)
+    runs, following = np.arange(len(y)), np.minimum(k + 1, t.size - 1)
     with np.errstate(divide="ignore", invalid="ignore"):
-        part = (error[each, k] - own.band) / (error[each, k] - error[each, after])
-        found = t[k] + part * (t[after] - t[k]) - t[0]
-    found = np.where(k == t.size - 1, np.inf, found)
-    found = np.where(outside.any(axis=1), found, 0.0)
-    # Of no step no part is a band.
-    return np.where(np.isnan(error[:, 0]), np.nan, found)
+        fraction = (error[runs, k] - metric.band) / (error[runs, k] - error[runs, following])
+        times = t[k] + fraction * (t[following] - t[k]) - t[0]
+    times = np.where(k == t.size - 1, np.inf, times)
+    times = np.where(is_outside.any(axis=1), times, 0.0)
+    # Without a step there is no band.
+    return np.where(np.isnan(error[:, 0]), np.nan, times)
 
 
-def _overshoot(t: Array, y: Array, aim: Array, own: Metric) -> Array:
-    return np.asarray(np.maximum(_share(y, aim).max(axis=1) - 1.0, 0.0))
+def _overshoot(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
+    return np.asarray(np.maximum(_relative_step(y, aim).max(axis=1) - 1.0, 0.0))
 
 
 FUNCTION = r"^.+\.py:\w+$"
-"""Pattern of a function of the user."""
+"""Pattern of the location of a function."""
 SHARED = {
     "of": Field(meaning="address of an output"),
     "unit": Field(meaning="of the metric"),
-    "from": Field(unit="s", meaning="first of the rows that are looked at"),
-    "until": Field(unit="s", meaning="last of the rows that are looked at"),
+    "from": Field(unit="s", meaning="start of the evaluated rows"),
+    "until": Field(unit="s", meaning="end of the evaluated rows"),
 }
 """Fields of all metrics."""
-_LEVEL = {"value": Field(is_required=True, meaning="level that is passed")}
-_TARGET = {"target": Field(meaning="value, or address of an output of which the last value counts")}
-_SETTLING = _TARGET | {"band": Field(unit="1", meaning="part of the step within which it stays")}
-WAYS = {
-    "final": MetricKind(_same, {}, lambda t, y, aim, own: y[:, -1], "last value"),
-    "mean": MetricKind(_same, {}, lambda t, y, aim, own: _mean(t, y), "mean over the time"),
-    "min": MetricKind(_same, {}, lambda t, y, aim, own: y.min(axis=1), "least value"),
-    "max": MetricKind(_same, {}, lambda t, y, aim, own: y.max(axis=1), "greatest value"),
-    "integral": MetricKind(_integral_unit, {}, lambda t, y, aim, own: _integral(t, y), "integral over the time"),
-    "rms": MetricKind(_same, {}, lambda t, y, aim, own: np.sqrt(_mean(t, y**2)), "root of the mean square"),
-    "time_to": MetricKind(lambda unit: "s", _LEVEL, _time_to, "until a value is first passed"),
-    "rise_time": MetricKind(lambda unit: "s", _TARGET, _rise_time, "from 10 to 90 % of the step"),
-    "settling_time": MetricKind(lambda unit: "s", _SETTLING, _settling_time, "until it stays near its target"),
-    "overshoot": MetricKind(lambda unit: "1", _TARGET, _overshoot, "beyond the target, as a part of the step"),
-    "steady_error": MetricKind(_same, _TARGET, lambda t, y, aim, own: y[:, -1] - aim, "last value less the target"),
+_LEVEL = {"value": Field(is_required=True, meaning="level")}
+_TARGET = {"target": Field(meaning="value, or address of an output whose last value is the target")}
+_SETTLING = _TARGET | {"band": Field(unit="1", meaning="settling band relative to the step")}
+METRIC_KINDS = {
+    "final": MetricKind(_same, {}, lambda t, y, aim, metric: y[:, -1], "last value"),
+    "mean": MetricKind(_same, {}, lambda t, y, aim, metric: _mean(t, y), "mean over time"),
+    "min": MetricKind(_same, {}, lambda t, y, aim, metric: y.min(axis=1), "minimum"),
+    "max": MetricKind(_same, {}, lambda t, y, aim, metric: y.max(axis=1), "maximum"),
+    "integral": MetricKind(_integral_unit, {}, lambda t, y, aim, metric: _integral(t, y), "integral over time"),
+    "rms": MetricKind(_same, {}, lambda t, y, aim, metric: np.sqrt(_mean(t, y**2)), "root mean square"),
+    "time_to": MetricKind(lambda unit: "s", _LEVEL, _time_to, "time to the first crossing of a level"),
+    "rise_time": MetricKind(lambda unit: "s", _TARGET, _rise_time, "time from 10 to 90 % of the step"),
+    "settling_time": MetricKind(lambda unit: "s", _SETTLING, _settling_time, "time until the output stays in the band"),
+    "overshoot": MetricKind(lambda unit: "1", _TARGET, _overshoot, "maximum beyond the target, relative to the step"),
+    "steady_error": MetricKind(_same, _TARGET, lambda t, y, aim, metric: y[:, -1] - aim, "last value minus target"),
 }
-"""By the name that a file uses. Times count from the first row that is looked at; sums are trapezia."""
+"""Metrics by their name in a file. Times start at the first evaluated row; integrals use the trapezoidal rule."""
 
 
-def read_metric(name: str, given: Any, outputs: Mapping[str, str], ambient: float, place: str, folder: str) -> Metric:
-    """Read one metric; `outputs` has the SI unit of every output."""
-    if callable(given):
-        given = {"metric": given}
+def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float, address: str, folder: str) -> Metric:
+    """Read one metric; `outputs` contains the SI unit of every output."""
+    if callable(raw):
+        raw = {"metric": raw}
     with ErrorCollector() as errors:
         fields = {"metric": Field(), **SHARED, "value": Field(), **_SETTLING}
-        read = read_fields(errors, given, fields, place)
+        read = read_fields(errors, raw, fields, address)
         kind, is_own = read.get("metric", ""), False
         if callable(kind) or (isinstance(kind, str) and ":" in kind):
             is_own = True
-        elif kind not in WAYS:
-            errors.add("ensemble.metric", f"{place}.metric", value=str(kind), near=NameSuggestion(str(kind), WAYS))
-        of = read.get("of", ())
-        of = (of,) if isinstance(of, str) else tuple(map(str, of))
-        if not of or (len(of) > 1 and not is_own):
-            errors.add("ensemble.of", f"{place}.of", value=given.get("of", "") if isinstance(given, Mapping) else "")
-        unknown = [address for address in of if address not in outputs]
-        for address in unknown:
-            errors.add("ensemble.output", f"{place}.of", value=address, near=NameSuggestion(address, outputs))
+        elif kind not in METRIC_KINDS:
+            errors.add(
+                "ensemble.metric", f"{address}.metric", value=str(kind), near=NameSuggestion(str(kind), METRIC_KINDS)
+            )
+        addresses = read.get("of", ())
+        addresses = (addresses,) if isinstance(addresses, str) else tuple(map(str, addresses))
+        if not addresses or (len(addresses) > 1 and not is_own):
+            errors.add("ensemble.of", f"{address}.of", value=raw.get("of", "") if isinstance(raw, Mapping) else "")
+        unknown = [output for output in addresses if output not in outputs]
+        for output in unknown:
+            errors.add("ensemble.output", f"{address}.of", value=output, near=NameSuggestion(output, outputs))
         misplaced = [key for key in ("value", "target", "band") if key in read and key not in _fields(kind, is_own)]
         for key in misplaced:
-            errors.add("ensemble.not_of_metric", f"{place}.{key}", metric=str(kind))
+            errors.add("ensemble.not_of_metric", f"{address}.{key}", metric=str(kind))
     if is_own:
         function = kind if callable(kind) else str(kind)
-        # A file is run when the runs begin, not when somebody looks at the tables.
-        found = Metric(name, "function", of, str(read.get("unit", "1")), function=function, folder=folder)
+        # The file is executed when the runs start.
+        metric = Metric(name, "function", addresses, str(read.get("unit", "1")), function=function, folder=folder)
     else:
-        unit = WAYS[kind].unit(outputs[of[0]])
-        found = Metric(name, kind, of, read.get("unit", "%" if kind == "overshoot" else unit), unit)
+        unit = METRIC_KINDS[kind].unit(outputs[addresses[0]])
+        metric = Metric(name, kind, addresses, read.get("unit", "%" if kind == "overshoot" else unit), unit)
     with ErrorCollector() as errors:
-        more = _read_more(errors, read, found, outputs, ambient, place)
+        options = _read_more(errors, read, metric, outputs, ambient, address)
         with errors.collecting():
-            _check_unit(found, place)
+            _check_unit(metric, address)
     begin, end = read.get("from", 0.0), read.get("until", np.inf)
     if not 0.0 <= begin < end:
-        raise InputError("ensemble.window", place, begin=begin, end=end)
-    return Metric(**{**vars(found), **more, "begin": begin, "end": end})
+        raise InputError("ensemble.window", address, begin=begin, end=end)
+    return Metric(**{**vars(metric), **options, "begin": begin, "end": end})
 
 
 def _fields(kind: Any, is_own: bool) -> Mapping[str, Field]:
-    return {} if is_own or kind not in WAYS else WAYS[kind].fields
+    return {} if is_own or kind not in METRIC_KINDS else METRIC_KINDS[kind].fields
 
 
 def _read_more(
     errors: ErrorCollector,
     read: Mapping[str, Any],
-    own: Metric,
+    metric: Metric,
     outputs: Mapping[str, str],
     ambient: float,
-    place: str,
+    address: str,
 ) -> dict[str, Any]:
-    """Level, target and band."""
-    found: dict[str, Any] = {"band": read["band"]} if "band" in read else {}
-    if own.kind == "time_to" and "value" not in read:
-        errors.add("ensemble.no_value", place)
-    unit = outputs.get(own.of[0], "1")
+    """Read level, target and band."""
+    options: dict[str, Any] = {"band": read["band"]} if "band" in read else {}
+    if metric.kind == "time_to" and "value" not in read:
+        errors.add("ensemble.no_value", address)
+    unit = outputs.get(metric.of[0], "1")
     for key in ("value", "target"):
-        given = read.get(key)
-        if key == "target" and isinstance(given, str) and given in outputs:
-            found[key] = given
-        elif given is not None:
+        raw = read.get(key)
+        if key == "target" and isinstance(raw, str) and raw in outputs:
+            options[key] = raw
+        elif raw is not None:
             with errors.collecting():
-                value = quantity(given, unit, kind=KINDS.get(unit, "plain"), name=f"{place}.{key}")
-                found[key] = value.value + (ambient if value.reference == "gauge" else 0.0)
-    return found
+                value = quantity(raw, unit, kind=KINDS.get(unit, "plain"), name=f"{address}.{key}")
+                options[key] = value.value + (ambient if value.reference == "gauge" else 0.0)
+    return options
 
 
-def _check_unit(own: Metric, place: str) -> None:
-    if own.kind == "function":
+def _check_unit(metric: Metric, address: str) -> None:
+    if metric.kind == "function":
         return
     try:
-        shift = own.in_unit(np.zeros(1))[0]
-        if shift and own.kind == "steady_error":  # a point of a scale is no difference
-            raise InputError("quantity.point_of_scale", shown=own.unit)
+        shift = metric.in_unit(np.zeros(1))[0]
+        if shift and metric.kind == "steady_error":  # an offset scale has no differences
+            raise InputError("quantity.point_of_scale", shown=metric.unit)
     except InputError as error:
-        raise error.at(f"{place}.unit") from None
+        raise error.at(f"{address}.unit") from None
 
 
 @lru_cache(maxsize=64)
-def _loaded(folder: str, where: str) -> Function:
-    """A function of a file beside the circuit."""
-    file, _, name = where.rpartition(":")
+def _load_function(folder: str, location: str) -> Function:
+    """Load a function from a file in the folder of the circuit."""
+    file, _, name = location.rpartition(":")
     path = Path(folder) / file
     if not path.is_file():
-        raise InputError("ensemble.no_function", where, path=str(path), name=name)
+        raise InputError("ensemble.no_function", location, path=str(path), name=name)
     try:
-        found = runpy.run_path(str(path)).get(name)
+        function = runpy.run_path(str(path)).get(name)
     except Exception as error:
-        raise InputError("ensemble.function_failed", where, cause=f"{type(error).__name__}: {error}") from error
-    if not callable(found):
-        raise InputError("ensemble.no_function", where, path=str(path), name=name)
-    return found  # type: ignore[no-any-return]
+        raise InputError("ensemble.function_failed", location, cause=f"{type(error).__name__}: {error}") from error
+    if not callable(function):
+        raise InputError("ensemble.no_function", location, path=str(path), name=name)
+    return function  # type: ignore[no-any-return]

@@ -1,4 +1,4 @@
-"""One shard: numbers from the seed, runs, metrics, the bytes of its files. What a worker does, wherever it works."""
+"""Execution of one shard: parameters, runs, metrics and files."""
 
 from __future__ import annotations
 
@@ -15,40 +15,36 @@ from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
 from poppet.core.errors import InputError
-from poppet.engine.batch import Rows, run_batch
+from poppet.engine.batch import BatchRows, run_batch
 from poppet.engine.lane_kernel import kernel_of_this_machine
-from poppet.engine.members import Batch, Ends
+from poppet.engine.members import Batch, RunEnds
 from poppet.engine.problem import Outcome, Problem
-from poppet.ensemble.bands import Bands, edges
+from poppet.ensemble.bands import Bands, band_edges
 from poppet.ensemble.designs import design_of
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, Integers, varied_specs
 from poppet.timeseries.tables.parquet import arrow
 
 REFUSED = "ensemble.refused_run"
-"""Outcome of a run whose numbers contradict each other, so that no part can be made of them."""
-
-
+"""Outcome of a run with inconsistent parameters."""
 PILOT = 256
-"""Runs that say where bands lie."""
-
-
+"""Number of runs that determine the limits of bands."""
 Codes = NDArray[np.object_]
 
 
 class ShardResults(NamedTuple):
-    """What some runs came to."""
+    """Results of some runs."""
 
     numbers: Array  # (m, n_numbers) SI, absolute
     metrics: Array  # (m, n_metrics), NaN of a run that failed
     outcomes: Codes
-    notes: Codes  # of runs on which the kernel stalled: what a single run would say, codes with commas between them
-    is_done: NDArray[np.bool_]  # whether a run came to its end
-    balance: Array  # (m,) the largest error of a balance, in parts of what is allowed
+    notes: Codes  # codes of the notes of runs in which the kernel stalled, separated by commas
+    is_done: NDArray[np.bool_]  # True for a completed run
+    balance: Array  # (m,) maximum error of a balance relative to its tolerance
     curves: Array | None  # (m, n_curves, n_rows)
 
 
 class PreparedPlan:
-    """A plan with its model made ready, in one process."""
+    """Plan with a compiled model, once per process."""
 
     def __init__(self, plan: EnsemblePlan) -> None:
         self.plan, self.instance = plan, plan.circuit.instance
@@ -56,13 +52,13 @@ class PreparedPlan:
         names = [name for name, _ in self.problem.kernel.model.outputs]
         self.outputs = {address: names.index(address) for address in plan.outputs}
         self.kernel = self.problem.kernel
-        # Conditions look at outputs by their places, and want all of them.
+        # Stop conditions use the indices of all outputs.
         if not self.problem.stop_conditions:
             self.kernel = self.kernel.observing(list(self.outputs.values()))
             self.outputs = {address: k for k, address in enumerate(self.outputs)}
         inputs = self.instance.model.inputs
         delays = {item.delay for item in inputs if item.delay}
-        # A delay moves breakpoints, and these are shared by a batch.
+        # A delay shifts breakpoints, which all runs of a batch share.
         self.is_apart = bool(delays & {*plan.addresses})
         self.held = tuple(
             (k, self.instance.place(item.default))
@@ -72,59 +68,59 @@ class PreparedPlan:
 
     @cached_property
     def units(self) -> dict[str, str]:
-        """Units of numbers and metrics."""
+        """Units of parameters and metrics."""
         specs = varied_specs(self.plan.circuit)
-        found = {address: specs[address].unit for address in self.plan.addresses}
-        return found | {metric.name: metric.unit for metric in self.plan.metrics}
+        units = {address: specs[address].unit for address in self.plan.addresses}
+        return units | {metric.name: metric.unit for metric in self.plan.metrics}
 
     @cached_property
     def is_tied(self) -> bool:
-        """Whether other numbers follow from varied ones."""
+        """True if other parameters depend on the uncertain ones."""
         plan = self.plan
         if plan.table is not None:
-            # Where a file repeats the numbers of the circuit, what they do shows in other rows.
+            # Use the rows that differ most from the circuit.
             nominal = np.array([self.instance.parameters.get(address, math.nan) for address in plan.addresses])
-            far = np.abs(plan.table[1] - nominal).argmax(axis=0)
-            moved = {
-                a: float(plan.table[1][row, k]) for k, (a, row) in enumerate(zip(plan.addresses, far, strict=True))
+            rows = np.abs(plan.table[1] - nominal).argmax(axis=0)
+            values = {
+                a: float(plan.table[1][row, k]) for k, (a, row) in enumerate(zip(plan.addresses, rows, strict=True))
             }
         else:
-            moved = {address: plan.quantile(address, 0.37) for address in plan.addresses}
+            values = {address: plan.quantile(address, 0.37) for address in plan.addresses}
         try:
-            return bool(self.instance.tied(moved))
-        except InputError:  # all of them together may be impossible
+            return bool(self.instance.tied(values))
+        except InputError:  # the combination can be invalid
             return True
 
     @cached_property
     def edges(self) -> Array:
-        """Edges of the bins of bands, from the first runs: the same in every process."""
+        """Limits of the bins of bands from the first runs, equal in every process."""
         pilot = self.run(self.plan.sample(0, min(self.plan.runs, PILOT)))
         assert pilot.curves is not None
-        return edges(self.plan, self.problem.grid, pilot.curves[pilot.is_done])
+        return band_edges(self.plan, self.problem.grid, pilot.curves[pilot.is_done])
 
     def run(self, values: Array) -> ShardResults:
-        """Run with these numbers, (m, n_numbers)."""
+        """Run with the given parameters, (m, n_parameters)."""
         if self.is_apart:
-            return _joined([self._run_apart(row) for row in values])
+            return _concatenate([self._run_apart(row) for row in values])
         if not self.is_tied:
-            places = np.array([self.instance.place(address) for address in self.plan.addresses], dtype=np.int64)
-            return self._run(self.problem, places, values, values)
+            indices = np.array([self.instance.place(address) for address in self.plan.addresses], dtype=np.int64)
+            return self._run(self.problem, indices, values, values)
         followed, refused = self._followed(values)
-        # A run that is refused is run with the numbers of the circuit, and what it gives is thrown away.
-        found = self._run(self.problem, np.arange(followed.shape[1]), followed, values)
-        return found if not refused.any() else _without(found, refused)
+        # A rejected run uses the parameters of the circuit, and its results are discarded.
+        results = self._run(self.problem, np.arange(followed.shape[1]), followed, values)
+        return results if not refused.any() else _mark_refused(results, refused)
 
     def _followed(self, values: Array) -> tuple[Array, NDArray[np.bool_]]:
-        """All numbers, with those that follow from the varied ones, and which runs are refused."""
-        found = np.tile(self.instance.numbers(), (len(values), 1))
+        """Return all parameters, including dependent ones, and the mask of rejected runs."""
+        parameters = np.tile(self.instance.numbers(), (len(values), 1))
         refused = np.zeros(len(values), dtype=np.bool_)
         for k, row in enumerate(values):
             changed = self._changed(row)
             if changed is None:
                 refused[k] = True
             else:
-                found[k] = changed.numbers()
-        return found, refused
+                parameters[k] = changed.numbers()
+        return parameters, refused
 
     def _changed(self, row: Array) -> Instance | None:
         try:
@@ -136,106 +132,110 @@ class PreparedPlan:
         changed = self._changed(row)
         problem = self.problem if changed is None else changed.problem(self.plan.circuit.run)
         none = np.zeros(0, dtype=np.int64)
-        found = self._run(problem, none, np.empty((1, 0)), row[np.newaxis])
-        return found if changed is not None else _without(found, np.ones(1, dtype=np.bool_))
+        results = self._run(problem, none, np.empty((1, 0)), row[np.newaxis])
+        return results if changed is not None else _mark_refused(results, np.ones(1, dtype=np.bool_))
 
-    def _run(self, problem: Problem, places: Integers, values: Array, numbers: Array) -> ShardResults:
+    def _run(self, problem: Problem, indices: Integers, values: Array, numbers: Array) -> ShardResults:
         plan, m = self.plan, len(values)
         metrics = np.full((m, len(plan.metrics)), np.nan)
         curves = np.full((m, len(plan.curves), problem.grid.size), np.nan) if plan.curves else None
 
-        def keep(rows: Rows) -> Array:
-            # Into arrays of this shard: every run has a row of its own.
+        def keep(rows: BatchRows) -> Array:
             metrics[rows.runs] = self._metrics(rows)
             if curves is not None:
                 curves[rows.runs] = rows.values[:, [self.outputs[address] for address in plan.curves]]
             return np.empty((len(rows.runs), 0))
 
         problem = replace(problem, kernel=self.kernel)
-        found = run_batch(Batch(problem, places, values, self.held), reduce=keep, threads=1)
-        is_done, codes = _endings(problem, found.ends)
+        batch = run_batch(Batch(problem, indices, values, self.held), reduce=keep, threads=1)
+        is_done, codes = _endings(problem, batch.ends)
         notes = np.full(m, "", dtype=object)
-        for run, said in found.notes.items():
-            notes[run] = ", ".join(note.code for note in said)
-        errors = list(found.residuals().values())
+        for run, notes_of_run in batch.notes.items():
+            notes[run] = ", ".join(note.code for note in notes_of_run)
+        errors = list(batch.residuals().values())
         balance = np.max(errors, axis=0) if errors else np.zeros(m)
         metrics[~is_done] = np.nan
         return ShardResults(numbers, metrics, codes, notes, is_done, balance, curves)
 
-    def _metrics(self, rows: Rows) -> Array:
-        """Metrics of some runs: at once of those that have all rows of the grid, of the others one by one."""
+    def _metrics(self, rows: BatchRows) -> Array:
+        """Return the metrics of runs: complete runs together, the others one by one."""
         n = rows.time.size
-        found = np.full((len(rows.runs), len(self.plan.metrics)), np.nan)
+        metrics = np.full((len(rows.runs), len(self.plan.metrics)), np.nan)
         is_whole = (rows.counts == n) & (rows.reached == rows.time[-1])
         groups = [(np.flatnonzero(is_whole), rows.time)] if is_whole.any() else []
         for k in np.flatnonzero(~is_whole & (rows.counts > 0)):
-            # The last row of a run that stopped lies between the times of the grid.
+            # The last row of a stopped run is between the times of the grid.
             time = rows.time[: rows.counts[k]].copy()
             time[-1] = rows.reached[k]
             groups.append((np.array([k]), time))
         for runs, time in groups:
-            of = rows.values if len(runs) == len(rows.runs) else rows.values[runs]
-            series = {address: of[:, place, : time.size] for address, place in self.outputs.items()}
+            values = rows.values if len(runs) == len(rows.runs) else rows.values[runs]
+            series = {address: values[:, index, : time.size] for address, index in self.outputs.items()}
             for j, metric in enumerate(self.plan.metrics):
-                found[runs, j] = metric.values(time, series)
-        return found
+                metrics[runs, j] = metric.values(time, series)
+        return metrics
 
 
-def _endings(problem: Problem, ends: Ends) -> tuple[NDArray[np.bool_], Codes]:
-    """Which runs came to their end, and how each of them ended, as codes."""
-    # By tables, for a run takes little longer than a look at one outcome.
-    every, places = tuple(Outcome), ends.counts[:, 5]
-    if (places == every.index(Outcome.INTERRUPTED)).any():
+def _endings(problem: Problem, ends: RunEnds) -> tuple[NDArray[np.bool_], Codes]:
+    """Return the mask of completed runs, and the codes of the termination reasons."""
+    # Look-up tables: a loop would take almost as long as the runs.
+    outcomes, indices = tuple(Outcome), ends.counts[:, 5]
+    if (indices == outcomes.index(Outcome.INTERRUPTED)).any():
         raise KeyboardInterrupt
-    # The last one is that of runs that no condition stopped.
-    left = np.array([*(condition.is_failure for condition in problem.stop_conditions), False])[ends.stops]
-    codes = np.array([outcome.value for outcome in every], dtype=object)[places]
-    codes[left] = "run.left_domain"
-    return np.array([outcome.is_success for outcome in every])[places] & ~left, codes
+    # The last entry is for runs without a stop condition.
+    has_left_domain = np.array([*(condition.is_failure for condition in problem.stop_conditions), False])[ends.stops]
+    codes = np.array([outcome.value for outcome in outcomes], dtype=object)[indices]
+    codes[has_left_domain] = "run.left_domain"
+    return np.array([outcome.is_success for outcome in outcomes])[indices] & ~has_left_domain, codes
 
 
-def _without(found: ShardResults, refused: NDArray[np.bool_]) -> ShardResults:
-    metrics, is_done = found.metrics.copy(), found.is_done & ~refused
+def _mark_refused(results: ShardResults, refused: NDArray[np.bool_]) -> ShardResults:
+    metrics, is_done = results.metrics.copy(), results.is_done & ~refused
     metrics[refused] = np.nan
-    codes = found.outcomes.copy()
+    codes = results.outcomes.copy()
     codes[refused] = REFUSED
-    return found._replace(metrics=metrics, is_done=is_done, outcomes=codes)
+    return results._replace(metrics=metrics, is_done=is_done, outcomes=codes)
 
 
-def _joined(found: list[ShardResults]) -> ShardResults:
-    *arrays, curves = zip(*found, strict=True)
-    together = None if curves[0] is None else np.concatenate(curves)
-    return ShardResults._make([*(np.concatenate(each) for each in arrays), together])
+def _concatenate(results: list[ShardResults]) -> ShardResults:
+    *arrays, curves = zip(*results, strict=True)
+    all_curves = None if curves[0] is None else np.concatenate(curves)
+    return ShardResults._make([*(np.concatenate(parts) for parts in arrays), all_curves])
 
 
 # --- Files ---
 
 
 def shard_files(plan: EnsemblePlan, ready: PreparedPlan, kind: str, number: int) -> dict[str, bytes]:
-    """Files of one shard of the runs of a kind, by their place in the dataset; the last one says that it is done."""
+    """Return the files of a shard by their path in the dataset; the last file marks it as complete."""
     design = design_of(plan, kind)
     first = number * design.shard
     last = min(first + design.shard, design.size)
-    found = ready.run(design.values(first, last))
+    results = ready.run(design.values(first, last))
     name, files = f"part-{number:05d}.parquet", {}
-    if kind == "runs" and found.curves is not None:
+    if kind == "runs" and results.curves is not None:
         if plan.keep == "bands":
-            bands = Bands.of(plan, ready.problem.grid, ready.edges, found.curves[found.is_done])
+            bands = Bands.of(plan, ready.problem.grid, ready.edges, results.curves[results.is_done])
             files[f"bands/{name}"] = _parquet(bands.columns(), {})
         else:
             columns: dict[str, Any] = {"run": np.arange(first, last)}
-            columns |= {address: list(found.curves[:, k]) for k, address in enumerate(plan.curves)}
+            columns |= {address: list(results.curves[:, k]) for k, address in enumerate(plan.curves)}
             files[f"curves/{name}"] = _parquet(columns, {})
     columns = {"run": np.arange(first, last)}
-    columns |= {address: found.numbers[:, k] for k, address in enumerate(plan.addresses)}
-    columns |= {metric.name: found.metrics[:, k] for k, metric in enumerate(plan.metrics)}
-    columns |= {"done": found.is_done, "outcome": found.outcomes, "notes": found.notes, "balance": found.balance}
+    columns |= {address: results.numbers[:, k] for k, address in enumerate(plan.addresses)}
+    columns |= {metric.name: results.metrics[:, k] for k, metric in enumerate(plan.metrics)}
+    columns |= {
+        "done": results.is_done,
+        "outcome": results.outcomes,
+        "notes": results.notes,
+        "balance": results.balance,
+    }
     files[f"{kind}/{name}"] = _parquet(columns, ready.units)
     return files
 
 
-_REPEATED = ["outcome", "notes", "curve", "counts.list.element"]
-"""Columns with few different values."""
+_CATEGORICAL = ["outcome", "notes", "curve", "counts.list.element"]
+"""Columns with few distinct values."""
 
 
 def _parquet(columns: Mapping[str, Any], units: Mapping[str, str]) -> bytes:
@@ -248,26 +248,26 @@ def _parquet(columns: Mapping[str, Any], units: Mapping[str, str]) -> bytes:
     stream = io.BytesIO()
     pa.parquet.write_table(
         pa.Table.from_arrays(arrays, schema=pa.schema(fields)), stream, compression="zstd",
-        # Draws do not repeat, and their extremes tell no shard from another: looking for that takes half the time.
-        use_dictionary=_REPEATED, write_statistics=["run"],
+        # Dictionaries and statistics of random samples have no benefit and take half of the time.
+        use_dictionary=_CATEGORICAL, write_statistics=["run"],
     )  # fmt: skip
     return stream.getvalue()
 
 
 # --- In other threads and processes ---
 
-_READY: dict[str, PreparedPlan] = {}
+_PLANS: dict[str, PreparedPlan] = {}
 
 
-def work(key: str, pickled: bytes, kind: str, number: int, kernel: str) -> dict[str, bytes]:
-    """One shard in whatever process this is; the plan is unpacked once for each of them.
+def run_shard(key: str, pickled: bytes, kind: str, number: int, kernel: str) -> dict[str, bytes]:
+    """Run one shard; a process unpickles the plan once.
 
-    The dataset's `kernel` has to be that of this machine, or the last digits would tell which worker made a shard.
+    The `kernel` of the dataset must be that of this machine: others differ in the last digits.
     """
-    if kernel != (own := kernel_of_this_machine()):
-        raise InputError("ensemble.other_kernel", kernel=kernel, own=own)
-    if key not in _READY:
-        _READY.clear()
-        _READY[key] = PreparedPlan(pickle.loads(pickled))
-    ready = _READY[key]
+    if kernel != (local_kernel := kernel_of_this_machine()):
+        raise InputError("ensemble.other_kernel", kernel=kernel, own=local_kernel)
+    if key not in _PLANS:
+        _PLANS.clear()
+        _PLANS[key] = PreparedPlan(pickle.loads(pickled))
+    ready = _PLANS[key]
     return shard_files(ready.plan, ready, kind, number)

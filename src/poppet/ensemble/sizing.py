@@ -1,5 +1,4 @@
-"""The smallest or largest number of a circuit that meets its requirements, for the circuit as it is or for a share of
-many."""
+"""Smallest or largest parameter that meets the requirements, for one circuit or a fraction of many."""
 
 from __future__ import annotations
 
@@ -18,69 +17,74 @@ from poppet.core.files import by_suffix, write_whole
 from poppet.core.toml import json_text, toml_text
 from poppet.core.units import quantity
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, varied_specs
-from poppet.ensemble.ensemble_result import plan_of
+from poppet.ensemble.ensemble_result import plan_of, with_parameters
+from poppet.ensemble.executors import Progress
 from poppet.ensemble.requirements import Requirement
 from poppet.ensemble.shards import PreparedPlan
 from poppet.ensemble.statistics import wilson
 
 POINTS = 65
-"""Values over the range that are looked at first; of them lies in a gap whatever is overlooked."""
-ROUNDS, BETWEEN = 4, 17
-"""Rounds in which the gap between the last value that fails and the first that holds is cut into so many pieces: 17^4
-leaves 1e-5 of the gap of the first look."""
-PEAKS, CLOSER = 3, 6
-"""Around so many values that fail, but are nearer to holding than their neighbours, it is looked closer so many times:
-what holds may lie between two values. 8^6 leaves 1e-6 of the value."""
+"""Values of the first evaluation, distributed over the range."""
+ROUNDS, PIECES = 4, 17
+"""Rounds, and pieces into which each round divides the gap between failing and valid values.
+
+The final gap is 17^-4, about 1e-5, of the first one.
+"""
+PEAKS, REFINEMENTS = 3, 6
+"""Number of local maxima of the margin that are refined, and refinements of each.
+
+A valid value can be between two failing ones. The final resolution is about 1e-6 of the value.
+"""
 DECADES = 2.0
-"""Without a range: so many decades to either side of the number as it is."""
-MOST_RUNS = 4_000_000
+"""Decades of the default range on either side of the value in the circuit."""
+MAX_RUNS = 4_000_000
 
 
 @dataclass(frozen=True)
 class Sizing:
-    """The number that was sought, and what the requirements make of others.
+    """Result of a sizing: value, margins, and metrics versus the free parameter.
 
     Parameters
     ----------
     title : str
-        For people.
+        Title of the circuit.
     address, unit : str
-        The free number, and its SI unit.
+        Free parameter and its SI unit.
     is_largest : bool
-        Whether the largest value was sought instead of the smallest.
+        True if the largest value was requested instead of the smallest.
     value : float
-        The smallest (largest) value that meets all requirements, to `resolution`; not-a-number where none does.
+        The smallest (largest) value that meets all requirements, to `resolution`; NaN if there is none.
     resolution : float
-        Distance to the nearest value that was seen to fail, relative; 0 where an end of the range holds.
+        Relative distance to the nearest failing value; 0 at an end of the range.
     share : float
-        Share of good runs that was asked for; 1 for the circuit as it is.
+        Required fraction of good runs; 1 for a single circuit.
     interval : tuple of float
-        95 % of the share at `value`, after Wilson; both 1 for the circuit as it is.
+        95 % interval of the fraction at `value` (Wilson); both limits are 1 for a single circuit.
     margins : mapping
-        Requirement to how far its metric is on the good side at `value`, in the metric's unit; of many runs the
-        quantile that the share asks for.
+        Requirement to its margin at `value`, in the unit of its metric. For several runs it is the quantile of
+        `share`.
     limiting : str
-        The requirement that fails next to `value`; empty where none does.
+        Requirement that fails at the next value; empty if there is none.
     size : float
-        The next of the sizes that were given; not-a-number without them or where none holds.
+        Next standard size; NaN without sizes or if no size is valid.
     values : (n,) array
-        All values that were looked at, in order.
+        All evaluated values in ascending order.
     shares : (n,) array
-        Share of good runs at each.
+        Fraction of good runs at each value.
     metrics : mapping
-        Metric to its values, (n,): of many runs the mean.
+        Metric to its values, (n,); the mean of several runs.
     units : mapping
         Metric to its unit.
     holding : tuple of pairs of float
-        Stretches of the range in which the requirements hold, as far as it was seen.
+        Intervals in which the requirements are met, at the resolution of `values`.
     requirements : mapping
-        Name to text of the requirements that were to be met.
+        Name to text of the requirements.
     bounds : mapping
-        Metric to the bounds that these set, in its unit.
+        Metric to the bounds of the requirements, in its unit.
     runs : int
         Runs at each value.
     remarks : tuple of Note
-        What a reader has to know.
+        Notes on the result.
     """
 
     title: str
@@ -106,15 +110,15 @@ class Sizing:
 
     @property
     def is_met(self) -> bool:
-        """Whether any value of the range holds."""
+        """True if a value in the range meets the requirements."""
         return math.isfinite(self.value)
 
     def content(self) -> dict[str, Any]:
-        """Everything that is written to a file, as plain tables."""
-        plain = ("title", "address", "unit", "is_largest", "value", "resolution", "share", "limiting", "size")
+        """Return the content of the result file as plain tables."""
+        content = ("title", "address", "unit", "is_largest", "value", "resolution", "share", "limiting", "size")
         return {
             "method": "size",
-            **{name: getattr(self, name) for name in plain},
+            **{name: getattr(self, name) for name in content},
             "interval": list(self.interval),
             "holding": [list(pair) for pair in self.holding],
             "requirements": dict(self.requirements),
@@ -126,12 +130,12 @@ class Sizing:
         }
 
     def save(self, path: str | Path) -> None:
-        """Write the sizing, `.toml` or `.json`, aside and renamed.
+        """Write the sizing to a file, `.toml` or `.json`.
 
         Parameters
         ----------
         path : str or Path
-            Where to.
+            File name.
         """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
@@ -146,52 +150,52 @@ def size(
     largest: bool = False,
     share: float | None = None,
     sizes: Sequence[Any] = (),
-    progress: Callable[[int, int, str], Any] | None = None,
+    progress: Progress | None = None,
     **fields: Any,
 ) -> Sizing:
-    """Find the smallest, or largest, value of a number with which requirements hold.
+    """Find the smallest or largest value of a parameter that meets the requirements.
 
     Parameters
     ----------
     circuit : Circuit
-        With the tables `ensemble` (metrics) and `requirements` of its file, unless `fields` has them.
+        Circuit with the tables `ensemble` (metrics) and `requirements`, unless `fields` contains them.
     free : str
-        Address of the number.
+        Address of the parameter.
     meet : sequence of str, optional
-        Names of the requirements; all of them by default.
+        Names of the requirements; default all.
     between : pair, optional
-        Range to look in, numbers in SI or text with units; two decades to either side of the number as it is, within
-        what it may be.
+        Range, as SI values or text with units; default two decades on either side of the value in the circuit, within
+        the limits of the parameter.
     largest : bool, optional
-        Seek the largest value instead of the smallest.
+        Find the largest value instead of the smallest.
     share : float, optional
-        Share of good runs, 0 to 1, of the ensemble's distributions; without it the circuit as it is.
+        Required fraction of good runs of the ensemble, 0 to 1; default a single run of the circuit.
     sizes : sequence, optional
-        Standard sizes: the next of them that holds is named.
+        Standard sizes; the result contains the next one that is valid.
     progress : callable, optional
-        Called with the rounds that are done, of how many, and what is looked at.
+        Called with the completed rounds, the total, and a description.
     **fields
-        Fields of the table `ensemble`, and `requirements`, that go before those of the file.
+        Fields of the table `ensemble`, and `requirements`; they override those of the file.
 
     Returns
     -------
     Sizing
-        The value, margins, and the metrics over the number.
+        Value, margins, and metrics versus the parameter.
 
     Raises
     ------
     InputError
-        For what is unknown, a range that is none, a share without distributions.
+        For an unknown name, an invalid range, or a fraction without distributions.
 
     Notes
     -----
-    The range is looked at on 65 values, evenly spaced in logarithms where it is positive. Requirements need not be
-    monotonic in the number: around values that fail and are nearer to holding than their neighbours, the three nearest,
-    it is looked closer, so that a narrow stretch between two values is found where metrics lead to it. The gap before
-    the first value that holds is then cut finer. With a share every value sees the same draws, so that it changes with
-    the number and not by chance; a number that is free and uncertain at once is the median of its draws, and keeps
-    their spread as a part of it.
+    The first evaluation has 65 values, with logarithmic spacing in a positive range. Requirements need not be monotonic
+    in the parameter: the three failing values with the largest local margins are refined, which finds narrow valid
+    intervals between two values. Then the gap before the first valid value is divided. With a fraction, all values use
+    the same random samples, so differences are due to the parameter. If the parameter is also uncertain, the value is
+    the median of its samples, and their relative spread is constant.
     """
+    fields = with_parameters(fields)
     spec = varied_specs(circuit).get(free)
     if spec is None:
         raise InputError("ensemble.number", free, near=NameSuggestion(free, varied_specs(circuit)))
@@ -200,43 +204,43 @@ def size(
     ambient = circuit.surroundings.pressure
     nominal = circuit.numbers()[free].absolute(ambient)
 
-    def read(given: Any, place: str) -> float:
-        found = quantity(given, spec.unit, kind=spec.kind, name=place)
-        return found.value + (ambient if found.reference == "gauge" else 0.0)
+    def read_value(raw: Any, address: str) -> float:
+        parsed = quantity(raw, spec.unit, kind=spec.kind, name=address)
+        return parsed.value + (ambient if parsed.reference == "gauge" else 0.0)
 
-    standard = np.unique([read(given, "sizes") for given in sizes])
+    standard = np.unique([read_value(raw, "sizes") for raw in sizes])
     for value in standard.tolist():
         if not spec.holds(value):
             raise OutOfRangeError("size.size", free, value=value, unit=spec.unit)
-    low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read, free)
+    low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free)
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None and not 0.0 < share < 1.0:
         raise OutOfRangeError("size.share", "share", value=share)
-    sweep: dict[str, Any] = {"numbers": {free: {"distribution": "uniform", "low": low, "high": high}}, "runs": 1}
+    sweep: dict[str, Any] = {"parameters": {free: {"distribution": "uniform", "low": low, "high": high}}, "runs": 1}
     plan = plan_of(circuit, **{**fields, **sweep, "sampling": "random", "keep": "metrics", "indices": 0})
-    wanted = _wanted(plan, meet)
-    look = _Look(circuit, plan, wanted, free, nominal, uncertain, share or 1.0)
+    requirements = _select_requirements(plan, meet)
+    evaluator = _Evaluator(circuit, plan, requirements, free, nominal, uncertain, share or 1.0)
     first = np.geomspace(low, high, POINTS) if low > 0.0 else np.linspace(low, high, POINTS)
-    seen = look.at(first, progress, 0)
-    for value in _peaks(seen, largest, look.share):
-        seen = _closer(look, seen, value, progress)
-    for number in range(ROUNDS):
-        gap = _gap(seen, largest, look.share)
+    results = evaluator.evaluate(first, progress, 0)
+    for value in _peaks(results, largest, evaluator.share):
+        results = _refine(evaluator, results, value, progress)
+    for round_index in range(ROUNDS):
+        gap = _gap(results, largest, evaluator.share)
         if gap is None:
             break
-        seen = seen.joined(look.at(np.linspace(*gap, BETWEEN + 1)[1:-1], progress, number + 1))
-    return _told(circuit, look, seen, standard, largest)
+        results = results.joined(evaluator.evaluate(np.linspace(*gap, PIECES + 1)[1:-1], progress, round_index + 1))
+    return _make_sizing(circuit, evaluator, results, standard, largest)
 
 
 @dataclass(frozen=True)
 class _Evaluations:
-    """What was seen at some values, in order."""
+    """Results at some values in ascending order."""
 
     values: Array
     shares: Array
     metrics: Array  # (n, n_metrics)
     margins: Array  # (n, n_requirements)
-    worst: Array  # (n,) the least of all margins over their bounds, of the run that decides
+    worst: Array  # (n,) minimum of all margins relative to their bounds, for the run at the quantile
 
     def joined(self, other: _Evaluations) -> _Evaluations:
         order = np.argsort(np.concatenate([self.values, other.values]), kind="stable")
@@ -244,206 +248,204 @@ class _Evaluations:
         return _Evaluations(*rows)
 
 
-class _Look:
-    """Metrics and requirements at values of the free number."""
+class _Evaluator:
+    """Evaluation of metrics and requirements at values of the free parameter."""
 
     def __init__(
         self,
         circuit: Circuit,
         sweep: EnsemblePlan,
-        wanted: tuple[Requirement, ...],
+        requirements: tuple[Requirement, ...],
         free: str,
         nominal: float,
         uncertain: EnsemblePlan | None,
         share: float,
     ) -> None:
-        self.plan, self.wanted, self.share = sweep, wanted, share
-        self.places = [[metric.name for metric in sweep.metrics].index(each.metric) for each in wanted]
-        # Margins of different units are compared as parts of these.
-        self.sizes = np.array([max(abs(bound) for _, bound in each.bounds) or 1.0 for each in wanted])
+        self.plan, self.requirements, self.share = sweep, requirements, share
+        self.columns = [
+            [metric.name for metric in sweep.metrics].index(requirement.metric) for requirement in requirements
+        ]
+        # Scales for the comparison of margins with different units.
+        self.sizes = np.array(
+            [max(abs(bound) for _, bound in requirement.bounds) or 1.0 for requirement in requirements]
+        )
         if uncertain is None:
-            self._ready, self.draws, self._at = PreparedPlan(sweep), np.ones((1, 1)), 0
+            self._ready, self.draws, self._column = PreparedPlan(sweep), np.ones((1, 1)), 0
             return
         draws = uncertain.sample(0, uncertain.runs)
         addresses = uncertain.addresses
-        if uncertain.runs * (POINTS + ROUNDS * BETWEEN) > MOST_RUNS:
-            raise InputError("size.too_many", "ensemble.runs", runs=uncertain.runs, most=MOST_RUNS // 200)
-        # One that is uncertain itself keeps its spread, as a part of its median.
+        if uncertain.runs * (POINTS + ROUNDS * PIECES) > MAX_RUNS:
+            raise InputError("size.too_many", "ensemble.runs", runs=uncertain.runs, most=MAX_RUNS // 200)
+        # A parameter that is also uncertain keeps its relative spread.
         if free in addresses:
             median = uncertain.quantile(free, 0.5)
             if not median:
                 raise InputError("size.about_zero", free)
-            self._at, draws = addresses.index(free), draws.copy()
-            draws[:, self._at] /= median
+            self._column, draws = addresses.index(free), draws.copy()
+            draws[:, self._column] /= median
         else:
-            self._at = len(addresses)
+            self._column = len(addresses)
             draws, addresses = np.column_stack([draws, np.ones(len(draws))]), (*addresses, free)
         self.draws = draws
         table = replace(uncertain, sampling="file", table=(addresses, self._with(nominal)), alone={}, joint=())
         self._ready = PreparedPlan(replace(table, joint_normal=None, keep="metrics", curves=(), metrics=sweep.metrics))
 
     def _with(self, value: float) -> Array:
-        found = self.draws.copy()
-        found[:, self._at] *= value
-        return found
+        draws = self.draws.copy()
+        draws[:, self._column] *= value
+        return draws
 
-    def at(self, values: Array, progress: Callable[[int, int, str], Any] | None, number: int) -> _Evaluations:
+    def evaluate(self, values: Array, progress: Progress | None, round_index: int) -> _Evaluations:
         if progress is not None:
-            progress(number, ROUNDS + 1, f"{len(values)} values")
+            progress(round_index, ROUNDS + 1, f"{len(values)} values")
         runs = len(self.draws)
-        found = self._ready.run(np.concatenate([self._with(value) for value in values])).metrics
-        metrics = found.reshape(len(values), runs, -1)
+        results = self._ready.run(np.concatenate([self._with(value) for value in values])).metrics
+        metrics = results.reshape(len(values), runs, -1)
         met = np.ones((len(values), runs), dtype=np.bool_)
-        margins = np.empty((len(values), len(self.wanted)))
+        margins = np.empty((len(values), len(self.requirements)))
         worst = np.full((len(values), runs), np.inf)
-        # Of the worst run that may not fail.
+        # Index of the worst run that must not fail.
         decides = runs - math.ceil(self.share * runs - 1e-9)
-        for k, (each, place) in enumerate(zip(self.wanted, self.places, strict=True)):
-            met &= each.met(metrics[:, :, place])
-            own = np.where(np.isnan(metrics[:, :, place]), -np.inf, each.margin(metrics[:, :, place]))
-            worst = np.minimum(worst, own / self.sizes[k])
-            margins[:, k] = np.sort(own, axis=1)[:, decides]
+        for k, (requirement, column) in enumerate(zip(self.requirements, self.columns, strict=True)):
+            met &= requirement.met(metrics[:, :, column])
+            margin = np.where(np.isnan(metrics[:, :, column]), -np.inf, requirement.margin(metrics[:, :, column]))
+            worst = np.minimum(worst, margin / self.sizes[k])
+            margins[:, k] = np.sort(margin, axis=1)[:, decides]
         worst = np.sort(worst, axis=1)[:, decides]
         return _Evaluations(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
 
 
 def _range(
-    between: tuple[Any, Any] | None,
+    ends: tuple[Any, Any] | None,
     nominal: float,
     limits: tuple[float, float],
-    read: Callable[[Any, str], float],
+    read_value: Callable[[Any, str], float],
     free: str,
 ) -> tuple[float, float]:
-    """Ends of the range, within what the number may be."""
-    if between is None:
+    """Return the range within the limits of the parameter."""
+    if ends is None:
         if not nominal > 0.0:
             raise InputError("size.no_range", free)
         low, high = nominal * 10.0**-DECADES, nominal * 10.0**DECADES
         return max(low, limits[0]), min(high, limits[1] - 1e-9 * nominal if math.isfinite(limits[1]) else high)
-    low, high = (read(given, "range") for given in between)
+    low, high = (read_value(raw, "range") for raw in ends)
     if not limits[0] <= low < high <= limits[1]:
         raise OutOfRangeError("size.range", free, low=low, high=high, least=limits[0], most=limits[1])
     return low, high
 
 
-def _wanted(plan: EnsemblePlan, meet: Sequence[str]) -> tuple[Requirement, ...]:
-    known = {each.name: each for each in plan.requirements}
+def _select_requirements(plan: EnsemblePlan, meet: Sequence[str]) -> tuple[Requirement, ...]:
+    requirements = {requirement.name: requirement for requirement in plan.requirements}
     for name in meet:
-        if name not in known:
-            raise InputError("size.requirement", name, near=NameSuggestion(name, known))
-    if not known:
+        if name not in requirements:
+            raise InputError("size.requirement", name, near=NameSuggestion(name, requirements))
+    if not requirements:
         raise InputError("size.no_requirement", "requirements")
-    return tuple(known[name] for name in dict.fromkeys(meet)) if meet else plan.requirements
+    return tuple(requirements[name] for name in dict.fromkeys(meet)) if meet else plan.requirements
 
 
-def _holds(seen: _Evaluations, share: float) -> Any:
-    return seen.shares >= share - 1e-12
+def _holds(results: _Evaluations, share: float) -> Any:
+    return results.shares >= share - 1e-12
 
 
-def _peaks(seen: _Evaluations, largest: bool, share: float) -> list[float]:
-    """Values beyond which none holds that are nearer to holding than those beside them, the nearest of all first."""
-    holds, worst = np.flatnonzero(_holds(seen, share)), seen.worst
+def _peaks(results: _Evaluations, largest: bool, share: float) -> list[float]:
+    """Return the failing values with local maxima of the margin beyond the valid range, the largest first."""
+    holds, worst = np.flatnonzero(_holds(results, share)), results.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
     is_peak = np.isfinite(worst) & (worst >= left) & (worst >= right) & (worst > np.minimum(left, right))
     if holds.size:
         is_peak[: holds[-1] + 1] &= not largest
         is_peak[holds[0] :] &= largest
-    places = np.flatnonzero(is_peak)
-    return [float(seen.values[k]) for k in places[np.argsort(-worst[places], kind="stable")][:PEAKS]]
+    indices = np.flatnonzero(is_peak)
+    return [float(results.values[k]) for k in indices[np.argsort(-worst[indices], kind="stable")][:PEAKS]]
 
 
-def _closer(
-    look: _Look, seen: _Evaluations, value: float, progress: Callable[[int, int, str], Any] | None
-) -> _Evaluations:
-    """Look closer and closer around a value, or what is nearer to holding beside it, until one holds."""
-    for _ in range(CLOSER):
-        k = int(np.searchsorted(seen.values, value))
-        low, high = seen.values[max(k - 1, 0)], seen.values[min(k + 1, len(seen.values) - 1)]
-        own = look.at(np.setdiff1d(np.linspace(low, high, BETWEEN + 1)[1:-1], seen.values), progress, 0)
-        before, seen = seen.worst[k], seen.joined(own)
-        best = int(np.argmax(own.worst))
-        if _holds(own, look.share).any():
+def _refine(evaluator: _Evaluator, results: _Evaluations, value: float, progress: Progress | None) -> _Evaluations:
+    """Refine the values around a local maximum of the margin until one is valid."""
+    for _ in range(REFINEMENTS):
+        k = int(np.searchsorted(results.values, value))
+        low, high = results.values[max(k - 1, 0)], results.values[min(k + 1, len(results.values) - 1)]
+        inner = np.setdiff1d(np.linspace(low, high, PIECES + 1)[1:-1], results.values)
+        refined = evaluator.evaluate(inner, progress, 0)
+        previous, results = results.worst[k], results.joined(refined)
+        best = int(np.argmax(refined.worst))
+        if _holds(refined, evaluator.share).any():
             break
-        if own.worst[best] > before:
-            value = float(own.values[best])
-        elif value in (low, high):  # an end of the range, from where it only gets worse
+        if refined.worst[best] > previous:
+            value = float(refined.values[best])
+        elif value in (low, high):  # an end of the range
             break
-    return seen
+    return results
 
 
-def _gap(seen: _Evaluations, largest: bool, share: float) -> tuple[float, float] | None:
-    """The last value that fails and the first that holds; nothing where none holds, or the end of the range does."""
-    holds = _holds(seen, share)
+def _gap(results: _Evaluations, largest: bool, share: float) -> tuple[float, float] | None:
+    """Return the last failing and the first valid value; None if there is no such pair."""
+    holds = _holds(results, share)
     if not holds.any():
         return None
     k = int(np.flatnonzero(holds)[-1 if largest else 0])
-    other = k + 1 if largest else k - 1
-    return (seen.values[k], seen.values[other]) if 0 <= other < len(holds) else None
+    neighbour = k + 1 if largest else k - 1
+    return (results.values[k], results.values[neighbour]) if 0 <= neighbour < len(holds) else None
 
 
-def _told(circuit: Circuit, look: _Look, seen: _Evaluations, standard: Array, largest: bool) -> Sizing:
-    plan, share = look.plan, look.share
+def _make_sizing(
+    circuit: Circuit, evaluator: _Evaluator, results: _Evaluations, standard: Array, largest: bool
+) -> Sizing:
+    plan, share = evaluator.plan, evaluator.share
     free = plan.addresses[0]
-    holds = _holds(seen, share)
-    stretches, unit = _stretches(seen.values, holds), varied_specs(circuit)[free].unit
+    holds = _holds(results, share)
+    intervals, unit = _intervals(results.values, holds), varied_specs(circuit)[free].unit
     remarks: list[Note] = []
-    value = resolution = chosen = math.nan
-    margins = dict.fromkeys((each.name for each in look.wanted), math.nan)
+    value = resolution = standard_size = math.nan
+    margins = dict.fromkeys((requirement.name for requirement in evaluator.requirements), math.nan)
     limiting, interval = "", (math.nan, math.nan)
     if not holds.any():
-        best = int(np.argmax(seen.shares)) if seen.shares.any() else int(np.argmax(seen.worst))
-        near = "upper" if best == len(holds) - 1 else "lower" if best == 0 else "inside"
-        if not seen.shares.any() and not np.isfinite(seen.worst).any():
-            near = "known"
-        remarks.append(Note(f"size.none_{near}", free, value=float(seen.values[best]), unit=unit))
+        best = int(np.argmax(results.shares)) if results.shares.any() else int(np.argmax(results.worst))
+        suffix = "upper" if best == len(holds) - 1 else "lower" if best == 0 else "inside"
+        if not results.shares.any() and not np.isfinite(results.worst).any():
+            suffix = "known"
+        remarks.append(Note(f"size.none_{suffix}", free, value=float(results.values[best]), unit=unit))
     else:
         k = int(np.flatnonzero(holds)[-1 if largest else 0])
-        value, other = float(seen.values[k]), k + 1 if largest else k - 1
-        margins = {each.name: float(seen.margins[k, j]) for j, each in enumerate(look.wanted)}
-        runs = len(look.draws)
-        interval = wilson(round(seen.shares[k] * runs), runs) if share < 1.0 else (1.0, 1.0)
+        value, neighbour = float(results.values[k]), k + 1 if largest else k - 1
+        margins = {r.name: float(results.margins[k, j]) for j, r in enumerate(evaluator.requirements)}
+        runs = len(evaluator.draws)
+        interval = wilson(round(results.shares[k] * runs), runs) if share < 1.0 else (1.0, 1.0)
         if share < 1.0 and (1.0 - share) * runs < 1.0 - 1e-9:
-            remarks.append(
-                Note(
-                    "size.few",
-                    "ensemble.runs",
-                    runs=runs,
-                    share=share,
-                    wanted=math.ceil(1.0 / (1.0 - share) * (1.0 - 1e-9)),
-                )
-            )
-        if 0 <= other < len(holds):
-            resolution = abs(float(seen.values[other]) - value) / abs(value)
-            limiting = look.wanted[int(np.argmin(seen.margins[other] / look.sizes))].name
+            n_min = math.ceil(1.0 / (1.0 - share) * (1.0 - 1e-9))
+            remarks.append(Note("size.few", "ensemble.runs", runs=runs, share=share, wanted=n_min))
+        if 0 <= neighbour < len(holds):
+            resolution = abs(float(results.values[neighbour]) - value) / abs(value)
+            limiting = evaluator.requirements[int(np.argmin(results.margins[neighbour] / evaluator.sizes))].name
         else:
             resolution = 0.0
             remarks.append(Note("size.end", free, end="upper" if largest else "lower"))
-        if len(stretches) > 1:
-            remarks.append(Note("size.several", free, count=len(stretches)))
+        if len(intervals) > 1:
+            remarks.append(Note("size.several", free, count=len(intervals)))
         if standard.size:
-            fits = _holds(look.at(standard, None, 0), share)
-            inside = standard[fits & (standard <= value if largest else standard >= value)]
-            if inside.size:
-                chosen = float(inside[-1 if largest else 0])
+            fits = _holds(evaluator.evaluate(standard, None, 0), share)
+            suitable = standard[fits & (standard <= value if largest else standard >= value)]
+            if suitable.size:
+                standard_size = float(suitable[-1 if largest else 0])
             else:
                 remarks.append(Note("size.no_standard", free))
     return Sizing(
         circuit.title, free, unit, largest, value, resolution, share, interval, margins,
-        limiting, chosen, seen.values, seen.shares,
-        {metric.name: seen.metrics[:, j] for j, metric in enumerate(plan.metrics)},
+        limiting, standard_size, results.values, results.shares,
+        {metric.name: results.metrics[:, j] for j, metric in enumerate(plan.metrics)},
         {metric.name: metric.unit for metric in plan.metrics},
-        tuple(stretches), {each.name: each.text for each in look.wanted}, _bounds(look.wanted), len(look.draws),
-        tuple(remarks),
+        tuple(intervals), {r.name: r.text for r in evaluator.requirements}, _bounds(evaluator.requirements),
+        len(evaluator.draws), tuple(remarks),
     )  # fmt: skip
 
 
-def _bounds(wanted: Sequence[Requirement]) -> dict[str, tuple[float, ...]]:
-    found: dict[str, tuple[float, ...]] = {}
-    for each in wanted:
-        found[each.metric] = (*found.get(each.metric, ()), *(bound for _, bound in each.bounds))
-    return found
+def _bounds(requirements: Sequence[Requirement]) -> dict[str, tuple[float, ...]]:
+    bounds: dict[str, tuple[float, ...]] = {}
+    for requirement in requirements:
+        bounds[requirement.metric] = (*bounds.get(requirement.metric, ()), *(bound for _, bound in requirement.bounds))
+    return bounds
 
 
-def _stretches(values: Array, holds: Any) -> list[tuple[float, float]]:
+def _intervals(values: Array, holds: Any) -> list[tuple[float, float]]:
     edges = np.flatnonzero(np.diff(np.concatenate([[False], holds, [False]]).astype(int)))
     return [(float(values[a]), float(values[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]

@@ -1,4 +1,4 @@
-"""What runs tell: shares with intervals, moments and quantiles, influence of numbers."""
+"""Statistics of runs: yields, moments, quantiles and effects of parameters."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ from poppet.ensemble.metrics import Metric
 LEVELS = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 """Quantiles of a metric."""
 _Z = 1.959963984540054
-"""Normal quantile of an interval of 95 %."""
+"""Normal quantile of a 95 % interval."""
 
 
 @dataclass(frozen=True)
 class Yield:
-    """Share of runs that meet a requirement, with its interval of 95 %."""
+    """Fraction of runs that meet a requirement, with its 95 % interval."""
 
     name: str
     text: str
@@ -29,18 +29,18 @@ class Yield:
 
     @property
     def share(self) -> float:
-        """Good runs of all."""
+        """Fraction of good runs."""
         return self.good / self.runs if self.runs else math.nan
 
 
 @dataclass(frozen=True)
 class Summary:
-    """A metric over all runs, in its unit."""
+    """Statistics of a metric over all runs, in its unit."""
 
     name: str
     unit: str
     count: int  # runs with a finite value
-    never: int  # runs in which what is asked for never happens: infinite
+    never: int  # runs without the event; their value is infinite
     failed: int  # runs without a value
     mean: float
     sd: float
@@ -51,7 +51,7 @@ class Summary:
 
 @dataclass(frozen=True)
 class TornadoRange:
-    """A metric at the median of all numbers, and at the low and the high quantile of one of them."""
+    """Values of a metric at the medians, and at a low and a high quantile of one parameter."""
 
     address: str
     middle: float
@@ -60,30 +60,30 @@ class TornadoRange:
 
     @property
     def size(self) -> float:
-        """How far apart they are."""
+        """Absolute difference of the two values."""
         size = abs(self.high - self.low)
         return size if math.isfinite(size) else math.inf
 
 
-def wilson(good: int, runs: int) -> tuple[float, float]:
-    r"""Interval of 95 % of a share.
+def wilson(n_good: int, runs: int) -> tuple[float, float]:
+    r"""Return the 95 % interval of a fraction.
 
     .. math:: \frac{k + z^2/2}{n + z^2} \pm \frac{z}{n + z^2} \sqrt{\frac{k (n - k)}{n} + \frac{z^2}{4}}
 
     Parameters
     ----------
-    good, runs : int
+    n_good, runs : int
         k of n.
 
     Returns
     -------
     tuple of float
-        Its ends; 0 and 1 without runs.
+        Limits of the interval; 0 and 1 without runs.
 
     Notes
     -----
-    Wilson, J. Am. Stat. Assoc. 22 (1927) 209. Of independent runs it covers 95 % on average over shares; of a Latin
-    hypercube or a scrambled Sobol sequence, which spread more evenly, more than that.
+    Wilson, J. Am. Stat. Assoc. 22 (1927) 209. The mean coverage is 95 % for independent runs. It is larger for
+    a Latin hypercube or a scrambled Sobol sequence, which fill the space more evenly.
 
     Examples
     --------
@@ -93,13 +93,13 @@ def wilson(good: int, runs: int) -> tuple[float, float]:
     if not runs:
         return 0.0, 1.0
     z2 = _Z * _Z
-    middle = (good + 0.5 * z2) / (runs + z2)
-    half = _Z / (runs + z2) * math.sqrt(good * (runs - good) / runs + 0.25 * z2)
-    return max(0.0, middle - half) if good else 0.0, min(1.0, middle + half) if good < runs else 1.0
+    middle = (n_good + 0.5 * z2) / (runs + z2)
+    half = _Z / (runs + z2) * math.sqrt(n_good * (runs - n_good) / runs + 0.25 * z2)
+    return max(0.0, middle - half) if n_good else 0.0, min(1.0, middle + half) if n_good < runs else 1.0
 
 
-def summary_of(dataset: Dataset, metric: Metric, most: int) -> Summary:
-    """A metric over all runs; its quantiles are those of the first `most` of them."""
+def summary_of(dataset: Dataset, metric: Metric, max_values: int) -> Summary:
+    """Return statistics of a metric over all runs; quantiles use the first `max_values` runs."""
     count = never = failed = 0
     mean = moment = 0.0
     least, greatest = math.inf, -math.inf
@@ -109,18 +109,22 @@ def summary_of(dataset: Dataset, metric: Metric, most: int) -> Summary:
         finite = values[np.isfinite(values)]
         never += int(np.isinf(values).sum())
         failed += int(np.isnan(values).sum())
-        if sum(map(len, first)) < most:
+        if sum(map(len, first)) < max_values:
             first.append(finite)
         if finite.size:
-            # Chan, Golub and LeVeque: moments of two sets make those of both.
-            own, n = float(finite.mean()), finite.size
-            apart = own - mean
-            moment += float(((finite - own) ** 2).sum()) + apart**2 * count * n / (count + n)
-            mean += apart * n / (count + n)
+            # Chan, Golub and LeVeque: combine the moments of two sets.
+            shard_mean, n = float(finite.mean()), finite.size
+            difference = shard_mean - mean
+            moment += float(((finite - shard_mean) ** 2).sum()) + difference**2 * count * n / (count + n)
+            mean += difference * n / (count + n)
             count += n
             least, greatest = min(least, float(finite.min())), max(greatest, float(finite.max()))
-    seen = np.concatenate(first) if first else np.empty(0)
-    quantiles = dict(zip(LEVELS, np.quantile(seen, LEVELS).tolist(), strict=True)) if seen.size else {}
+    values_of_quantiles = np.concatenate(first) if first else np.empty(0)
+    quantiles = (
+        dict(zip(LEVELS, np.quantile(values_of_quantiles, LEVELS).tolist(), strict=True))
+        if values_of_quantiles.size
+        else {}
+    )
     if not count:
         mean = least = greatest = math.nan
     sd = math.sqrt(moment / (count - 1)) if count > 1 else math.nan

@@ -1,4 +1,4 @@
-"""The worst runs of a requirement, and circuit files of them."""
+"""Worst runs of a requirement, and their circuit files."""
 
 from __future__ import annotations
 
@@ -21,24 +21,24 @@ from poppet.ensemble.ensemble_plan import EnsemblePlan, varied_specs
 from poppet.ensemble.requirements import Requirement
 
 _PATHS = ("path", "characteristic")
-"""Fields that may hold the path of a file."""
+"""Fields that can contain the path of a file."""
 
 
 @dataclass(frozen=True)
 class WorstCase:
-    """A run that is among the worst."""
+    """One of the worst runs of a requirement."""
 
     requirement: str
     run: int
     value: float  # of the metric, in its unit; NaN of a run that failed
-    margin: float  # by which it is on the good side; -inf of a run that failed
+    margin: float  # distance to the bound, positive if met; -inf for a failed run
     outcome: str
     numbers: Mapping[str, float]  # SI, absolute
 
 
 def worst_of(dataset: Dataset, plan: EnsemblePlan, requirement: Requirement, count: int) -> list[WorstCase]:
-    """The runs with the smallest margins, failed ones first; of equal ones the first."""
-    found: list[WorstCase] = []
+    """Return the runs with the smallest margins; failed runs are first."""
+    cases: list[WorstCase] = []
     for shard in dataset.shards("runs"):
         values = shard[requirement.metric]
         margins = np.where(shard["done"].astype(bool), requirement.margin(values), -np.inf)
@@ -46,42 +46,45 @@ def worst_of(dataset: Dataset, plan: EnsemblePlan, requirement: Requirement, cou
         for k in np.argsort(margins, kind="stable")[:count].tolist():
             numbers = {address: float(shard[address][k]) for address in plan.addresses}
             case = requirement.name, int(shard["run"][k]), float(values[k]), float(margins[k]), str(shard["outcome"][k])
-            found.append(WorstCase(*case, numbers))
-        found = sorted(found, key=lambda case: (case.margin, case.run))[:count]
-    return found
+            cases.append(WorstCase(*case, numbers))
+        cases = sorted(cases, key=lambda case: (case.margin, case.run))[:count]
+    return cases
 
 
 def save_case(circuit: Circuit, case: WorstCase, path: Path) -> Path:
-    """Write the circuit of a case as a file of its own, and see that it is the same."""
-    wanted = replace(circuit.with_values(case.numbers), title=f"{circuit.title}, run {case.run} ({case.requirement})")
-    text = circuit_text(wanted, path.parent)
+    """Write the circuit of a case as a file, and check that it is equal."""
+    changed = replace(circuit.with_values(case.numbers), title=f"{circuit.title}, run {case.run} ({case.requirement})")
+    text = circuit_text(changed, path.parent)
     return write_whole(path, lambda stream: stream.write(text.encode("utf-8")))
 
 
 def circuit_text(circuit: Circuit, folder: Path) -> str:
-    """A circuit as a file in a folder: its own file, with the numbers that differ; refused where that is not all."""
+    """Return a circuit as a file: its original file with changed parameters.
+
+    A circuit with other changes is rejected.
+    """
     tables, origin = circuit.origin
     if not tables:
         raise InputError("ensemble.not_of_a_file", title=circuit.title)
     content = {key: deepcopy(value) for key, value in tables.items() if key not in ABOVE} | {"title": circuit.title}
-    plain = loads(toml_text(content), folder=origin)
+    original = loads(toml_text(content), folder=origin)
     specs = varied_specs(circuit)
     for address, number in circuit.numbers().items():
-        before = plain.numbers().get(address)
-        if before is None or before.value != number.value or before.reference != number.reference:
+        previous = original.numbers().get(address)
+        if previous is None or previous.value != number.value or previous.reference != number.reference:
             unit = specs[address].unit if address in specs else number.unit
             mark = " g" if number.reference == "gauge" else ""
-            given = float(number.value) if unit == "1" else f"{float(number.value)!r} {unit}{mark}"
-            _put(content, address, given)
-    _move(content, origin, folder)
+            value = float(number.value) if unit == "1" else f"{float(number.value)!r} {unit}{mark}"
+            _write_number(content, address, value)
+    _move_paths(content, origin, folder)
     text = toml_text(content)
     if fingerprint(loads(text, folder=folder)) != fingerprint(circuit):
         raise InputError("ensemble.not_its_file", title=circuit.title)
     return text
 
 
-def _put(content: dict[str, Any], address: str, given: Any) -> None:
-    """Write a number where a file has it; where that is no table, what is checked afterwards differs."""
+def _write_number(content: dict[str, Any], address: str, value: Any) -> None:
+    """Write a parameter to the tables of a file; other structures are detected by the check afterwards."""
     owner, *path, last = address.split(".")
     table = content.setdefault(owner, {}) if owner in ("ambient", "gas", "run") else content["parts"][owner]
     if owner == "gas" and isinstance(table, str):
@@ -89,12 +92,12 @@ def _put(content: dict[str, Any], address: str, given: Any) -> None:
     for key in path:
         table = table.setdefault(key, {}) if isinstance(table, dict) else {}
     if isinstance(table, dict):
-        table[last] = given
+        table[last] = value
 
 
-def _move(table: Any, old: Path, new: Path) -> None:
-    """Paths of files beside the one folder as paths from the other."""
+def _move_paths(table: Any, old: Path, new: Path) -> None:
+    """Change paths relative to one folder to paths relative to another."""
     for key, value in table.items() if isinstance(table, dict) else ():
         if key in _PATHS and isinstance(value, str) and (old / value).is_file():
             table[key] = os.path.relpath(old / value, new)
-        _move(value, old, new)
+        _move_paths(value, old, new)

@@ -1,9 +1,10 @@
-"""What files that name measured columns share: the options of a table, its surroundings, and a column in SI units."""
+"""Fields that files with measured columns share, and a column in SI units."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from pathlib import Path
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -15,38 +16,54 @@ from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.tables.reading import Table, read_table
 
 TABLE_OPTIONS = ("separator", "decimal", "header_rows", "group")
-TOP_LEVEL = {
-    **dict.fromkeys(("title", "part", *TABLE_OPTIONS, "ambient_pressure"), Field()),
+FILE_FIELDS = {
+    "title": Field(type="text"),
+    "part": Field(type="text", default="", meaning="name of the part in a circuit"),
+    **dict.fromkeys((*TABLE_OPTIONS, "ambient_pressure"), Field()),
     "file": Field(is_required=True, meaning="table with the data", example='file = "points.csv"'),
 }
-"""Fields of all these files."""
+"""Fields of each of these files."""
 
 
-def ambient_of(data: Mapping[str, Any]) -> float:
-    """What gauge pressures of a file refer to [Pa]."""
+class ColumnReading(NamedTuple):
+    """Readings of a column in SI units; pressures are absolute."""
+
+    values: FloatArray
+    written_unit: str
+    unit: str  # the written unit with its reference condition, if that was added
+
+
+def channel_field(name: str, *, is_required: bool = False) -> Field:
+    """Return the declaration of a channel of a file."""
+    return Field(type="table", is_required=is_required, example=f'{name} = {{ column = "...", unit = "..." }}')
+
+
+def read_ambient(fields: Mapping[str, Any]) -> float:
+    """Return the pressure to which the gauge pressures of a file refer [Pa]."""
     try:
-        return float(Ambient(pressure=data.get("ambient_pressure", "1 bar")).pressure)  # type: ignore[arg-type]
+        return float(Ambient(pressure=fields.get("ambient_pressure", "1 bar")).pressure)  # type: ignore[arg-type]
     except InputError as error:
         raise relocated(error, "ambient_{}".format) from None
 
 
-def table_of(folder: Any, name: Any, data: Mapping[str, Any]) -> Table:
-    """A table beside the file, read as it says."""
-    return read_table(folder / str(name), **{each: data[each] for each in TABLE_OPTIONS if each in data})
+def open_table(folder: Path, name: Any, fields: Mapping[str, Any]) -> Table:
+    """Read a table that a file names, with the options of the file."""
+    return read_table(folder / str(name), **{key: fields[key] for key in TABLE_OPTIONS if key in fields})
 
 
-def column(
-    channel: str, own: Mapping[str, Any], table: Table, unit: str, kind: Kind, ambient: float
-) -> tuple[FloatArray, str, str]:
-    """Readings of a channel in SI, pressures absolute; their unit as it was written, and as it was read."""
+def read_column(
+    channel: str, fields: Mapping[str, Any], table: Table, unit: str, kind: Kind, ambient_pressure: float
+) -> ColumnReading:
+    """Read the column of a channel and convert it to an SI unit."""
     try:
-        place = table.index(own["column"])
-        written = str(own.get("unit", table.units[place]))
-        if not written and unit != "1":
+        index = table.index(fields["column"])
+        written_unit = str(fields.get("unit", table.units[index]))
+        if not written_unit and unit != "1":
             raise UnitError("flow.no_unit", channel, unit=unit)
-        stated = with_state(written)
-        if stated:  # converting takes any unit of the dimension; this refuses what is another quantity
-            quantity(f"1 {stated}", unit, kind=kind, name=f"{channel}.unit")
-        return np.asarray(convert(table.columns[place], stated or "1", unit, ambient_pressure=ambient)), written, stated
-    except InputError as problem:
-        raise problem.located(address=channel) from None
+        full_unit = with_state(written_unit)
+        if full_unit:  # `convert` accepts each unit of the dimension; `quantity` rejects other quantities
+            quantity(f"1 {full_unit}", unit, kind=kind, name=f"{channel}.unit")
+        values = convert(table.columns[index], full_unit or "1", unit, ambient_pressure=ambient_pressure)
+        return ColumnReading(np.asarray(values), written_unit, full_unit)
+    except InputError as error:
+        raise error.located(address=channel) from None

@@ -124,7 +124,8 @@ def read_free(
     specs = {name: spec for name, spec in number_specs(circuit).items() if name in numbers}
     location = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:
-        raise InputError("free.unknown_number", location, near=NameSuggestion(address, specs))
+        near = NameSuggestion(address, specs)
+        raise InputError("names.unknown", location, meaning="a parameter of this circuit", near=near)
     spec, ambient = specs[address], circuit.surroundings.pressure
     fields = {key: Field(unit=spec.unit, kind=spec.kind) for key in LIMITS} | {"prior": Field()}
     raw = table if isinstance(table, Mapping) else {"start": table}

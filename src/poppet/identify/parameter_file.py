@@ -11,7 +11,7 @@ from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.toml_file import TomlFile
 from poppet.identify.result import Result, read_result
 from poppet.parts import Muscle
-from poppet.parts.muscle_law import NEEDED, MuscleLawPart
+from poppet.parts.muscle_law import REQUIRED, MuscleLawPart
 
 UNTRUSTED = ("not determined", "at bound")
 """Verdicts of an identification that a user of its numbers is reminded of."""
@@ -55,7 +55,7 @@ def _muscle(circuit: Circuit, result: Result) -> dict[str, Any]:
     law, values = result.comparison.get("law"), result.values()
     name = next(iter(values), "").partition(".")[0]
     muscles = {name: part for name, part in circuit.parts.items() if isinstance(part, MuscleLawPart)}
-    if result.method != "muscle" or law not in NEEDED or name in NEEDED.values() or not muscles:
+    if result.method != "muscle" or law not in REQUIRED or name in REQUIRED.values() or not muscles:
         return {}
     if name not in muscles:
         raise InputError("muscle.not_here", name, known=[*muscles])
@@ -89,7 +89,7 @@ def _with_fields(circuit: Circuit, file: TomlFile) -> Circuit:
     with file.errors() as errors:
         content = file.content
         errors.extend(
-            InputError("circuit.unknown_table", key, near=NameSuggestion(key, ("parts",)))
+            InputError("fields.unknown", key, table="parameter file", near=NameSuggestion(key, ("parts",)))
             for key in content
             if key != "parts"
         )

@@ -156,7 +156,8 @@ class Result(HtmlMixin):
 
     def __getitem__(self, address: str) -> Estimate:
         if address not in self.parameters:
-            raise InputError("result.no_parameter", address, near=NameSuggestion(address, self.parameters))
+            near = NameSuggestion(address, self.parameters)
+            raise InputError("names.unknown", address, meaning="a parameter of this result", near=near)
         return self.parameters[address]
 
     def _ipython_key_completions_(self) -> list[str]:

@@ -68,7 +68,7 @@ _VARIANTS = {"main_stage": "mode", "electronics": "preset"}
 
 
 def sets() -> tuple[str, ...]:
-    """Names of the parameter sets.
+    """Return the names of the parameter sets.
 
     Returns
     -------
@@ -84,12 +84,12 @@ def sets() -> tuple[str, ...]:
 
 
 def characteristics() -> tuple[str, ...]:
-    """Names of the flow characteristics.
+    """Return the names of the flow characteristics.
 
     Returns
     -------
     tuple of str
-        Each can be given to `characteristic`.
+        Valid arguments of `characteristic`.
 
     Examples
     --------
@@ -100,12 +100,12 @@ def characteristics() -> tuple[str, ...]:
 
 
 def gas_names() -> tuple[str, ...]:
-    """Names of the gases.
+    """Return the names of the gases.
 
     Returns
     -------
     tuple of str
-        Each can be given to `gas`.
+        Valid arguments of `gas`.
 
     Examples
     --------
@@ -116,7 +116,7 @@ def gas_names() -> tuple[str, ...]:
 
 
 def characteristic(name: str) -> Characteristic:
-    """A published flow characteristic.
+    """Return a published flow characteristic.
 
     Parameters
     ----------
@@ -126,12 +126,12 @@ def characteristic(name: str) -> Characteristic:
     Returns
     -------
     Characteristic
-        With the source of every number.
+        Characteristic with the sources of its numbers.
 
     Raises
     ------
     InputError
-        There is none of that name.
+        If the name is not valid.
 
     Examples
     --------
@@ -145,7 +145,7 @@ def characteristic(name: str) -> Characteristic:
 
 
 def main_stage(name: str, mode: str) -> Mapping[str, Number]:
-    """Mechanics and exhaust of a published main stage.
+    """Return mechanics and exhaust of a published main stage.
 
     Parameters
     ----------
@@ -162,7 +162,7 @@ def main_stage(name: str, mode: str) -> Mapping[str, Number]:
     Raises
     ------
     InputError
-        There is no such set or mode.
+        If the set or the mode is not valid.
 
     Examples
     --------
@@ -173,7 +173,7 @@ def main_stage(name: str, mode: str) -> Mapping[str, Number]:
 
 
 def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
-    """Numbers of a part in a published set.
+    """Return the numbers of a part in a published set.
 
     Parameters
     ----------
@@ -192,7 +192,7 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
     Raises
     ------
     InputError
-        There is no such set, or it has no such part or variant.
+        If the set, the part or the variant is not valid.
 
     Examples
     --------
@@ -220,12 +220,12 @@ def every_set(kind: str) -> list[Mapping[str, Number]]:
 
 
 def gas(name: str) -> Gas:
-    """A gas as an ideal gas.
+    """Return an ideal gas.
 
     Parameters
     ----------
     name : str
-        `air`, `nitrogen`, ...; upper and lower case, blanks and underscores are alike.
+        Name such as `air` or `carbon_dioxide`; case is ignored, and blanks and underscores are equivalent.
 
     Returns
     -------
@@ -235,22 +235,22 @@ def gas(name: str) -> Gas:
     Raises
     ------
     InputError
-        There is none of that name.
+        If the name is not valid.
 
     Examples
     --------
     >>> print(f"{float(gas('nitrogen').gas_constant):.2f} J/(kg K)")
     296.80 J/(kg K)
     """
-    plain = name.replace("_", " ").casefold()
-    plain = gases.ALIASES.get(plain, plain)
-    if plain not in gases.GASES:
+    normalised = name.replace("_", " ").casefold()
+    normalised = gases.ALIASES.get(normalised, normalised)
+    if normalised not in gases.GASES:
         raise _unknown("gas", name, gases.GASES)
-    return gases.GASES[plain]
+    return gases.GASES[normalised]
 
 
 def describe(name: str) -> str:
-    """A set, a characteristic or a gas as text: every number with its unit and source.
+    """Return the text of a set, a characteristic or a gas: numbers with units and sources.
 
     Parameters
     ----------
@@ -265,7 +265,7 @@ def describe(name: str) -> str:
     Raises
     ------
     InputError
-        There is nothing of that name.
+        If the name is not valid.
 
     Examples
     --------
@@ -290,21 +290,21 @@ def _set_text(name: str, parameter_set: ParameterSet) -> str:
         blocks[0] += f"\ncharacteristics: {', '.join(names)}"
         blocks.append(_characteristic_text(characteristic(names[0])))
     for kind, variants in parameter_set.parts.items():
-        for variant, own in variants.items():
+        for variant, numbers in variants.items():
             option = f', {_VARIANTS.get(kind, "variant")} = "{variant}"' if variant else ""
-            blocks.append(f"{kind}{option}\n{_number_lines(own)}")
+            blocks.append(f"{kind}{option}\n{_number_lines(numbers)}")
     return "\n\n".join(blocks)
 
 
-def _characteristic_text(shown: Characteristic) -> str:
-    low, high = shown.domain
-    options = [f"domain {1e3 * low:g} ... {1e3 * high:g} mm", f"edge {shown.edge}"]
-    options += ["running maximum of C"] if shown.monotone else []
-    return f"{shown.name}: C(x), b(x); {', '.join(options)}; {shown.source}\n{_number_lines(shown.numbers())}"
+def _characteristic_text(curve: Characteristic) -> str:
+    low, high = curve.domain
+    options = [f"domain {1e3 * low:g} ... {1e3 * high:g} mm", f"edge {curve.edge}"]
+    options += ["running maximum of C"] if curve.monotone else []
+    return f"{curve.name}: C(x), b(x); {', '.join(options)}; {curve.source}\n{_number_lines(curve.numbers())}"
 
 
-def _gas_text(shown: Gas) -> str:
-    return f"{shown.name}: an ideal gas\n{_number_lines(shown.numbers())}\n  {shown.note}"
+def _gas_text(gas: Gas) -> str:
+    return f"{gas.name}: an ideal gas\n{_number_lines(gas.numbers())}\n  {gas.note}"
 
 
 def _number_lines(numbers: Mapping[str, Number]) -> str:
@@ -316,5 +316,5 @@ def _number_lines(numbers: Mapping[str, Number]) -> str:
     )
 
 
-def _unknown(what: str, name: str, known: Iterable[str]) -> InputError:
-    return InputError("library.unknown", field=what, name=name, near=NameSuggestion(name, tuple(known)))
+def _unknown(field_name: str, name: str, valid: Iterable[str]) -> InputError:
+    return InputError("library.unknown", field=field_name, name=name, near=NameSuggestion(name, tuple(valid)))

@@ -3,10 +3,11 @@
 M. Martens, I. Boblan: Modeling the Static Force of a Festo Pneumatic Muscle Actuator: A New Approach and a Comparison
 to Existing Models. Actuators 2017, 6(4), 33, Appendix A (CC BY 4.0).
 
-Measured: force over contraction and pressure of one DMSP-20-300 and one DMSP-10-250; the six numbers of Sarosi's law
-are fitted to the taut points of these maps. Of the size 40 no map is published there: its forces are those of the
-size 20 times four. The largest forces and pressures are the maker's, as remembered. Not measured: volume, damping,
-hysteresis. The volume is that of a cylinder of the nominal size, and grows as the law's work says.
+The source has maps of the measured force over contraction and pressure for one DMSP-20-300 and one DMSP-10-250. The six
+parameters of Sarosi's law are fitted to the taut points of these maps. There is no map for size 40: its forces are four
+times those of size 20. The highest forces and pressures are manufacturer data from memory. Volume, damping and
+hysteresis were not measured. The volume is that of a cylinder of the nominal size, and its growth does the work of the
+force law.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ def _numbers(values: Mapping[str, float], source: Source) -> dict[str, Number]:
 
 
 def _printed(a1: float, a2: float, a3: float, a4: float, a5: float, a6: float) -> dict[str, float]:
-    """SI numbers of those for pressure in bar and contraction in per cent, as the law is printed."""
+    """Return SI values of the printed parameters, which are for pressure in bar and contraction in per cent."""
     return {"a1": a1 * 1e-5, "a2": a2, "a3": a3 * 1e2, "a4": a4 * 1e-3, "a5": a5 * 1e-5, "a6": a6}
 
 

@@ -29,7 +29,7 @@ NEAR_AIR = "the heat-transfer correlations take the transport properties of air,
 
 @dataclass(frozen=True)
 class Gas:
-    """An ideal gas with constant heat capacities.
+    """Ideal gas with constant heat capacities.
 
     Parameters
     ----------
@@ -40,16 +40,16 @@ class Gas:
     isentropic_exponent : Number
         Ratio of the heat capacities at 20 degC [1].
     note : str
-        For which laws of the house the gas may be used.
+        Laws that are valid for the gas.
     transport : mapping of str to Number
-        Coefficients of Sutherland's law, empty where none is given.
+        Coefficients of Sutherland's law; empty if they are not available.
     real : mapping of str to Number
         Critical temperature [K] and pressure [Pa], acentric factor, coefficients of c_p0/R in powers of T [K].
 
     Notes
     -----
-    Ideal: for air to about 20 bar at room temperature within 1 %; carbon dioxide is 3 % off at 6 bar. `real` serves
-    to say so (`poppet.laws.physics.real_gas`).
+    The error of the ideal gas law is within 1 % for air up to about 20 bar at room temperature, and 3 % for carbon
+    dioxide at 6 bar. `poppet.laws.physics.real_gas` computes such errors with `real`.
 
     Examples
     --------
@@ -66,18 +66,18 @@ class Gas:
 
     @property
     def is_like_air(self) -> bool:
-        """True where heat transfer may be calculated with the transport properties of air."""
+        """True if the transport properties of air are valid for heat transfer of the gas."""
         return self.note != NOT_FOR_THIS
 
     @property
     def as_real(self) -> RealGas:
-        """What the correlations of a real gas need."""
+        """Parameters of the correlations of real gases."""
         heat = tuple(float(value) for name, value in self.real.items() if name.startswith("heat_capacity."))
         critical, pressure, factor = (float(self.real[name]) for name in _CRITICAL)
         return RealGas(critical, pressure, factor, heat)
 
     def numbers(self) -> dict[str, Number]:
-        """All numbers of the gas.
+        """Return all numbers of the gas.
 
         Returns
         -------
@@ -108,18 +108,18 @@ _DRY_AIR = tuple(
 def _real(
     critical: tuple[float, float, float], source: Source, heat_capacity: tuple[float, ...], mixture: str = ""
 ) -> dict[str, Number]:
-    """Tc [K], pc [Pa], omega, and the heat capacity."""
+    """Return critical temperature [K] and pressure [Pa], acentric factor and heat capacity."""
     units = dict(zip(_CRITICAL, ("K", "Pa", "1"), strict=True))
-    found = {name: Number(x, unit, source) for x, (name, unit) in zip(critical, units.items(), strict=True)}
+    numbers = {name: Number(x, unit, source) for x, (name, unit) in zip(critical, units.items(), strict=True)}
     nasa = Source("paper", POLYNOMIALS, mixture)
     powers = ("1", "1/K", "1/K^2", "1/K^3", "1/K^4")
-    return found | {f"heat_capacity.{i}": Number(a, powers[i], nasa) for i, a in enumerate(heat_capacity)}
+    return numbers | {f"heat_capacity.{i}": Number(a, powers[i], nasa) for i, a in enumerate(heat_capacity)}
 
 
 def _from_molar_mass(
     name: str, molar_mass: float, isentropic_exponent: float, note: str, real: Mapping[str, Number]
 ) -> Gas:
-    """A gas from its molar mass [kg/mol]."""
+    """Return a gas for a molar mass [kg/mol]."""
     weight = Source("standard", WEIGHTS, f"M = {1e3 * molar_mass:.6g} g/mol")
     return Gas(
         name,
@@ -170,7 +170,8 @@ _NITROGEN = _real(
 _OXYGEN = _real(
     (154.581, 5.043e6, 0.0222), Source("paper", "Schmidt & Wagner, Fluid Phase Equilib. 19 (1985) 175"), _O2
 )
-# Quantum effects rule the critical points of these two: Tc after Gunn, Chueh & Prausnitz, AIChE J. 12 (1966) 937.
+# Quantum effects dominate the critical points of these two gases: Tc after Gunn, Chueh & Prausnitz, AIChE J. 12 (1966)
+# 937.
 _HELIUM = _real(
     (10.47, 0.972e6, 0.0), Source("assumed", note=f"{EFFECTIVE} Ortiz Vega et al. 2020, 11.87 cm3/mol"), _MONATOMIC
 )

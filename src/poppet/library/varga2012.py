@@ -3,9 +3,9 @@
 Z. Varga, P. Keski-Honkola: Mathematical model of pneumatic proportional valve. Journal of applied science in
 the thermodynamics and fluid mechanics, vol. 1, no. 1/2012, ISSN 1802-9388.
 
-Printed: the polynomials of sonic conductance and critical pressure ratio for filling (Table 1). Not printed,
-and assumed here: every mechanical number, and conductance and ratio of the exhaust. Two sets of them are
-offered, for the equations of the paper and for the pressure regulator that such a valve is.
+The paper prints the polynomials of sonic conductance and critical pressure ratio for filling (Table 1). All mechanical
+parameters and the conductance and ratio of the exhaust are assumed here. There are two sets of them: one for the
+equations of the paper and one for a pressure regulator.
 """
 
 from __future__ import annotations
@@ -60,22 +60,22 @@ def _polynomials(name: str, *, closing: Number | None = None, monotone: bool = F
 
 
 def printed_characteristic(name: str = f"{NAME}.printed") -> Characteristic:
-    """The polynomials exactly as printed, held at their edge values outside 0..1 mm."""
+    """Return the printed polynomials, with constant values outside 0..1 mm."""
     return _polynomials(name)
 
 
 def closed_characteristic(name: str = f"{NAME}.closed") -> Characteristic:
-    """The printed polynomials with a closing law: C is zero for strokes up to 0."""
+    """Return the printed polynomials with a closing law: C is zero for strokes up to 0."""
     return _polynomials(name, closing=CLOSING)
 
 
 def monotone_characteristic(name: str = f"{NAME}.monotone") -> Characteristic:
-    """The running maximum of the printed conductance, closed for strokes up to 0."""
+    """Return the running maximum of the printed conductance, closed for strokes up to 0."""
     return _polynomials(name, closing=CLOSING, monotone=True)
 
 
 def table_characteristic(name: str = f"{NAME}.table") -> Characteristic:
-    """Monotone cubics through eleven points of the printed polynomials, 0.1 mm apart."""
+    """Return monotone cubics through eleven points of the printed polynomials, 0.1 mm apart."""
     polynomials = printed_characteristic()
     return Characteristic(
         _tabled(polynomials.sonic_conductance, C, EQ_C),

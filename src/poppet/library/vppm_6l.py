@@ -1,9 +1,9 @@
-"""A complete VPPM-6L class pressure valve: main stage, pilot stage and electronics.
+"""Complete pressure valve of class VPPM-6L: main stage, pilot stage and electronics.
 
-The flow characteristic is the published one of the main stage (`varga2012`). Of the rest hardly a number is published:
-a datasheet's figures are quoted from memory and marked so, everything else is assumed, chosen so that the parts fit
-together: solenoids that fill the pilot volume in a fraction of a second, loops that are stable between 0.1 and 200
-litres. No figure of a response time is known, and none is claimed: fit the numbers to tests of your own valve.
+The flow characteristic is the published one of the main stage (`varga2012`). Values of a datasheet are quoted from
+memory and have a note. All other values are assumed: the solenoids fill the pilot volume in a fraction of a second, and
+the loops are stable for 0.1 to 200 litres. No measured response time is available: fit the parameters to tests of your
+valve.
 """
 
 from __future__ import annotations
@@ -79,8 +79,8 @@ _TUNED = (
 )
 
 
-def _preset(what: str, *values: float) -> Mapping[str, Number]:
-    return {name: assumed(value, unit, what) for (name, unit), value in zip(_TUNED, values, strict=True)}
+def _preset(note: str, *values: float) -> Mapping[str, Number]:
+    return {name: assumed(value, unit, note) for (name, unit), value in zip(_TUNED, values, strict=True)}
 
 
 PRESETS: Mapping[str, Mapping[str, Number]] = {
@@ -94,11 +94,13 @@ PRESETS: Mapping[str, Mapping[str, Number]] = {
         2.0, 0.6, 0.035, 1e-2, 3e2, 7e3, 8.6e3, 1.1e-5, 1e3, 0.1,
     ),
 }  # fmt: skip
-"""Tuned on steps up and down between 2 and 4 bar, and on small ones, into 0.1 to 200 litres, with and without a
-consumer, with averaged and with switched solenoids; nothing of it is the maker's. The dead zone between the seats is
-17 kPa, 12 N of the lower spring on 7.07 cm2: a little less than half of it is crossed with the sign of the error. A
-correction of 8.5 kPa closes the main stage at the setpoint. The dead band of the solenoids is a duty of 0.1, 1 ms at
-100 Hz; where only a part of it is made up for, switched solenoids hunt less."""
+"""Presets of the electronics; they are not manufacturer data.
+
+They were tuned with steps between 2 and 4 bar and small steps, for 0.1 to 200 litres, with and without a consumer, and
+with averaged and switched solenoids. The dead zone between the seats is 17 kPa (12 N of the lower spring on 7.07 cm2);
+a little less than half of it is crossed with the sign of the error. A correction of 8.5 kPa closes the main stage at
+the setpoint. The dead band of the solenoids is a duty of 0.1 (1 ms at 100 Hz); partial compensation reduces limit
+cycles of switched solenoids."""
 
 ELECTRONICS: Mapping[str, Mapping[str, Number]] = {
     name: {**_ELECTRONICS, **numbers} for name, numbers in PRESETS.items()

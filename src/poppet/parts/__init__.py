@@ -29,10 +29,6 @@ if TYPE_CHECKING:
     from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
 
 
-def _is_part(name: str, value: object) -> bool:
-    return isinstance(value, type) and issubclass(value, Part) and value.kind == name
-
-
 KINDS: Registry[type[Part]] = Registry(
     "poppet.parts",
     {
@@ -60,7 +56,7 @@ KINDS: Registry[type[Part]] = Registry(
         "antagonist": "poppet.parts.antagonist:Antagonist",
         "tube": "poppet.parts.tube:Tube",
     },
-    _is_part,
+    lambda name, value: isinstance(value, type) and issubclass(value, Part) and value.kind == name,
 )
 """Kind to class. A module is imported when one of its kinds is requested; plugins add kinds (`core/plugins.py`)."""
 
@@ -73,44 +69,12 @@ _PATHS = {
 
 # Literal, so that type checkers can read it.
 __all__ = [
-    "KINDS",
-    "PID",
-    "Antagonist",
-    "BodyFriction",
-    "BodyStop",
-    "Chamber",
-    "CheckValve",
-    "Contact",
-    "Cylinder",
-    "DirectionalValve",
-    "Electronics",
-    "Exhaust",
-    "FlowSource",
-    "Friction",
-    "Guide",
-    "InverseMuscle",
-    "Joint",
-    "JointFriction",
-    "JointStop",
-    "MainStage",
-    "Mass",
-    "Muscle",
-    "Orifice",
-    "Part",
-    "Passage",
-    "PilotStage",
-    "PressureController",
-    "ProportionalValve",
-    "ReliefValve",
-    "Reservoir",
-    "Silencer",
-    "Solenoid",
-    "SpoolValve",
-    "Spring",
-    "Stop",
-    "Store",
-    "Tube",
-]
+    "KINDS", "PID", "Antagonist", "BodyFriction", "BodyStop", "Chamber", "CheckValve", "Contact", "Cylinder",
+    "DirectionalValve", "Electronics", "Exhaust", "FlowSource", "Friction", "Guide", "InverseMuscle", "Joint",
+    "JointFriction", "JointStop", "MainStage", "Mass", "Muscle", "Orifice", "Part", "Passage", "PilotStage",
+    "PressureController", "ProportionalValve", "ReliefValve", "Reservoir", "Silencer", "Solenoid", "SpoolValve",
+    "Spring", "Stop", "Store", "Tube",
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:

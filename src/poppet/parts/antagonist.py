@@ -1,4 +1,4 @@
-"""The way back through the law of a muscle: which pressure gives a force, and which two give a torque at a joint."""
+"""Inverse of the force law of a muscle: pressure for a force, and two pressures for a torque."""
 
 from __future__ import annotations
 
@@ -14,17 +14,18 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, maximum
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, reference
 from poppet.parts.muscle_law import MuscleLawPart
 from poppet.parts.part import AMBIENT, Controller, ControlOutputs, Input, Quantities, Scope, Surroundings
 
-LEAST_SLOPE = 1e-7
-"""Force per pressure below which a muscle counts as at the end of its way [N/Pa]: no division by zero beyond it."""
+MIN_SLOPE = 1e-7
+"""Lower bound of the force per pressure [N/Pa], which avoids a division by zero at the end of the stroke."""
 
 
 @dataclass(frozen=True)
-class _Inverse(MuscleLawPart, Controller):
-    """What a part shares that turns forces into pressures; without memory, so that it follows its inputs at once."""
+class _InverseMuscleLaw(MuscleLawPart, Controller):
+    """Static inverse of the force law of a muscle with limits of pressure."""
 
     data: Any = reference(doc="library set")
     lowest_pressure: NumberLike = number(
@@ -32,13 +33,13 @@ class _Inverse(MuscleLawPart, Controller):
     )
     highest_pressure: NumberLike = number("Pa", doc="highest pressure", kind="pressure", above=0.0)
 
-    pressures: ClassVar[tuple[str, ...]]  # outputs
+    pressures: ClassVar[tuple[str, ...]]  # names of the outputs with pressures
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        return [_of_muscle(each) for each in library.every_set("muscle")]
+        return [_law_numbers(numbers) for numbers in library.every_set("muscle")]
 
     def library_numbers(self) -> Mapping[str, Number]:
-        return {} if self.data is None else _of_muscle(library.numbers(str(self.data), "muscle"))
+        return {} if self.data is None else _law_numbers(library.numbers(str(self.data), "muscle"))
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
@@ -48,60 +49,54 @@ class _Inverse(MuscleLawPart, Controller):
         return values
 
     @abstractmethod
-    def wanted(self, scope: Scope) -> Quantities:
-        """Absolute pressures within the limits, and what else is shown."""
+    def compute_outputs(self, scope: Scope) -> Quantities:
+        """Return absolute pressures within the limits, and further outputs."""
 
     def control(self, scope: Scope) -> ControlOutputs:
-        return ControlOutputs(self.wanted(scope))
+        return ControlOutputs(self.compute_outputs(scope))
 
     def _limits(self, scope: Scope) -> tuple[Any, Any]:
-        """Gauge pressures."""
+        """Return the lowest and the highest gauge pressure."""
         ambient = scope.surroundings.pressure
         return scope["lowest_pressure"] - ambient, scope["highest_pressure"] - ambient
 
     def line_at(self, scope: Scope, contraction: Any) -> tuple[Any, Any]:
-        """Force per gauge pressure [N/Pa], and force without it [N], at a contraction."""
+        """Return the force per gauge pressure [N/Pa] and the passive force [N] at a contraction."""
         law = self.force_law(scope.numbers)
-        return maximum(law.slope(contraction), LEAST_SLOPE), law.passive(contraction)
+        return maximum(law.slope(contraction), MIN_SLOPE), law.passive(contraction)
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        given: Number = self.highest_pressure  # type: ignore[assignment]
-        time, found, limit = series("time"), [], given.absolute(float(series(f"{AMBIENT}.pressure")[0]))
+        highest: Number = self.highest_pressure  # type: ignore[assignment]
+        time, notes, limit = series("time"), [], highest.absolute(float(series(f"{AMBIENT}.pressure")[0]))
         for output in self.pressures:
-            held = np.flatnonzero(series(f"{name}.{output}") >= limit * (1.0 - 1e-12))
-            if held.size:
-                facts = {"time": float(time[held[0]]), "rows": int(held.size), "limit_bar": limit / 1e5}
-                found.append(Note("muscle.at_limit", output, **facts))
-        return tuple(found)
+            rows = np.flatnonzero(series(f"{name}.{output}") >= limit * (1.0 - 1e-12))
+            if rows.size:
+                facts = {"time": float(time[rows[0]]), "rows": int(rows.size), "limit_bar": limit / 1e5}
+                notes.append(Note("muscle.at_limit", output, **facts))
+        return tuple(notes)
 
 
-def _of_muscle(numbers: Mapping[str, Number]) -> dict[str, Number]:
-    """Of the set of a muscle: its law, and the pressure that its maker allows."""
+def _law_numbers(numbers: Mapping[str, Number]) -> dict[str, Number]:
+    """Return the numbers of the law and the highest permitted pressure of a library set."""
     law = {name: value for name, value in numbers.items() if not name.startswith("limits.")}
     highest = numbers.get("limits.highest_pressure")
     return law if highest is None else law | {"highest_pressure": highest}
 
 
 @dataclass(frozen=True)
-class InverseMuscle(_Inverse):
-    r"""The pressure at which a muscle pulls with a wanted force.
+class InverseMuscle(_InverseMuscleLaw):
+    r"""Pressure at which a muscle exerts a setpoint force.
 
     .. math:: p = \operatorname{clip}\left(p_a + \frac{F - f_0(\varepsilon)}{f_1(\varepsilon)},
               p_\mathrm{low}, p_\mathrm{high}\right)
 
-    Parameters
-    ----------
-    force : number
-        Wanted pull without a signal [N].
-
     Notes
     -----
-    `data`, `law` and the numbers of the law are given as those of a muscle, and need not be the same: what they differ
-    by is the error of a model. `lowest_pressure` and `highest_pressure`, absolute unless marked, hold the result; the
-    lowest is not below the ambient pressure, the highest that which the set allows. Inputs are `force` and
-    `contraction`, the output `pressure`. Every law is a line over the pressure, so that its inverse is exact, with
-    hysteresis and damping left out. A force below zero, which no muscle has, asks for less than the pressure at which
-    it hangs loose.
+    `data`, `law` and the parameters of the law are those of a muscle. They can differ from the muscle in the circuit,
+    to study the error of a model. `lowest_pressure` and `highest_pressure` limit the output; the default of the highest
+    is the permitted pressure of the set. Inputs are `force` and `contraction`, the output is `pressure`. Each law is
+    linear in the pressure, so its inverse is exact; it omits hysteresis and damping. A negative force gives a pressure
+    at which the muscle is slack.
 
     Examples
     --------
@@ -111,44 +106,39 @@ class InverseMuscle(_Inverse):
     """
 
     kind: ClassVar[str] = "inverse_muscle"
-    summary: ClassVar[str] = "the pressure at which a muscle pulls with a wanted force"
+    summary: ClassVar[str] = "the pressure at which a muscle exerts a setpoint force"
     measured: ClassVar[tuple[str, ...]] = ("contraction",)
     pressures: ClassVar[tuple[str, ...]] = ("pressure",)
 
-    force: NumberLike = number("N", 0.0, doc="wanted force", note="none by default")
+    force: NumberLike = number("N", 0.0, doc="setpoint force without a signal", note="none by default")
+
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        return [f"force to pressure, {self.data or self.law}"]
 
     def inputs(self) -> tuple[Input, ...]:
         return Input("force", "N", "force"), Input("contraction", "1", 0.0)
 
-    def wanted(self, scope: Scope) -> Quantities:
+    def compute_outputs(self, scope: Scope) -> Quantities:
         slope, passive = self.line_at(scope, scope.inputs["contraction"])
         gauge = clip((scope.inputs["force"] - passive) / slope, *self._limits(scope))
         return {"pressure": (scope.surroundings.pressure + gauge, "Pa")}
 
 
 @dataclass(frozen=True)
-class Antagonist(_Inverse):
-    r"""The pressures of two equal muscles at a joint that give a torque, about a mean pressure.
+class Antagonist(_InverseMuscleLaw):
+    r"""Pressures of two equal muscles at a joint for a torque and a mean pressure.
 
     .. math:: M = r \left(F_f - F_e\right), \qquad \tfrac12 (p_f + p_e) = \bar p
 
-    Parameters
-    ----------
-    pulley_radius : number
-        Radius r on which both pull [m].
-    torque : number
-        Wanted torque without a signal, towards larger angles [N m].
-    mean_pressure : number
-        Wanted mean of the two pressures without a signal [Pa]: the higher, the stiffer the joint.
-
     Notes
     -----
-    The flexor pulls towards larger angles, the extensor towards smaller ones. `data`, `law`, the numbers of the law and
-    the limits of the pressures are given as those of `inverse_muscle`. Inputs are `torque`, `mean_pressure`,
-    `flexor_contraction` and `extensor_contraction`, outputs `flexor_pressure`, `extensor_pressure` and `given_torque`,
-    what the law makes of the two. Both equations are linear in the pressures. A muscle keeps the pressure at which it
-    is just taut, as long as that is below the mean. Where a limit of one muscle is met the other gives the torque as
-    far as it can, and the mean becomes another one: the torque counts more.
+    The flexor pulls towards larger angles, the extensor towards smaller ones; a higher mean pressure makes the joint
+    stiffer. `data`, `law`, the parameters of the law and the limits of the pressures are those of `inverse_muscle`.
+    Inputs are `torque`, `mean_pressure`, `flexor_contraction` and `extensor_contraction`. Outputs are
+    `flexor_pressure`, `extensor_pressure` and `given_torque`, the torque that the law gives for both pressures. Both
+    equations are linear in the pressures. Each muscle keeps at least the pressure at which it is taut, if this pressure
+    is below the mean. If one muscle is at a limit, the other one gives the torque as far as its own limits permit, and
+    the mean changes: torque has priority over the mean pressure.
 
     Examples
     --------
@@ -158,13 +148,16 @@ class Antagonist(_Inverse):
     """
 
     kind: ClassVar[str] = "antagonist"
-    summary: ClassVar[str] = "the pressures of two muscles at a joint that give a torque about a mean pressure"
+    summary: ClassVar[str] = "the pressures of two muscles at a joint for a torque and a mean pressure"
     measured: ClassVar[tuple[str, ...]] = ("flexor_contraction", "extensor_contraction")
     pressures: ClassVar[tuple[str, ...]] = ("flexor_pressure", "extensor_pressure")
 
-    pulley_radius: NumberLike = number("m", doc="pulley radius", above=0.0)
-    torque: NumberLike = number("N m", 0.0, doc="wanted torque", note="none by default")
-    mean_pressure: NumberLike = number("Pa", "2 bar g", doc="wanted mean pressure", kind="pressure", low=0.0)
+    pulley_radius: NumberLike = number("m", doc="pulley radius of both muscles", above=0.0)
+    torque: NumberLike = number("N m", 0.0, doc="setpoint torque, towards larger angles", note="none by default")
+    mean_pressure: NumberLike = number("Pa", "2 bar g", doc="setpoint mean pressure", kind="pressure", low=0.0)
+
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        return [f"torque to two pressures, {self.data or self.law}", f"pulley {numbers.text(self.pulley_radius)}"]
 
     def inputs(self) -> tuple[Input, ...]:
         return (
@@ -173,23 +166,25 @@ class Antagonist(_Inverse):
             *(Input(name, "1", 0.0) for name in self.measured),
         )
 
-    def wanted(self, scope: Scope) -> Quantities:
+    def compute_outputs(self, scope: Scope) -> Quantities:
         ambient, low, high = scope.surroundings.pressure, *self._limits(scope)
         pull = scope.inputs["torque"] / scope["pulley_radius"]
         mean = scope.inputs["mean_pressure"] - ambient
-        (slope, passive), (against, resting) = (self.line_at(scope, scope.inputs[name]) for name in self.measured)
-        half = (pull - mean * (slope - against) - passive + resting) / (slope + against)
-        # Neither is let loose, as far as the mean pressure keeps it taut.
-        lines = ((slope, passive), (against, resting))
-        least = [clip(-each / per_pressure, low, maximum(mean, low)) for per_pressure, each in lines]
-        # What one muscle cannot do at its limit the other makes up for.
-        pulled = maximum(clip(mean + half, least[0], high) * slope + passive, 0.0)
-        yielded = maximum(clip(mean - half, least[1], high) * against + resting, 0.0)
-        flexor = clip((yielded + pull - passive) / slope, least[0], high)
-        extensor = clip((pulled - pull - resting) / against, least[1], high)
-        given = maximum(flexor * slope + passive, 0.0) - maximum(extensor * against + resting, 0.0)
+        (slope_f, passive_f), (slope_e, passive_e) = (self.line_at(scope, scope.inputs[k]) for k in self.measured)
+        half = (pull - mean * (slope_f - slope_e) - passive_f + passive_e) / (slope_f + slope_e)
+        # Each muscle remains taut if the mean pressure permits it.
+        lowest_f, lowest_e = (
+            clip(-passive / slope, low, maximum(mean, low))
+            for slope, passive in ((slope_f, passive_f), (slope_e, passive_e))
+        )
+        # The other muscle compensates for a muscle at its limit.
+        force_f = maximum(clip(mean + half, lowest_f, high) * slope_f + passive_f, 0.0)
+        force_e = maximum(clip(mean - half, lowest_e, high) * slope_e + passive_e, 0.0)
+        flexor = clip((force_e + pull - passive_f) / slope_f, lowest_f, high)
+        extensor = clip((force_f - pull - passive_e) / slope_e, lowest_e, high)
+        difference = maximum(flexor * slope_f + passive_f, 0.0) - maximum(extensor * slope_e + passive_e, 0.0)
         return {
             "flexor_pressure": (ambient + flexor, "Pa"),
             "extensor_pressure": (ambient + extensor, "Pa"),
-            "given_torque": (scope["pulley_radius"] * given, "N m"),
+            "given_torque": (scope["pulley_radius"] * difference, "N m"),
         }

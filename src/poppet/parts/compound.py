@@ -1,4 +1,4 @@
-"""Parts that are made of parts: their members are traced as parts of their own, under dotted names."""
+"""Compounds: parts that consist of other parts, which are traced under dotted names."""
 
 from __future__ import annotations
 
@@ -22,27 +22,27 @@ from poppet.parts.fields import (
 )
 from poppet.parts.part import Input, Part, State, Surroundings
 
-SEVERAL = 4
-"""Missing numbers from which on a forgotten library set is what is meant."""
+MIN_MISSING = 4
+"""Count of missing numbers above which a missing library set is reported instead."""
 
 
 class Compound(Part):
-    """A part that joins others to one: wiring, and no equation of its own.
+    """Part that consists of members and their connections, without equations.
 
-    A subclass declares its members with `fields.member`, and says what each of them is told by the whole (`inherited`),
-    which of their inputs take which of their outputs (`links`), and how inputs and outputs are called outside. Where
-    the members follow from its numbers it makes them itself (`members`, `stores`, `outside`, `numbers`).
+    A subclass declares its members with `fields.member`, the fields that it sets in them (`inherited_fields`), their
+    connections (`links`), and the names of inputs and outputs outside. A subclass whose members depend on its numbers
+    overrides `members`, `stores`, `outside` and `numbers`.
     """
 
     links: ClassVar[Mapping[str, str]] = {}
-    """Input of a member to the output of a member that it takes: `main_stage.pilot_pressure` to `pilot.pressure`."""
+    """Input of a member to the output that drives it: `main_stage.pilot_pressure` to `pilot.pressure`."""
     inlets: ClassVar[Mapping[str, str]] = {}
-    """Name of an input outside to the member's input."""
+    """Name of an input outside to the input of a member."""
     outlets: ClassVar[Mapping[str, str]] = {}
-    """Name of an output outside, in the order of the output, to the member's output."""
+    """Name of an output outside to the output of a member, in the order of recordings."""
 
     def inherited_fields(self, member: str) -> dict[str, Any]:
-        """Fields of a member that follow from the whole: its ports, its library set."""
+        """Return the fields of a member that the compound sets, such as ports and library set."""
         return {}
 
     def __post_init__(self) -> None:
@@ -52,89 +52,83 @@ class Compound(Part):
         for name, spec in self._member_specs():
             if spec.optional and not self.has(name):
                 if getattr(self, attribute(name)) is not None:
-                    errors.add("parts.no_such_member", name, meaning=spec.doc, options=self.options())
+                    errors.add("parts.no_such_member", name, meaning=spec.meaning, options=self.options())
                 continue
             with errors.collecting(name):
                 object.__setattr__(self, attribute(name), self._member(name, spec))
-        # What the whole tells its members wrongly is one mistake, of the whole.
-        told = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.inherited}
+        # An invalid value that several members inherit is one error of the compound.
+        inherited = {f"{name}.{key}": key for name, spec in self._member_specs() for key in spec.inherited}
         for problem in errors.collected:
-            if problem.address in told and problem.code != "fields.unknown":
-                problem.address, problem.place = told[problem.address], ""
-        own = {(problem.code, problem.address): problem for problem in errors.collected}
-        collect(self._without_set(list(own.values())))
-        self.check()
-
-    def _without_set(self, problems: list[InputError]) -> list[InputError]:
-        """Mistakes with all numbers that a forgotten library set leaves missing told as one."""
+            if problem.address in inherited and problem.code != "fields.unknown":
+                problem.address, problem.place = inherited[problem.address], ""
+        problems = list({(problem.code, problem.address): problem for problem in errors.collected}.values())
         missing = [p for p in problems if p.code == "fields.missing" and "." in (p.address or "")]
-        if getattr(self, "data", "") is not None or len(missing) < SEVERAL:
-            return problems
-        first, known = (
-            [p.address for p in missing[:2]],
-            library.complete_sets(*(spec.part.kind for _, spec in self._member_specs()))[0],
-        )
-        told = InputError("parts.forgotten_set", "data", count=len(missing), first=first, set=known)
-        return [told, *(p for p in problems if p not in missing)]
+        if getattr(self, "data", "") is None and len(missing) >= MIN_MISSING:
+            # Without a library set, all missing numbers are one error.
+            addresses = [p.address for p in missing[:2]]
+            example = library.complete_sets(*(spec.part.kind for _, spec in self._member_specs()))[0]
+            error = InputError("parts.forgotten_set", "data", count=len(missing), first=addresses, set=example)
+            problems = [error, *(p for p in problems if p not in missing)]
+        collect(problems)
+        self.check()
 
     def _member_specs(self) -> Iterable[tuple[str, MemberSpec]]:
         return ((name, spec) for name, spec in specs(type(self)).items() if isinstance(spec, MemberSpec))
 
     def _member(self, name: str, spec: MemberSpec) -> Part:
-        given, known = getattr(self, attribute(name)), specs(spec.part)
-        told = self.inherited_fields(name)
-        assert set(told) == set(spec.inherited), name
-        # A missing port is a mistake of the whole, which has been told already.
-        needed = [key for key, each in known.items() if isinstance(each, PortSpec) and not each.optional]
-        told |= {key: name for key in needed if key in told and told[key] is None}
-        if isinstance(given, Part):
-            # A copy of the whole brings its members along: they are told anew, for its ports may be others now.
-            again: Part = dataclasses.replace(given, **told)  # type: ignore[type-var]
-            return again
-        if given is not None and not isinstance(given, Mapping):
-            raise InputError("fields.not_a_table", name, value=given, meaning=spec.doc, fields=[*known])
-        free = {key: s for key, s in known.items() if key not in told}
-        fields = {attribute(key): value for key, value in (given or {}).items() if key in free}
+        argument, member_specs = getattr(self, attribute(name)), specs(spec.part)
+        inherited = self.inherited_fields(name)
+        assert set(inherited) == set(spec.inherited), name
+        # The compound has reported its missing ports already.
+        required = [key for key, field in member_specs.items() if isinstance(field, PortSpec) and not field.optional]
+        inherited |= {key: name for key in required if key in inherited and inherited[key] is None}
+        if isinstance(argument, Part):
+            # The ports of a copy of the compound can differ: its members inherit them again.
+            member: Part = dataclasses.replace(argument, **inherited)  # type: ignore[type-var]
+            return member
+        if argument is not None and not isinstance(argument, Mapping):
+            raise InputError("fields.not_a_table", name, value=argument, meaning=spec.meaning, fields=[*member_specs])
+        valid = {key: field for key, field in member_specs.items() if key not in inherited}
+        fields = {attribute(key): value for key, value in (argument or {}).items() if key in valid}
         with ErrorCollector() as errors:
-            errors.extend(unknown_field(key, key, free) for key in given or () if key not in free)
-            made: Part = spec.part(**fields, **told)
-        return made
+            errors.extend(unknown_field(key, key, valid) for key in argument or () if key not in valid)
+            return spec.part(**fields, **inherited)  # type: ignore[no-any-return]
 
     @property
     def members(self) -> dict[str, Part]:
-        """Name to part, in the order of declaration; without those that this form of the whole does not have."""
-        made = {name: getattr(self, attribute(name)) for name, _ in self._member_specs()}
-        return {name: part for name, part in made.items() if part is not None}
+        """Members by name, in the order of declaration, without omitted ones."""
+        parts = {name: getattr(self, attribute(name)) for name, _ in self._member_specs()}
+        return {name: part for name, part in parts.items() if part is not None}
 
     def has(self, member: str) -> bool:
-        """Whether this form of the whole has an optional member."""
+        """Return True if the compound with its options has an optional member."""
         return True
 
     def outside(self) -> dict[str, str]:
-        """Names outside of inputs, then of outputs, to the names inside."""
-        every = {**self.inlets, **self.outlets}
-        return {name: inside for name, inside in every.items() if inside.partition(".")[0] in self.members}
+        """Return the names of inputs, then of outputs, outside and inside."""
+        names = {**self.inlets, **self.outlets}
+        return {name: inside for name, inside in names.items() if inside.partition(".")[0] in self.members}
 
     def stores(self) -> tuple[str, ...]:
         return tuple(name for name, spec in self._member_specs() if spec.is_open and name in self.members)
 
     def numbers(self) -> dict[str, Number]:
-        found = super().numbers()
-        told = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.inherited}
+        numbers = super().numbers()
+        inherited = {f"{name}.{key}" for name, spec in self._member_specs() for key in spec.inherited}
         for name, part in self.members.items():
-            found |= {f"{name}.{key}": number for key, number in part.numbers().items()}
-        # What the whole tells its members stands with the whole.
-        groups = tuple(f"{address}." for address in told)
-        return {key: number for key, number in found.items() if key not in told and not key.startswith(groups)}
+            numbers |= {f"{name}.{key}": number for key, number in part.numbers().items()}
+        # Inherited numbers have an address in the compound only.
+        groups = tuple(f"{address}." for address in inherited)
+        return {key: number for key, number in numbers.items() if key not in inherited and not key.startswith(groups)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values: dict[str, float] = {}
         for name, part in self.members.items():
             try:
-                own = part.parameters(ambient)
+                member_values = part.parameters(ambient)
             except InputError as error:
                 raise error.within(name) from None
-            values |= {f"{name}.{key}": value for key, value in own.items()}
+            values |= {f"{name}.{key}": value for key, value in member_values.items()}
         return values
 
     def notes(self) -> tuple[Note, ...]:
@@ -144,7 +138,7 @@ class Compound(Part):
         return super().structure(), tuple((name, part.structure()) for name, part in self.members.items())
 
     def states(self) -> tuple[State, ...]:
-        """States of the members, under dotted names."""
+        """Return the states of the members under dotted names."""
         return tuple(
             dataclasses.replace(state, name=f"{name}.{state.name}")
             for name, part in self.members.items()
@@ -152,20 +146,20 @@ class Compound(Part):
         )
 
     def inputs(self) -> tuple[Input, ...]:
-        """Inputs that are seen outside, under the names of `inlets`."""
-        found = []
+        """Return the inputs that are available outside, under the names of `inlets`."""
+        inputs = []
         for outside, inside in self.outside().items():
             if outside not in self.inlets:
                 continue
             name, _, local = inside.partition(".")
             item = next(item for item in self.members[name].inputs() if item.name == local)
-            # Defaults and limits may name numbers of the member, which outside have its name in front.
-            named = {key: getattr(item, key) for key in ("default", "low", "high", "delay")}
-            within: dict[str, Any] = {
-                key: f"{name}.{each}" for key, each in named.items() if isinstance(each, str) and each
+            # Names of parameters of the member have its name in front outside.
+            values = {key: getattr(item, key) for key in ("default", "low", "high", "delay")}
+            addresses: dict[str, Any] = {
+                key: f"{name}.{value}" for key, value in values.items() if isinstance(value, str) and value
             }
-            found.append(dataclasses.replace(item, name=outside, **within))
-        return tuple(found)
+            inputs.append(dataclasses.replace(item, name=outside, **addresses))
+        return tuple(inputs)
 
     def can_resume(self, target: str) -> bool:
         name, _, local = target.partition(".")
@@ -181,12 +175,12 @@ class Compound(Part):
 
 
 def number_spec(part: Part, path: str) -> NumberSpec:
-    """Declaration of a number of a part, a group or a member by its dotted name."""
+    """Return the declaration of a number of a part, a group or a member by its dotted name."""
     kind: Any = type(part)
     *heads, last = path.split(".")
     for head in heads:
         spec: Any = specs(kind)[head]
-        if isinstance(spec, ReferenceSpec):  # it has limits of its own
+        if isinstance(spec, ReferenceSpec):  # it checks its values
             return NumberSpec("1", spec.doc)
         kind = spec.part if isinstance(spec, MemberSpec) else spec.group
     spec = specs(kind)[last]
@@ -194,23 +188,23 @@ def number_spec(part: Part, path: str) -> NumberSpec:
     return spec
 
 
-def expanded(
+def expand_compounds(
     parts: Mapping[str, Part], connections: Mapping[str, str]
 ) -> tuple[dict[str, Part], dict[str, str], dict[str, str]]:
-    """The elementary parts of a circuit."""
+    """Return the elementary parts of a circuit, their connections, and the names of outputs outside compounds."""
     flat: dict[str, Part] = {}
-    joined: dict[str, str] = {}
-    shown: dict[str, str] = {}
+    flat_connections: dict[str, str] = {}
+    outer: dict[str, str] = {}
     inner: dict[str, str] = {}
     for name, part in parts.items():
         if not isinstance(part, Compound):
             flat[name] = part
             continue
-        flat |= {f"{name}.{member}": made for member, made in part.members.items()}
-        joined |= {f"{name}.{target}": f"{name}.{source}" for target, source in part.links.items()}
+        flat |= {f"{name}.{key}": member for key, member in part.members.items()}
+        flat_connections |= {f"{name}.{target}": f"{name}.{source}" for target, source in part.links.items()}
         for outside, inside in part.outside().items():
             inner[f"{name}.{outside}"] = f"{name}.{inside}"
-            # One output may have several names outside; it is shown under the first.
-            shown.setdefault(f"{name}.{inside}", f"{name}.{outside}")
-    joined |= {inner.get(target, target): inner.get(source, source) for target, source in connections.items()}
-    return flat, joined, shown
+            # An output with several names outside has the first one in recordings.
+            outer.setdefault(f"{name}.{inside}", f"{name}.{outside}")
+    flat_connections |= {inner.get(target, target): inner.get(source, source) for target, source in connections.items()}
+    return flat, flat_connections, outer

@@ -1,4 +1,4 @@
-"""A pneumatic cylinder: two chambers that a piston divides, its force, its leak."""
+"""Pneumatic cylinder: chambers, piston, leakage and end cushions."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.core.symbolic import maximum, where
 from poppet.laws.physics import contact
-from poppet.parts import moving_gas
-from poppet.parts.bodies import arrivals, met_stop
+from poppet.parts import moving_gas, symbols
+from poppet.parts.bodies import find_impacts, impact_notes
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.compound import Compound
-from poppet.parts.cushion import CAP, LEAST_LEFT, ROD, Cushion, depth_of, spear_way
+from poppet.parts.cushion import CAP, MIN_DEAD_FRACTION, ROD, Cushion, cover_distance, spear_travel
 from poppet.parts.fields import (
     NumberLike,
     anr_pressure,
@@ -51,39 +52,25 @@ _INHERITED = ("side", "outer_diameter", "inner_diameter", "stroke_length", "offs
 
 
 def piston_position(scope: Scope, travel: Any) -> Any:
-    """Distance of the piston from the cap."""
+    """Return the distance of the piston from the cap."""
     return scope["offset"] + scope["direction"] * travel
 
 
 @dataclass(frozen=True)
 class CylinderChamber(Store):
-    """One side of a cylinder, closed by its piston; a member of `Cylinder`.
-
-    Parameters
-    ----------
-    body, side, outer_diameter, inner_diameter, stroke_length, offset, direction
-        Told by the cylinder.
-    dead_volume : number
-        Volume with the piston at this end, lines included [m^3].
-    wall_conductance : number
-        Product h A of heat transfer between gas and wall [W/K].
-    wall_temperature : number
-        Temperature of the wall; default the ambient temperature [K].
-    initial_pressure, initial_temperature : number
-        Absolute pressure [Pa] and temperature [K] at the start.
-    """
+    """Chamber on one side of a piston; a member of `Cylinder`."""
 
     kind: ClassVar[str] = "cylinder_chamber"
     summary: ClassVar[str] = "one side of a cylinder"
 
     body: str | None = body("body of the cylinder")
-    side: str = option(CAP, ROD, doc="side")
+    side: str = option(CAP, ROD, doc="side of the piston")
     outer_diameter: NumberLike = number("m", doc="outer diameter of the ring under pressure", above=0.0)
     inner_diameter: NumberLike = number("m", 0.0, doc="inner diameter of the ring under pressure", low=0.0)
     stroke_length: NumberLike = number("m", doc="stroke of the piston", above=0.0)
     offset: NumberLike = number("m", 0.0, doc="piston position at body position zero")
     direction: NumberLike = number("1", 1.0, doc="direction")
-    dead_volume: NumberLike = number("m^3", doc="dead volume", above=0.0)
+    dead_volume: NumberLike = number("m^3", doc="volume with the piston at this end; includes lines", above=0.0)
     wall_conductance: NumberLike = number("W/K", 0.0, doc="wall conductance h A", low=0.0, note="adiabatic by default")
     wall_temperature: NumberLike = number("K", optional=True, doc="wall temperature", kind="temperature", above=0.0)
     initial_pressure: NumberLike = anr_pressure("initial pressure")
@@ -98,10 +85,10 @@ class CylinderChamber(Store):
         return moving_gas.STATES
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        return moving_gas.begun(scope, self._volume(scope, scope.body.position)[0])
+        return moving_gas.initial_states(scope, self._volume(scope, scope.body.position)[0])
 
     def gas(self, scope: Scope) -> GasState:
-        return moving_gas.state_of(scope, self._volume(scope, scope.body.position)[0])
+        return moving_gas.gas_state(scope, self._volume(scope, scope.body.position)[0])
 
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
         volume, area = self._volume(scope, scope.body.position)
@@ -109,26 +96,27 @@ class CylinderChamber(Store):
         return moving_gas.balance(scope, self.gas(scope), volume, growth, flows)
 
     def _volume(self, scope: Scope, travel: Any) -> tuple[Any, Any]:
-        """Volume, and the area by which it grows with the piston's way from the cap."""
+        """Return the volume and its derivative with respect to the piston position."""
         if "spear_area" in scope:
             return self._port_volume(scope)
         area = 0.25 * math.pi * (scope["outer_diameter"] ** 2 - scope["inner_diameter"] ** 2)
         from_cap = piston_position(scope, travel)
         depth, area_out = (from_cap, area) if self.side == CAP else (scope["stroke_length"] - from_cap, -area)
-        volume, least = scope["dead_volume"] + area * depth, LEAST_LEFT * scope["dead_volume"]
-        return maximum(volume, least), where(volume > least, area_out, 0.0)
+        volume, smallest = scope["dead_volume"] + area * depth, MIN_DEAD_FRACTION * scope["dead_volume"]
+        return maximum(volume, smallest), where(volume > smallest, area_out, 0.0)
 
     def _port_volume(self, scope: Scope) -> tuple[Any, Any]:
-        """With a cushion: the space at the port, out of which the spear moves."""
-        depth, sign = depth_of(self.side, scope)
-        way, closed = spear_way(depth, scope["length"], scope["closing_length"])
-        volume, least = scope["dead_volume"] + scope["spear_area"] * way, LEAST_LEFT * scope["dead_volume"]
-        return maximum(volume, least), where(volume > least, sign * scope["spear_area"] * closed, 0.0)
+        """Return the volume at the port of a side with a cushion, and its derivative."""
+        depth, sign = cover_distance(self.side, scope)
+        travel, closed = spear_travel(depth, scope["length"], scope["closing_length"])
+        smallest = MIN_DEAD_FRACTION * scope["dead_volume"]
+        volume = scope["dead_volume"] + scope["spear_area"] * travel
+        return maximum(volume, smallest), where(volume > smallest, sign * scope["spear_area"] * closed, 0.0)
 
 
 @dataclass(frozen=True)
 class EndStop:
-    """Where the piston meets the covers, after Hunt and Crossley."""
+    """Contact of the piston with the covers after Hunt and Crossley."""
 
     stiffness: NumberLike = number("N/m^1.5", 1e8, doc="contact stiffness", above=0.0, note="elastic rings")
     dissipation: NumberLike = number("s/m", 5.0, doc="contact dissipation", low=0.0, note="half of the energy and more")
@@ -136,7 +124,7 @@ class EndStop:
 
 @dataclass(frozen=True)
 class ReturnSpring:
-    """The spring that retracts a single-acting cylinder."""
+    """Spring that retracts a cylinder."""
 
     rate: NumberLike = number("N/m", 0.0, doc="spring rate", low=0.0, note="none by default")
     preload: NumberLike = number("m", 0.0, doc="compression with the piston at the cap", low=0.0, note="none")
@@ -144,7 +132,7 @@ class ReturnSpring:
 
 @dataclass(frozen=True)
 class Leakage:
-    """The leak past the piston, as an ISO 6358 restriction."""
+    """Leakage past the piston as an ISO 6358 flow path."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -152,7 +140,7 @@ class Leakage:
 
 @dataclass(frozen=True)
 class Piston(Actuator, Passage):
-    """Piston and rod of a cylinder: its force, and its leak; a member of `Cylinder`, which tells it everything."""
+    """Piston and rod of a cylinder with force and leakage; a member of `Cylinder`."""
 
     kind: ClassVar[str] = "piston"
     summary: ClassVar[str] = "piston and rod of a cylinder"
@@ -168,10 +156,10 @@ class Piston(Actuator, Passage):
     stroke_length: NumberLike = number("m", doc="stroke of the piston", above=0.0)
     offset: NumberLike = number("m", 0.0, doc="piston position at body position zero")
     direction: NumberLike = number("1", 1.0, doc="direction")
-    seal_friction: NumberLike = number("N/Pa", 0.0, doc="friction per pressure difference", low=0.0)
-    end_stop: Any = group(EndStop, doc="the end stops")
-    spring: Any = group(ReturnSpring, doc="the return spring")
-    leakage: Any = group(Leakage, doc="the leak past the piston")
+    seal_friction: NumberLike = number("N/Pa", 0.0, doc="seal friction per pressure difference", low=0.0)
+    end_stop: Any = group(EndStop, doc="end stops at the covers")
+    spring: Any = group(ReturnSpring, doc="return spring")
+    leakage: Any = group(Leakage, doc="leakage past the piston")
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
 
@@ -186,73 +174,48 @@ class Piston(Actuator, Passage):
         bore_area = 0.25 * math.pi * scope["bore"] ** 2
         rod_area = 0.25 * math.pi * scope["rod_diameter"] ** 2
         depth, out = piston_position(scope, travel), direction * speed
-        # With a single-acting cylinder the chamber at the rod is the open air: the same formula.
+        # The rod chamber of a single-acting cylinder is the ambient: the same formula.
         pressures = bore_area * gas["cap"].pressure - (bore_area - rod_area) * gas["rod"].pressure
         for side, sign in ((CAP, 1.0), (ROD, -1.0)):
-            if f"{side}_port" in gas:  # the pressure at the port acts on the spear
+            if f"{side}_port" in gas:  # the port pressure acts on the spear
                 size = (scope[f"{side}_cushion.{name}"] for name in ("length", "closing_length"))
-                closed = spear_way(depth_of(side, scope)[0], *size)[1]
+                closed = spear_travel(cover_distance(side, scope)[0], *size)[1]
                 area = sign * scope[f"{side}_cushion.spear_area"] * closed
                 pressures = pressures + area * (gas[f"{side}_port"].pressure - gas[side].pressure)
         force = pressures - rod_area * scope.surroundings.pressure
         force = force - scope["spring.rate"] * (scope["spring.preload"] + depth)
         stop = scope["end_stop.stiffness"], scope["end_stop.dissipation"]
         stops = contact.stop_force(-depth, -out, *stop) - contact.stop_force(depth - scope["stroke_length"], out, *stop)
-        rubbing = scope["seal_friction"] * abs(gas["cap"].pressure - gas["rod"].pressure)
+        seal_friction = scope["seal_friction"] * abs(gas["cap"].pressure - gas["rod"].pressure)
         outputs: Quantities = {
             "force": (force, "N"),
             "stop_force": (stops, "N"),
             "piston_position": (depth, "m"),
             "piston_velocity": (out, "m/s"),
         }
-        return ActuatorForce(direction * (force + stops), outputs, friction=rubbing)
+        return ActuatorForce(direction * (force + stops), outputs, friction=seal_friction)
 
 
 @dataclass(frozen=True)
 class Cylinder(Compound):
-    r"""A pneumatic cylinder, double or single acting, that moves a body.
+    r"""Double-acting or single-acting pneumatic cylinder that moves a body.
 
     .. math:: F = p_\mathrm{cap} A - p_\mathrm{rod} (A - A_r) - p_a A_r - k (x + h)
 
     .. math:: \dot U = \sum c_p T q + h A (T_w - T) - p \dot V
 
-    Parameters
-    ----------
-    body : str
-        The mass, joint or guide that it moves.
-    bore, rod_diameter, stroke_length : number
-        Bore, diameter of the rod, and stroke of the piston [m].
-    acting : str
-        `double` (default) or `single`: no chamber at the rod, which is open to the ambient.
-    direction : number
-        1: extends towards larger positions of the body; -1: turned round.
-    offset : number
-        Distance of the piston from the cap while the body is at position zero [m].
-    seal_friction : number
-        What the seals add to the body's dry friction (`stribeck`, `lugre`) per pressure difference [N/Pa].
-    leakage : group
-        Leak past the piston: sonic_conductance, critical_ratio.
-    spring : group
-        Return spring, which retracts: rate, preload.
-    end_stop : group
-        Covers that the piston meets: stiffness, dissipation.
-    cap, rod : group
-        The chambers, which ports of other parts name `NAME.cap` and `NAME.rod`: dead_volume, wall_conductance,
-        wall_temperature, initial_pressure, initial_temperature.
-    cap_cushion, rod_cushion : group
-        Cushions: length, diameter, dead_volume, sonic_conductance, critical_ratio, check_conductance, closing_length,
-        open_conductance, initial_pressure, initial_temperature.
-    piston : group
-        subsonic_index and laminar_ratio of its leak.
-
     Notes
     -----
-    With a cushion, `cap` and `rod` are the spaces at the ports, `cap_cushion` and `rod_cushion` those between piston
-    and cover, which have the heat of the side's wall; on the last `length` the spear parts them, and only the throttle
-    joins them. Dead volumes of a side are the whole, those of its cushion the part that is trapped.
+    Ports of other parts name the chambers `NAME.cap` and `NAME.rod`. A single-acting cylinder has no rod chamber: this
+    side is open to the ambient. `seal_friction` increases the dry friction (`stribeck`, `lugre`) of the body.
 
-    `force` is that on the piston before friction, covers included in `stop_force`. The gas in each chamber has one
-    temperature; the wall takes heat in proportion to a constant conductance, not to the area that the piston leaves.
+    With a cushion, `cap` and `rod` are the volumes at the ports. `cap_cushion` and `rod_cushion` are the volumes
+    between piston and cover and exchange heat with the wall of their side. Within `length` before the end of the stroke
+    the spear closes the bore, and only the throttle connects both volumes. The dead volume of a side includes that of
+    its cushion.
+
+    `force` is the force on the piston before friction and without the covers, `stop_force` that of the covers. The gas
+    in each chamber has one temperature. The wall conductance is constant; it does not depend on the stroke.
 
     Examples
     --------
@@ -263,23 +226,24 @@ class Cylinder(Compound):
     """
 
     kind: ClassVar[str] = "cylinder"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.CYLINDER
     summary: ClassVar[str] = "a pneumatic cylinder: two chambers, piston, leak, end stops"
 
-    body: str | None = body("the body that it moves")
+    body: str | None = body("body that it moves")
     bore: NumberLike = number("m", doc="bore", above=0.0)
     rod_diameter: NumberLike = number("m", 0.0, doc="rod diameter", low=0.0, note="no rod by default")
     stroke_length: NumberLike = number("m", doc="stroke of the piston", above=0.0)
     acting: str = option(DOUBLE, SINGLE, doc="double or single acting")
     direction: NumberLike = number("1", 1.0, doc="direction, 1 or -1", note="extends towards larger positions")
     offset: NumberLike = number("m", 0.0, doc="piston position at body position zero", note="at the cap")
-    seal_friction: NumberLike = number("N/Pa", 0.0, doc="friction per pressure difference", low=0.0, note="none")
-    leakage: Any = group(Leakage, doc="the leak past the piston")
-    spring: Any = group(ReturnSpring, doc="the return spring")
-    end_stop: Any = group(EndStop, doc="the end stops")
-    cap: Any = member(CylinderChamber, doc="the chamber at the cap", inherited=_INHERITED, is_open=True)
-    rod: Any = member(CylinderChamber, doc="the chamber at the rod", inherited=_INHERITED, is_open=True, optional=True)
-    cap_cushion: Any = member(Cushion, doc="the cushion at the cap", inherited=(*_INHERITED, "port"), optional=True)
-    rod_cushion: Any = member(Cushion, doc="the cushion at the rod", inherited=(*_INHERITED, "port"), optional=True)
+    seal_friction: NumberLike = number("N/Pa", 0.0, doc="seal friction per pressure difference", low=0.0, note="none")
+    leakage: Any = group(Leakage, doc="leakage past the piston")
+    spring: Any = group(ReturnSpring, doc="return spring")
+    end_stop: Any = group(EndStop, doc="end stops at the covers")
+    cap: Any = member(CylinderChamber, doc="chamber at the cap", inherited=_INHERITED, is_open=True)
+    rod: Any = member(CylinderChamber, doc="chamber at the rod", inherited=_INHERITED, is_open=True, optional=True)
+    cap_cushion: Any = member(Cushion, doc="cushion at the cap", inherited=(*_INHERITED, "port"), optional=True)
+    rod_cushion: Any = member(Cushion, doc="cushion at the rod", inherited=(*_INHERITED, "port"), optional=True)
     piston: Any = member(
         Piston, doc="piston and rod",
         inherited=("cap", "rod", "cap_port", "rod_port", "body", "acting", "bore", "rod_diameter", "stroke_length",
@@ -310,6 +274,12 @@ class Cylinder(Compound):
         f"{side}.{name}": f"{side}.initial_{name}" for side in _SIDES for name in ("pressure", "temperature")
     }
 
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        rod = f", rod {numbers.text(self.rod_diameter)}" if float(self.rod_diameter) else ""  # type: ignore[arg-type]
+        size = f"{numbers.text(self.bore)}{rod}, stroke {numbers.text(self.stroke_length)}"
+        turned = [] if float(self.direction) > 0.0 else ["turned round"]  # type: ignore[arg-type]
+        return [f"cylinder, {self.acting} acting", size, *turned]
+
     def has(self, member: str) -> bool:
         if member in _CUSHIONS and getattr(self, member) is None:
             return False
@@ -319,41 +289,41 @@ class Cylinder(Compound):
         if abs(float(self.direction)) != 1.0:  # type: ignore[arg-type]
             raise InputError("bodies.direction", "direction", value=float(self.direction))  # type: ignore[arg-type]
         if float(self.rod_diameter) >= float(self.bore):  # type: ignore[arg-type]
-            shown = self.rod_diameter.display(), self.bore.display()  # type: ignore[union-attr]
-            raise InputError("cylinder.rod_too_thick", "rod_diameter", shown=shown[0], bore=shown[1])
+            texts = self.rod_diameter.display(), self.bore.display()  # type: ignore[union-attr]
+            raise InputError("cylinder.rod_too_thick", "rod_diameter", shown=texts[0], bore=texts[1])
         with ErrorCollector() as errors:
             for name in _CUSHIONS:
                 if getattr(self, name) is not None:
                     self._check_cushion(errors, name)
 
     def _check_cushion(self, errors: ErrorCollector, name: str) -> None:
-        """Note a spear that fits neither bore nor rod, or is as long as the stroke, and too much trapped air."""
+        """Collect errors of the spear diameter, the cushion length and the trapped volume."""
         cushion, side = getattr(self, name), getattr(self, name.removesuffix("_cushion"))
-        least, most = float(self.rod_diameter) if side is self.rod else 0.0, float(self.bore)  # type: ignore[arg-type]
-        if not least < float(cushion.diameter) < most:
-            facts = {"shown": cushion.diameter.display(), "least": least, "most": most}
+        low, high = float(self.rod_diameter) if side is self.rod else 0.0, float(self.bore)  # type: ignore[arg-type]
+        if not low < float(cushion.diameter) < high:
+            facts = {"shown": cushion.diameter.display(), "least": low, "most": high}
             errors.add("cylinder.spear", f"{name}.diameter", **facts)
-        wholes: dict[str, Any] = {"length": self.stroke_length, "dead_volume": side.dead_volume}
-        for field, whole in wholes.items():
+        limits: dict[str, Any] = {"length": self.stroke_length, "dead_volume": side.dead_volume}
+        for field, limit in limits.items():
             number = getattr(cushion, field)
-            if float(number) >= float(whole):
-                shown = {"shown": number.display(), "whole": whole.display()}
-                errors.add(f"cylinder.cushion.{field}", f"{name}.{field}", **shown)
+            if float(number) >= float(limit):
+                facts = {"shown": number.display(), "whole": limit.display()}
+                errors.add(f"cylinder.cushion.{field}", f"{name}.{field}", **facts)
 
     def check_start(self, travel: float) -> None:
         offset, direction = float(self.offset), float(self.direction)  # type: ignore[arg-type]
         depth, stroke = offset + direction * travel, float(self.stroke_length)  # type: ignore[arg-type]
-        # A little beyond: where a stop carries a load.
+        # A small tolerance: a stop that carries a load is compressed.
         if not -1e-3 * stroke <= depth <= 1.001 * stroke:
             raise InputError("cylinder.beyond_cover", "stroke_length", value=depth, stroke=stroke)
 
     def inherited_fields(self, member: str) -> dict[str, Any]:
-        shared = {name: getattr(self, name) for name in ("body", "stroke_length", "offset", "direction")}
+        common = {name: getattr(self, name) for name in ("body", "stroke_length", "offset", "direction")}
         match member:
             case "cap":
-                return shared | {"side": CAP, "outer_diameter": self.bore, "inner_diameter": 0.0}
+                return common | {"side": CAP, "outer_diameter": self.bore, "inner_diameter": 0.0}
             case "rod":
-                return shared | {"side": ROD, "outer_diameter": self.bore, "inner_diameter": self.rod_diameter}
+                return common | {"side": ROD, "outer_diameter": self.bore, "inner_diameter": self.rod_diameter}
             case "cap_cushion" | "rod_cushion":
                 side = member.removesuffix("_cushion")
                 return self.inherited_fields(side) | {"port": f".{side}"}
@@ -364,7 +334,7 @@ class Cylinder(Compound):
                     is_cushioned = self.has(f"{side}_cushion")
                     ends[f"{side}_port"] = ends[side] if is_cushioned else None
                     ends[side] = f".{side}_cushion" if is_cushioned else ends[side]
-                return shared | ends | {name: getattr(self, name) for name in names}
+                return common | ends | {name: getattr(self, name) for name in names}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
@@ -374,7 +344,7 @@ class Cylinder(Compound):
                 continue
             for key in ("initial_pressure", "initial_temperature", "wall_temperature", "wall_conductance"):
                 values.setdefault(f"{name}.{key}", values[f"{side}.{key}"])
-            # The wall is that between piston and cover, and what the cushion traps is not at the port.
+            # The wall is between piston and cover, and the trapped volume is not at the port.
             values[f"{side}.wall_conductance"] = 0.0
             values[f"{side}.dead_volume"] -= values[f"{name}.dead_volume"]
             for key in ("length", "closing_length", "spear_area"):
@@ -382,8 +352,8 @@ class Cylinder(Compound):
         return values
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        names = ("piston_position", "piston_velocity", "stop_force")
-        position, velocity, force = (series(f"{name}.{each}") for each in names)
+        outputs = ("piston_position", "piston_velocity", "stop_force")
+        position, velocity, force = (series(f"{name}.{output}") for output in outputs)
         stops = (0.0, float(self.stroke_length))  # type: ignore[arg-type]
-        met = arrivals(series("time"), position, velocity, force, stops)
-        return met_stop("piston_velocity", "m/s", met)
+        impacts = find_impacts(series("time"), position, velocity, force, stops)
+        return impact_notes("piston_velocity", "m/s", impacts)

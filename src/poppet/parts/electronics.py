@@ -1,4 +1,4 @@
-"""The electronics of a pressure valve: a sampled outer loop on the outlet and an inner one on the pilot pressure."""
+"""Electronics of a pressure valve: sampled loops of the outlet pressure and of the pilot pressure."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 
 from poppet.core.errors import OutOfRangeError
 from poppet.core.symbolic import clip, floor, maximum, where
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.part import (
     NEVER,
@@ -22,18 +23,18 @@ from poppet.parts.part import (
 )
 from poppet.parts.quantities import as_difference
 
-SHORTEST_LAG = 1e-6
-"""A sensor's lag below it counts as this [s]: far below any sample time, and no division by zero."""
-SHORTEST_SAMPLE = 1e-6
-SMALLEST_BAND = 1e-3
-"""A dead band below it counts as this [Pa]: no division by zero."""
+MIN_LAG = 1e-6
+"""Lower bound of the lag of a sensor [s], which avoids a division by zero."""
+MIN_SAMPLE_TIME = 1e-6
+MIN_DEAD_BAND = 1e-3
+"""Lower bound of the dead band [Pa], which avoids a division by zero."""
 SENSOR_TOLERANCE = 10.0
-"""Factor on the tolerance of the sensors: by default an error of less than a hundredth of a step of the converter."""
+"""Factor on the tolerance of the sensors: the default error is below a hundredth of a converter step."""
 
 
 @dataclass(frozen=True)
 class Scaling:
-    """What the ends of the setpoint mean."""
+    """Pressures at the ends of the setpoint range."""
 
     low: NumberLike = number("Pa", "0 bar g", doc="pressure at 0 % of the setpoint", kind="pressure")
     high: NumberLike = number("Pa", doc="pressure at 100 % of the setpoint", kind="pressure")
@@ -41,7 +42,7 @@ class Scaling:
 
 @dataclass(frozen=True)
 class FirstOrderSensor:
-    """A sensor of first order."""
+    """First-order lag of a sensor, and its offset."""
 
     lag: NumberLike = number("s", 0.0, doc="time constant", low=0.0, note="none")
     offset: NumberLike = number("Pa", 0.0, doc="offset", note="none", varies=as_difference)
@@ -49,7 +50,7 @@ class FirstOrderSensor:
 
 @dataclass(frozen=True)
 class Converter:
-    """The analogue-to-digital converter of both sensors."""
+    """Analogue-to-digital converter of both sensors."""
 
     bits: NumberLike = number("1", 0.0, doc="bits of the converter", low=0.0, high=32.0, note="no quantisation")
     span: NumberLike = number("Pa", "10 bar", doc="pressure difference at full scale", above=0.0)
@@ -57,11 +58,11 @@ class Converter:
 
 @dataclass(frozen=True)
 class OuterLoop:
-    """PI(D) on the outlet pressure with feed-forward; its output is the pilot pressure that is wanted.
+    """PI(D) control of the outlet pressure with feed-forward; its output is the setpoint of the pilot pressure.
 
-    The parallel form K (1 + 1/(T_i s) + T_d s); the feed-forward is the part of the wanted gauge pressure that goes
-    straight to the pilot. `dead_zone` is added with the sign of the error, so that the seats open without waiting for
-    the integral; `correction_limit` keeps the pilot near the pressure at which the main stage closes by itself.
+    The form is K (1 + 1/(T_i s) + T_d s). The feed-forward adds a fraction of the gauge setpoint to the pilot setpoint.
+    `dead_zone` is added with the sign of the error, so the seats open without a delay by the integral.
+    `correction_limit` keeps the pilot pressure close to the pressure at which the main stage closes.
     """
 
     gain: NumberLike = number("1", doc="gain", low=0.0)
@@ -69,29 +70,29 @@ class OuterLoop:
     derivative_time: NumberLike = number("s", 0.0, doc="derivative time", low=0.0, note="no derivative")
     derivative_filter: NumberLike = number("s", "5 ms", doc="time constant of the derivative's filter", low=0.0)
     feed_forward: NumberLike = number("1", 1.0, doc="feed-forward of the setpoint", low=0.0)
-    bias: NumberLike = number("Pa", 0.0, doc="added pilot pressure", note="none")
+    bias: NumberLike = number("Pa", 0.0, doc="bias of the pilot pressure", note="none")
     dead_band: NumberLike = number("Pa", 0.0, doc="dead band of the error", low=0.0, note="none")
-    integral_band: NumberLike = number("Pa", 0.0, doc="error beyond which the integral rests", low=0.0, note="no limit")
-    integral_limit: NumberLike = number("Pa", 0.0, doc="greatest size of the integral", low=0.0, note="no limit")
+    integral_band: NumberLike = number("Pa", 0.0, doc="highest error that is integrated", low=0.0, note="no limit")
+    integral_limit: NumberLike = number("Pa", 0.0, doc="limit of the integral", low=0.0, note="no limit")
     dead_zone: NumberLike = number("Pa", 0.0, doc="half the dead zone of the seats", low=0.0, note="none")
-    correction_limit: NumberLike = number("Pa", 0.0, doc="greatest size of the correction", low=0.0, note="no limit")
+    correction_limit: NumberLike = number("Pa", 0.0, doc="limit of the correction", low=0.0, note="no limit")
     pilot_limit: NumberLike = number("Pa", doc="highest pilot pressure", kind="pressure", above=0.0)
-    sample_time: NumberLike = number("s", "1 ms", doc="sample time of the outer loop", low=SHORTEST_SAMPLE)
+    sample_time: NumberLike = number("s", "1 ms", doc="sample time of the outer loop", low=MIN_SAMPLE_TIME)
 
 
 @dataclass(frozen=True)
 class InnerLoop:
-    """Proportional control of the pilot pressure with a hold band: it decides to fill, to hold or to vent."""
+    """Proportional control of the pilot pressure with a hold band."""
 
     gain: NumberLike = number("1/Pa", doc="duty per error of the pilot pressure", low=0.0)
     hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")
-    minimum_duty: NumberLike = number("1", 0.0, doc="least duty", low=0.0, below=1.0, note="none")
-    vent_delay: NumberLike = number("s", 0.0, doc="time that venting must be wanted", low=0.0, note="at once")
-    sample_time: NumberLike = number("s", "1 ms", doc="sample time of the inner loop", low=SHORTEST_SAMPLE)
+    minimum_duty: NumberLike = number("1", 0.0, doc="minimum duty", low=0.0, below=1.0, note="none")
+    vent_delay: NumberLike = number("s", 0.0, doc="delay of venting", low=0.0, note="at once")
+    sample_time: NumberLike = number("s", "1 ms", doc="sample time of the inner loop", low=MIN_SAMPLE_TIME)
 
 
 SCALES = {"pressure": ("Pa", 0.0, 0.0), "0-10 V": ("V", 0.0, 10.0), "4-20 mA": ("A", 4e-3, 20e-3)}
-"""Unit of the setpoint by its type, and its value at 0 % and 100 %; a pressure stands for itself."""
+"""Unit of the setpoint by type, and its values at 0 % and 100 %; a pressure is not scaled."""
 PRESETS = ("universal", "fast", "precise")
 _UNLIMITED = 1e12
 _SENSORS = ("outlet", "pilot")
@@ -108,39 +109,18 @@ class Electronics(Controller):
     .. math:: d = \operatorname{clip}(K_i e_p + d_{min} \operatorname{sign} e_p, -1, 1) \quad (|e_p| > \text{band}),
               \qquad e_p = p_{p,set} - p_p
 
-    A positive d is the duty of the filling solenoid, a negative one that of the venting solenoid.
-
-    Parameters
-    ----------
-    data : str
-        A library set; fields given here override it.
-    preset : str
-        `universal` (default), `fast` or `precise`: which loop numbers of the set.
-    setpoint_type : str
-        `pressure` (default), `0-10 V` or `4-20 mA`.
-    setpoint_delay : number
-        Time by which a signal of the setpoint acts later [s]; a connected setpoint is not delayed.
-    scaling : group
-        low, high: the pressures at 0 % and 100 %.
-    zero_suppression : number
-        Part of the span below which the setpoint counts as zero and the pilot is vented.
-    outlet_sensor, pilot_sensor : group
-        lag, offset.
-    converter : group
-        bits, span.
-    outer, inner : group
-        The two loops.
-    initial_integral : number
-        Integral of the outer loop at the start [Pa].
+    A positive d is the duty of the fill solenoid, a negative d that of the vent solenoid.
 
     Notes
     -----
-    Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa] and `power` (1 on, 0 off: both solenoids stay
-    closed, so that the pressure is held). A sample reads the sensors' values at its instant; where both loops sample
-    together, the inner one already has the outer one's new result. e is what the dead band e_0 leaves of the error, z
-    half the dead zone between the seats (no effect without e_0), c the limit of the correction. Anti-windup: the
-    integral takes back, over `integral_time`, what c and the limits of the pilot pressure cut off, and rests beyond its
-    band. A resumed run takes the integral over; its clocks begin anew, and the derivative begins at zero.
+    Inputs are `setpoint`, `outlet_pressure`, `pilot_pressure` [Pa] and `power` (1 on; 0 off: both solenoids are closed
+    and the pressure remains). `setpoint_delay` delays a signal, not a connection. The library set has a variant for
+    each `preset`. If both loops sample at one instant, the inner loop uses the new result of the outer loop.
+
+    e is the error beyond the dead band e_0, z half the dead zone between the seats (no effect without e_0), and c the
+    limit of the correction. Anti-windup: over `integral_time`, the integral is reduced by the part that c and the
+    limits of the pilot pressure remove; it is constant beyond its band. A resumed run continues with the integral; its
+    clocks restart, and the derivative starts at zero.
 
     References
     ----------
@@ -155,23 +135,28 @@ class Electronics(Controller):
     )  # fmt: skip
 
     data: Any = reference(doc="library set")
-    preset: str = option(*PRESETS, doc="preset")
+    preset: str = option(*PRESETS, doc="preset; variant of the library set")
     setpoint_type: str = option(*SCALES, doc="type of setpoint")
     setpoint_delay: NumberLike = number("s", 0.0, doc="delay of the setpoint's signal", low=0.0, note="none")
-    scaling: Any = group(Scaling, doc="the pressures at 0 % and 100 %")
+    scaling: Any = group(Scaling, doc="pressures at 0 % and 100 %")
     zero_suppression: NumberLike = number("1", 0.0, doc="zero-point suppression", low=0.0, below=1.0, note="none")
-    outlet_sensor: Any = group(FirstOrderSensor, doc="the sensor of the outlet pressure")
-    pilot_sensor: Any = group(FirstOrderSensor, doc="the sensor of the pilot pressure")
-    converter: Any = group(Converter, doc="the converter")
-    outer: Any = group(OuterLoop, doc="the outer loop")
-    inner: Any = group(InnerLoop, doc="the inner loop")
+    outlet_sensor: Any = group(FirstOrderSensor, doc="sensor of the outlet pressure")
+    pilot_sensor: Any = group(FirstOrderSensor, doc="sensor of the pilot pressure")
+    converter: Any = group(Converter, doc="converter")
+    outer: Any = group(OuterLoop, doc="outer loop")
+    inner: Any = group(InnerLoop, doc="inner loop")
     initial_integral: NumberLike = number("Pa", 0.0, doc="integral at the start", note="none")
 
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
     measured: ClassVar[tuple[str, ...]] = ("outlet_pressure", "pilot_pressure")
 
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        times = sorted({numbers.text(loop.sample_time) for loop in (self.outer, self.inner)})
+        setpoint = f"setpoint: {self.setpoint_type}"
+        return [f"electronics, {self.preset}", setpoint, f"samples every {', '.join(times)}"]
+
     def variant(self) -> str:
-        # A misspelt preset is reported by its own check, not by every number that it would leave missing.
+        # An invalid preset is reported by its own check, not by all numbers that would be missing.
         return self.preset if self.preset in PRESETS else PRESETS[0]
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
@@ -184,7 +169,7 @@ class Electronics(Controller):
         return values
 
     def options(self) -> dict[str, str]:
-        # A preset is a set of numbers and shapes no model.
+        # A preset is a set of numbers and does not change the model.
         return {name: choice for name, choice in super().options().items() if name != "preset"}
 
     def states(self) -> tuple[State, ...]:
@@ -213,13 +198,13 @@ class Electronics(Controller):
     def start(self, scope: Scope) -> dict[str, Any]:
         ambient = scope.surroundings.pressure
         values = {f"{name}_sensor_pressure": scope.inputs[f"{name}_pressure"] for name in _SENSORS}
-        values |= {each.name: 0.0 for each in self.memory()}
+        values |= {state.name: 0.0 for state in self.memory()}
         values |= {"pilot_setpoint": ambient, "last_pressure": ambient, "integral": scope["initial_integral"]}
         values |= {"outer": 0.0, "inner": 0.0, "vent": NEVER}
         return values | {"actual_pressure": scope.inputs["outlet_pressure"]}
 
     def list_internal_outputs(self) -> tuple[str, ...]:
-        # Of a setpoint in volts or amperes it is the target that can be compared with a pressure.
+        # With a setpoint in volts or amperes, the target is the output to compare with a pressure.
         return (
             (*self.internal_outputs, "target_pressure") if self.setpoint_type == "pressure" else self.internal_outputs
         )
@@ -227,13 +212,17 @@ class Electronics(Controller):
     def control(self, scope: Scope) -> ControlOutputs:
         rates = {}
         for name in _SENSORS:
-            lag = maximum(scope[f"{name}_sensor.lag"], SHORTEST_LAG)
+            lag = maximum(scope[f"{name}_sensor.lag"], MIN_LAG)
             state = f"{name}_sensor_pressure"
             rates[state] = (scope.inputs[f"{name}_pressure"] - scope.states[state]) / lag
-        memory = scope.memory
+        memory, actual_value = scope.memory, scope.memory["actual_pressure"]
+        unit, first, last = SCALES[self.setpoint_type]
+        if self.setpoint_type != "pressure":
+            low, high = scope["scaling.low"], scope["scaling.high"]
+            actual_value = first + (last - first) * (actual_value - low) / (high - low)
         outputs = {
             "target_pressure": (self._target(scope), "Pa"),
-            "actual_value": (self._shown(scope, memory["actual_pressure"]), SCALES[self.setpoint_type][0]),
+            "actual_value": (actual_value, unit),
             **{name: (memory[name], "Pa") for name in ("pilot_setpoint", "integral")},
             **{name: (memory[name], "1") for name in ("fill_duty", "vent_duty")},
             **{name: (pressure, "Pa") for name, pressure in scope.states.items()},
@@ -249,24 +238,16 @@ class Electronics(Controller):
     # Scaling and sensing -----------------------------------------------------------------------------------------
 
     def _target(self, scope: Scope) -> Any:
-        """The pressure that the setpoint asks for, within the scaling."""
+        """Return the target pressure of the setpoint within the scaling."""
         low, high = scope["scaling.low"], scope["scaling.high"]
-        given = scope.inputs["setpoint"]
+        target = scope.inputs["setpoint"]
         if self.setpoint_type != "pressure":
             _, first, last = SCALES[self.setpoint_type]
-            given = low + (high - low) * (given - first) / (last - first)
-        return clip(given, low, high)
-
-    def _shown(self, scope: Scope, pressure: Any) -> Any:
-        """A pressure as the output of the actual value."""
-        if self.setpoint_type == "pressure":
-            return pressure
-        _, first, last = SCALES[self.setpoint_type]
-        low, high = scope["scaling.low"], scope["scaling.high"]
-        return first + (last - first) * (pressure - low) / (high - low)
+            target = low + (high - low) * (target - first) / (last - first)
+        return clip(target, low, high)
 
     def _read(self, scope: Scope, name: str) -> Any:
-        """A sensor's value as the program sees it."""
+        """Return the value of a sensor behind the converter."""
         gauge = scope.states[f"{name}_sensor_pressure"] + scope[f"{name}_sensor.offset"] - scope.surroundings.pressure
         bits, span = scope["converter.bits"], scope["converter.span"]
         step = span * 2.0 ** (-bits)
@@ -282,72 +263,73 @@ class Electronics(Controller):
         band, gain = scope["outer.dead_band"], scope["outer.gain"]
         error = target - pressure
         error = maximum(error - band, 0.0) - maximum(-error - band, 0.0)
-        filtered, ahead = scope["outer.derivative_filter"], scope["outer.derivative_time"]
-        # At the first sample there is no earlier pressure to differ from.
-        before = where(memory["outer_count"] > 0.0, memory["last_pressure"], pressure)
-        # Of the pressure, not of the error: a step of the setpoint gives no kick. Backward in time: always stable.
-        derivative = (filtered * memory["derivative"] + gain * ahead * (before - pressure)) / (filtered + time)
+        filter_time, derivative_time = scope["outer.derivative_filter"], scope["outer.derivative_time"]
+        # The first sample has no previous pressure.
+        last = where(memory["outer_count"] > 0.0, memory["last_pressure"], pressure)
+        # Of the pressure, not of the error: a setpoint step causes no kick. The backward difference is always stable.
+        change = gain * derivative_time * (last - pressure)
+        derivative = (filter_time * memory["derivative"] + change) / (filter_time + time)
         forward = ambient + scope["outer.feed_forward"] * (target - ambient) + scope["outer.bias"]
-        # Across the dead zone of the seats within a second dead band of error: without one it would be a relay.
-        across = where(
-            band > 0.0, scope["outer.dead_zone"] * clip(error / maximum(band, SMALLEST_BAND), -1.0, 1.0), 0.0
+        # Crosses the dead zone of the seats over a second dead band of the error; without this ramp it would be a
+        # relay.
+        crossing = where(
+            band > 0.0, scope["outer.dead_zone"] * clip(error / maximum(band, MIN_DEAD_BAND), -1.0, 1.0), 0.0
         )
-        correction = gain * error + across + memory["integral"]
+        correction = gain * error + crossing + memory["integral"]
         limit = where(scope["outer.correction_limit"] > 0.0, scope["outer.correction_limit"], _UNLIMITED)
-        # The derivative stands outside of this limit: it brakes a small volume early and a large one hardly.
+        # The derivative is outside this limit: it acts on a small volume early and on a large one little.
         limited = forward + clip(correction, -limit, limit) + derivative
-        given = clip(limited, ambient, scope["outer.pilot_limit"])
-        cut = given - forward - derivative - correction
+        pilot = clip(limited, ambient, scope["outer.pilot_limit"])
+        excess = pilot - forward - derivative - correction
         is_idle = self._is_suppressed(scope)
         is_on = scope.inputs["power"] > 0.5
-        integral = where(is_idle, 0.0, self._integral(scope, error, cut))
+        integral = where(is_idle, 0.0, self._integral(scope, error, excess))
         return {
             "integral": where(is_on, integral, memory["integral"]),
             "derivative": derivative,
             "last_pressure": pressure,
-            "pilot_setpoint": where(is_idle, ambient, given),
+            "pilot_setpoint": where(is_idle, ambient, pilot),
             "actual_pressure": pressure,
         }  # fmt: skip
 
-    def _integral(self, scope: Scope, error: Any, cut: Any) -> Any:
-        """The integral after a sample; without an integral time it is zero."""
+    def _integral(self, scope: Scope, error: Any, excess: Any) -> Any:
+        """Return the integral after a sample; it is zero without an integral time."""
         integral_time, time = scope["outer.integral_time"], scope["outer.sample_time"]
         band = scope["outer.integral_band"]
-        # Numbers are symbols here: 0 as "no band", "no limit", "no integral" is a choice at run time, not in Python.
-        counted = scope["outer.gain"] * error + cut
-        counted = where(band > 0.0, where(error * error > band * band, 0.0, counted), counted)
-        new = scope.memory["integral"] + time / maximum(integral_time, time) * counted
+        # Parameters are symbols: 0 as "no band", "no limit" and "no integral" is decided at run time, not in Python.
+        increment = scope["outer.gain"] * error + excess
+        increment = where(band > 0.0, where(error * error > band * band, 0.0, increment), increment)
+        new = scope.memory["integral"] + time / maximum(integral_time, time) * increment
         limit = where(scope["outer.integral_limit"] > 0.0, scope["outer.integral_limit"], _UNLIMITED)
         return where(integral_time > 0.0, clip(new, -limit, limit), 0.0)
 
     def _is_suppressed(self, scope: Scope) -> Any:
         low, high = scope["scaling.low"], scope["scaling.high"]
-        # Never without a suppression: the target is held at `low` from below.
+        # Never true without suppression: the target is at least `low`.
         return self._target(scope) < low + scope["zero_suppression"] * (high - low)
 
     def _inner(self, scope: Scope) -> dict[str, Any]:
         error = scope.memory["pilot_setpoint"] - self._read(scope, "pilot")
-        least = scope["inner.minimum_duty"]
-        band = scope["inner.hold_band"]
-        push = scope["inner.gain"] * error
-        fill = where(error > band, clip(push + least, 0.0, 1.0), 0.0)
-        vent = where(error < -band, clip(least - push, 0.0, 1.0), 0.0)
+        minimum, band = scope["inner.minimum_duty"], scope["inner.hold_band"]
+        duty = scope["inner.gain"] * error
+        fill = where(error > band, clip(duty + minimum, 0.0, 1.0), 0.0)
+        vent = where(error < -band, clip(minimum - duty, 0.0, 1.0), 0.0)
         is_idle, is_on = self._is_suppressed(scope), scope.inputs["power"] > 0.5
         return {
             "fill_duty": where(is_on, where(is_idle, 0.0, fill), 0.0),
-            **self._vented(scope, where(is_on, where(is_idle, 1.0, vent), 0.0)),
+            **self._vent_states(scope, where(is_on, where(is_idle, 1.0, vent), 0.0)),
         }
 
-    def _vented(self, scope: Scope, wanted: Any) -> dict[str, Any]:
-        """The venting solenoid after a sample that wants a duty of it: it opens when the delay is over."""
+    def _vent_states(self, scope: Scope, duty: Any) -> dict[str, Any]:
+        """Return the discrete states of the vent solenoid for a duty; it opens after the delay."""
         memory, delay = scope.memory, scope["inner.vent_delay"]
-        # A wish to vent that goes on keeps the instant at which its delay is over.
-        goes_on = memory["vent_wanted"] > 0.0
-        begins = where(delay > 0.0, scope.time + delay, NEVER)
-        ready = where(goes_on, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))
+        # A request that continues keeps the end of its delay.
+        continues = memory["vent_wanted"] > 0.0
+        opening_time = where(delay > 0.0, scope.time + delay, NEVER)
+        ready = where(continues, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))
         return {
-            "vent_wanted": wanted,
-            "vent": where(wanted > 0.0, where(goes_on, memory["vent"], begins), NEVER),
-            "vent_ready": where(wanted > 0.0, ready, 0.0),
-            "vent_duty": ready * wanted,
+            "vent_wanted": duty,
+            "vent": where(duty > 0.0, where(continues, memory["vent"], opening_time), NEVER),
+            "vent_ready": where(duty > 0.0, ready, 0.0),
+            "vent_duty": ready * duty,
         }

@@ -1,7 +1,7 @@
-"""How a part declares what can be written about it: numbers, options, ports and groups of numbers.
+"""Declarations of the fields of parts: numbers, options, ports, bodies, groups, members and references.
 
-One declaration serves the Python constructor, the circuit file, `--set`, the JSON schema and the passport of a circuit.
-A part is a frozen dataclass; `complete` turns what was given into `Number`s and reports all mistakes at once.
+One declaration serves the Python constructor, its docstring, the circuit file, `--set`, the JSON schema and `poppet
+show`. A part is a frozen dataclass; `complete` reads the arguments of its fields and reports all errors together.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from poppet.core.provenance import SOURCE_KINDS, Number, Source, SourceKind
 from poppet.core.tables import NumberRange
 from poppet.core.units import Kind, quantity
 
-Made = TypeVar("Made")
+T = TypeVar("T")
 MISSING = (
     "fields.missing",
     "fields.missing_port",
@@ -28,13 +28,27 @@ MISSING = (
     "parts.no_characteristic",
     "parts.forgotten_set",
 )
-"""Mistakes of what was not given, or was given under another name."""
+"""Codes of errors of a missing or misspelt field."""
 NumberLike = Number | float | str | Mapping[str, Any] | None
-"""What a number field takes: SI value, text with unit, `Number`, or a table with value, source, locator, note."""
+"""Argument of a number field: SI value, text with unit, `Number`, or a table with value, source, locator and note."""
+
+
+class Declaration:
+    """Declaration of a field.
+
+    The meaning `doc` is a noun phrase. Details can follow it after a semicolon.
+    """
+
+    doc: str
+
+    @property
+    def meaning(self) -> str:
+        """Meaning without details, for messages and labels."""
+        return self.doc.partition("; ")[0]
 
 
 @dataclass(frozen=True)
-class NumberSpec(NumberRange):
+class NumberSpec(NumberRange, Declaration):
     """Declaration of a number: unit, limits, default and meaning."""
 
     unit: str
@@ -48,45 +62,45 @@ class NumberSpec(NumberRange):
 
     def within(self, part: Any) -> NumberSpec:
         """Return the declaration that is valid for a part with its choices."""
-        return self if self.varies is None else _varied(self, tuple(self.varies(part).items()))
+        return self if self.varies is None else _vary(self, tuple(self.varies(part).items()))
 
-    def check(self, name: str, value: float, shown: str) -> None:
+    def check(self, name: str, value: float, text: str) -> None:
         """Raise `OutOfRangeError` if a value is outside the limits."""
-        self.check_range(name, value, shown, self.doc)
+        self.check_range(name, value, text, self.meaning)
 
 
 @cache
-def _varied(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
+def _vary(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
     return dataclasses.replace(spec, varies=None, **dict(changes))
 
 
 @dataclass(frozen=True)
-class OptionSpec:
-    """A choice between named forms; changing it changes the model, not only a number."""
+class OptionSpec(Declaration):
+    """Declaration of an option; another choice changes the form of the model."""
 
     choices: tuple[str, ...]
     doc: str
 
 
 @dataclass(frozen=True)
-class PortSpec:
-    """The name of the store that a port is joined to."""
+class PortSpec(Declaration):
+    """Declaration of a port: the name of the gas node that is connected to it."""
 
     doc: str
     optional: bool = False
 
 
 @dataclass(frozen=True)
-class BodySpec:
-    """The name of the body that an actuator moves."""
+class BodySpec(Declaration):
+    """Declaration of the name of the body that an actuator moves."""
 
     doc: str
     optional: bool = False
 
 
 @dataclass(frozen=True)
-class GroupSpec:
-    """Numbers that belong together and are addressed with one more dot, `lower_spring.rate`."""
+class GroupSpec(Declaration):
+    """Declaration of a group of numbers; their addresses have one more dot, `lower_spring.rate`."""
 
     group: type
     doc: str
@@ -94,21 +108,21 @@ class GroupSpec:
 
 
 @dataclass(frozen=True)
-class ReferenceSpec:
-    """The name of a library set, or a table that describes the same thing."""
+class ReferenceSpec(Declaration):
+    """Declaration of the name of a library set, or of a table in its place."""
 
     doc: str
 
 
 @dataclass(frozen=True)
-class MemberSpec:
-    """A part inside a part; the whole tells it some of its fields."""
+class MemberSpec(Declaration):
+    """Declaration of a part inside a compound, which sets the fields `inherited`."""
 
     part: Any  # class of the part
     doc: str
     inherited: tuple[str, ...]
-    is_open: bool = False  # ports outside may be joined to it
-    optional: bool = False  # the whole may be without it
+    is_open: bool = False  # ports of other parts can be connected to it
+    optional: bool = False  # the compound can omit it
 
 
 Spec = NumberSpec | OptionSpec | PortSpec | BodySpec | GroupSpec | ReferenceSpec | MemberSpec
@@ -118,18 +132,18 @@ def number(
     unit: str, default: str | float | None = None, *, doc: str, source: SourceKind = "assumed", note: str = "",
     **limits: Any,
 ) -> Any:  # fmt: skip
-    """Declare a number; without a default it must be given, unless `optional=True`."""
+    """Declare a number; it is required if it has no default and is not `optional`."""
     assert source in SOURCE_KINDS
     return _field(NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits))
 
 
 def anr_temperature(doc: str) -> Any:
-    """Declare a temperature that is 20 degC unless it is given."""
+    """Declare a temperature with the default 20 degC."""
     return number("K", "20 degC", doc=doc, kind="temperature", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
 def anr_pressure(doc: str) -> Any:
-    """Declare a pressure that is 1 bar, absolute, unless it is given."""
+    """Declare a pressure with the default 1 bar absolute."""
     return number("Pa", "1 bar", doc=doc, kind="pressure", above=0.0, source="standard", note="ISO 8778, ANR")
 
 
@@ -145,16 +159,16 @@ def laminar_limit() -> Any:
 
 
 def option(default: str, *choices: str, doc: str) -> Any:
-    """Declare a choice; the first argument is the default."""
+    """Declare an option; the first argument is the default."""
     return _field(OptionSpec((default, *choices), doc), default)
 
 
 OFF_ON = ("false", "true")
-"""Choices of a switch, for which a circuit file has words of its own."""
+"""Choices of a switch; a circuit file has booleans for them."""
 
 
 def switch(*, doc: str) -> Any:
-    """Declare a choice between false, the default, and true; kept as text, as every choice is."""
+    """Declare a boolean option with the default false; the value is stored as text."""
     return option(*OFF_ON, doc=doc)
 
 
@@ -174,7 +188,7 @@ def group(kind: type, *, doc: str, optional: bool = False) -> Any:
 
 
 def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
-    """Declare a part inside a part; `inherited` are the fields that the whole fills in."""
+    """Declare a part inside a compound, which sets the fields `inherited`."""
     return _field(MemberSpec(kind, doc, tuple(inherited), is_open, optional))
 
 
@@ -184,198 +198,252 @@ def reference(*, doc: str) -> Any:
 
 
 def _field(spec: Spec, default: str | None = None) -> Any:
-    # A required number defaults to None as well, so that a missing one is reported together with all other mistakes.
+    # A required number defaults to None too, so that a missing number is reported together with all other errors.
     return dataclasses.field(default=default, metadata={"spec": spec})
 
 
 def specs(kind: Any) -> Mapping[str, Spec]:
-    """What can be written about a part, by the name used in a circuit file (`from`, not `from_`)."""
-    # A function of its own, because type checkers do not take a class for something that a cache can hash.
+    """Return the declared fields of a class by their names in a circuit file (`from`, not `from_`)."""
+    # A separate function: type checkers do not accept a class as an argument of a cached function.
     return _specs(kind)
 
 
 @cache
 def _specs(kind: Any) -> Mapping[str, Spec]:
-    found = {f.name.rstrip("_"): f.metadata["spec"] for f in dataclasses.fields(kind) if "spec" in f.metadata}
-    return MappingProxyType(found)
+    declared_fields = (field for field in dataclasses.fields(kind) if "spec" in field.metadata)
+    return MappingProxyType({field.name.rstrip("_"): field.metadata["spec"] for field in declared_fields})
 
 
 @cache
-def declared(kind: Any, *wanted: type) -> tuple[tuple[str, str, Any], ...]:
-    """Name, Python attribute and declaration of the fields of a class, of all or of those of some kinds."""
-    # A changed number builds its part anew and a run reads every part: what the class alone decides is decided once.
-    return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not wanted or isinstance(spec, wanted))
+def declared(kind: Any, *types: type) -> tuple[tuple[str, str, Any], ...]:
+    """Return name, Python attribute and declaration of the fields of a class, optionally of some types only."""
+    # Cached: a changed number makes its part again, and a run reads every part.
+    return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not types or isinstance(spec, types))
 
 
 def attribute(name: str) -> str:
-    """The Python attribute of a field name: `from` is a keyword and becomes `from_`."""
+    """Return the Python attribute of a field: `from` is a keyword and becomes `from_`."""
     return "from_" if name == "from" else name
 
 
-def read_number(name: str, spec: NumberSpec, given: NumberLike) -> Number:
-    """Make a checked `Number` of what was given."""
-    # A part that is copied brings its numbers as they stand: they need no reading, and no text for a mistake.
-    if type(given) is Number and given.unit == spec.unit and given.reference != "gauge" and spec.holds(given.value):
-        return given
+class DeclaredDocstring:
+    """Docstring of a class with a section of parameters made from the declared fields, when it is read."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+
+    def __get__(self, instance: Any, owner: type) -> str:
+        # The decorator of dataclasses reads the docstring before it sets this attribute: no time for it on import.
+        return _with_parameters(owner, self.text) if "__match_args__" in vars(owner) else self.text
+
+
+@cache
+def _with_parameters(owner: Any, text: str) -> str:
+    import inspect
+
+    lines = ["Parameters", "----------"]
+    for _, attribute_name, spec in declared(owner):
+        lines += [f"{attribute_name} : {_type_text(spec)}", f"    {_meaning_text(spec)}"]
+    head, rule, rest = inspect.cleandoc(text).partition("\n-----")
+    if len(lines) == 2:
+        return head + rule + rest
+    head, _, title = head.rpartition("\n") if rule else (head, "", "")
+    return f"{head.rstrip()}\n\n" + "\n".join(lines) + (f"\n\n{title}{rule}{rest}" if rule else "\n")
+
+
+def _type_text(spec: Any) -> str:
+    """Return the type of a parameter and its default, as numpydoc has them."""
+    match spec:
+        case OptionSpec(choices=choices):
+            values = ", ".join(choices if choices == OFF_ON else map(repr, choices))
+            return f"{{{values}}}, default {values.partition(',')[0]}"
+        case NumberSpec(default=default) if default is not None:
+            is_bare = not isinstance(default, str) and default != 0.0 and spec.unit != "1"
+            return f"number, default {default}{f' {spec.unit}' if is_bare else ''}"
+        case ReferenceSpec():
+            return "str or mapping, optional"
+        case GroupSpec() | MemberSpec():
+            return "mapping, optional" if spec.optional or isinstance(spec, MemberSpec) else "mapping"
+    return ("number" if isinstance(spec, NumberSpec) else "str") + (", optional" if spec.optional else "")
+
+
+def _meaning_text(spec: Any) -> str:
+    """Return the meaning of a parameter, with its unit or the names of its fields."""
+    unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
+    details = spec.doc.removeprefix(spec.meaning)
+    text = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{details}"
+    if isinstance(spec, GroupSpec):
+        text += f": {', '.join(specs(spec.group))}"
+    elif isinstance(spec, MemberSpec):
+        text += f": {', '.join(name for name in specs(spec.part) if name not in spec.inherited)}"
+    return f"{text}."
+
+
+def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
+    """Return an argument as a checked `Number`."""
+    # A copied part has numbers that were read before.
+    is_number = type(argument) is Number and argument.unit == spec.unit and argument.reference != "gauge"
+    if is_number and spec.holds(argument.value):  # type: ignore[union-attr]
+        return argument  # type: ignore[return-value]
     source = Source("given")
-    if isinstance(given, Mapping):
-        unknown = [key for key in given if key not in ("value", "source", "locator", "note")]
-        if unknown or "value" not in given:
+    if isinstance(argument, Mapping):
+        unknown = [key for key in argument if key not in ("value", "source", "locator", "note")]
+        if unknown or "value" not in argument:
             first = unknown[0] if unknown else ""
-            raise InputError("fields.source_form", name, value=dict(given), unknown=first, empty=not unknown)
-        kind = str(given.get("source", "given"))
+            raise InputError("fields.source_form", name, value=dict(argument), unknown=first, empty=not unknown)
+        kind = str(argument.get("source", "given"))
         if kind not in SOURCE_KINDS:
-            raise InputError("fields.source_kind", name, value=kind, near=NameSuggestion(kind, SOURCE_KINDS))
-        source = Source(kind, str(given.get("locator", "")), str(given.get("note", "")))
-        given = given["value"]
-    if isinstance(given, Number):
-        result = given
-        if given.unit != spec.unit:
-            raise InputError("fields.other_unit", name, shown=given.display(), unit=spec.unit)
-        if given.reference == "gauge" and spec.kind != "pressure":
-            raise UnitError("fields.gauge_difference", name, shown=given.display())
+            near = NameSuggestion(kind, SOURCE_KINDS)
+            raise InputError("fields.not_an_option", f"{name}.source", value=kind, meaning="kind of source", near=near)
+        source = Source(kind, str(argument.get("locator", "")), str(argument.get("note", "")))
+        argument = argument["value"]
+    if isinstance(argument, Number):
+        result = argument
+        if argument.unit != spec.unit:
+            raise InputError("fields.other_unit", name, shown=argument.display(), unit=spec.unit)
+        if argument.reference == "gauge" and spec.kind != "pressure":
+            raise UnitError("fields.gauge_difference", name, shown=argument.display())
     else:
         try:
-            read = quantity(given, spec.unit, kind=spec.kind, name=name, is_told=True)  # type: ignore[arg-type]
+            parsed = quantity(argument, spec.unit, kind=spec.kind, name=name, is_told=True)  # type: ignore[arg-type]
         except InputError as error:
             raise error.located(address=name) from None
-        result = Number(read.value, spec.unit, source, read.reference, given if isinstance(given, str) else "")
-    # Limits are absolute: a gauge pressure waits until the ambient pressure is known (`Part.parameters`).
+        text = argument if isinstance(argument, str) else ""
+        result = Number(parsed.value, spec.unit, source, parsed.reference, text)
+    # Limits are absolute: `Part.parameters` checks gauge values when the ambient pressure is known.
     if result.reference != "gauge" and not spec.holds(result.value):
         spec.check(name, result.value, result.display())
     return result
 
 
-def forget(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
-    """Take out what a copy of a part carries over from a library set: it follows the set that is named now."""
+def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
+    """Remove the numbers that a copy of a part has from a library set; the current set replaces them."""
     if not sets:
         return
-    for name, own, spec in declared(part.__class__, NumberSpec, GroupSpec):
-        value = getattr(part, own)
+    for name, attribute_name, spec in declared(part.__class__, NumberSpec, GroupSpec):
+        value = getattr(part, attribute_name)
         if isinstance(value, Number):
             address = f"{path}{name}"
-            # `in` asks for identity first: most numbers are the library's own, and comparing their texts costs more.
-            if value in [known.get(address) for known in sets]:
-                object.__setattr__(part, own, None)
+            # `in` compares identity first: most numbers are the same objects as in the library.
+            if value in [numbers.get(address) for numbers in sets]:
+                object.__setattr__(part, attribute_name, None)
         elif isinstance(spec, GroupSpec) and isinstance(value, spec.group):
-            # The group may be shared with the part that was copied.
+            # The original of the copy can share the group.
             inner: Any = copy(value)
-            forget(inner, sets, f"{path}{name}.")
-            object.__setattr__(part, own, inner)
+            forget_library(inner, sets, f"{path}{name}.")
+            object.__setattr__(part, attribute_name, inner)
 
 
-# Read once: parts that say nothing of a number share its default, which also makes `forget` quick.
+# Cached: parts share the default of a number that they do not specify. This also makes `forget_library` fast.
 @cache
 def default_number(name: str, spec: NumberSpec) -> Number | None:
-    """The declared default with its source, or None."""
+    """Return the declared default with its source, or None."""
     if spec.default is None:
         return None
     return dataclasses.replace(read_number(name, spec, spec.default), source=Source(spec.source, note=spec.note))
 
 
-def from_table(kind: type[Made], table: Any) -> Made:
-    """What a class of declared fields describes, made of a table of a file; all mistakes of the table at once."""
+def from_table(kind: type[T], table: Any) -> T:
+    """Return an object of a class with declared fields from a table of a file; report all errors together."""
     if not isinstance(table, Mapping):
         raise InputError("fields.no_table", value=table)
-    known, made = specs(kind), None
-    unknown = [key for key in table if key not in known]
+    valid, result = specs(kind), None
+    unknown = [key for key in table if key not in valid]
     with ErrorCollector() as errors:
-        errors.extend(unknown_field(key, key, known) for key in unknown)
+        errors.extend(unknown_field(key, key, valid) for key in unknown)
         try:
-            made = kind(**{attribute(key): value for key, value in table.items() if key in known})
+            result = kind(**{attribute(key): value for key, value in table.items() if key in valid})
         except InputError as error:
-            errors.extend(problem for problem in error.problems if not _is_misspelt(problem, unknown))
-    assert made is not None
-    return made
-
-
-def _is_misspelt(problem: InputError, unknown: Sequence[str]) -> bool:
-    """True for a missing field that was given under a name much like it: one mistake, not two."""
-    name = (problem.address or "").rpartition(".")[2]
-    return problem.code in MISSING and bool(get_close_matches(name, unknown, n=1))
+            for problem in error.problems:
+                # A missing field with a similar unknown name is one error, not two.
+                name = (problem.address or "").rpartition(".")[2]
+                if problem.code not in MISSING or not get_close_matches(name, unknown, n=1):
+                    errors.extend([problem])
+    assert result is not None
+    return result
 
 
 def complete(part: Any, library: Mapping[str, Number]) -> None:
-    """Read every field of a frozen part in place: given value, else library value, else default, else a mistake."""
+    """Read all fields of a frozen part in place: argument, else library value, else default, else an error."""
     with ErrorCollector() as errors:
         _complete(part, library, "", errors, part)
 
 
-def _complete(part: Any, library: Mapping[str, Number], path: str, errors: ErrorCollector, whole: Any) -> None:
-    for name, own, spec in declared(part.__class__):
-        given, address = getattr(part, own), f"{path}{name}"
+def _complete(part: Any, library: Mapping[str, Number], path: str, errors: ErrorCollector, owner: Any) -> None:
+    for name, attribute_name, spec in declared(part.__class__):
+        argument, address = getattr(part, attribute_name), f"{path}{name}"
         try:
-            value = _completed(given, spec, address, library, errors, whole)
+            value = _read_field(argument, spec, address, library, errors, owner)
         except InputError as error:
             errors.extend([error.located(address=address)])
             continue
-        if value is not given:
-            object.__setattr__(part, own, value)
+        if value is not argument:
+            object.__setattr__(part, attribute_name, value)
 
 
-def _completed(
-    given: Any, spec: Spec, address: str, library: Mapping[str, Number], errors: ErrorCollector, whole: Any
+def _read_field(
+    argument: Any, spec: Spec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
 ) -> Any:
     match spec:
         case NumberSpec():
-            spec = spec.within(whole)
-            if given is not None:
-                return read_number(address, spec, given)
+            spec = spec.within(owner)
+            if argument is not None:
+                return read_number(address, spec, argument)
             value = library.get(address) or default_number(address, spec)
             if value is None and not spec.optional:
                 unit = "" if spec.unit == "1" else spec.unit
-                raise InputError("fields.missing", address, meaning=spec.doc, unit=unit, plain=not unit, example="")
+                raise InputError("fields.missing", address, meaning=spec.meaning, unit=unit, plain=not unit, example="")
             return value
         case GroupSpec():
-            return _completed_group(given, spec, address, library, errors, whole)
+            return _read_group(argument, spec, address, library, errors, owner)
         case OptionSpec():
-            if isinstance(given, bool) and spec.choices == OFF_ON:
-                return OFF_ON[given]
-            if given not in spec.choices:
-                near = NameSuggestion(str(given), spec.choices)
-                raise InputError("fields.not_an_option", address, value=given, meaning=spec.doc, near=near)
+            if isinstance(argument, bool) and spec.choices == OFF_ON:
+                return OFF_ON[argument]
+            if argument not in spec.choices:
+                near = NameSuggestion(str(argument), spec.choices)
+                raise InputError("fields.not_an_option", address, value=argument, meaning=spec.meaning, near=near)
         case PortSpec() | BodySpec():
-            if given is None and not spec.optional:
+            if argument is None and not spec.optional:
                 code = "fields.missing_port" if isinstance(spec, PortSpec) else "fields.missing_body"
-                raise InputError(code, address, meaning=spec.doc)
-            if given is not None and not isinstance(given, str):
-                raise InputError("fields.not_a_name", address, value=given)
-    return given
+                raise InputError(code, address, meaning=spec.meaning)
+            if argument is not None and not isinstance(argument, str):
+                raise InputError("fields.not_a_name", address, value=argument)
+    return argument
 
 
-def _completed_group(
-    given: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], errors: ErrorCollector, whole: Any
+def _read_group(
+    argument: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
 ) -> Any:
-    known = specs(spec.group)
-    if given is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
+    valid = specs(spec.group)
+    if argument is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
         return None
-    if isinstance(given, Mapping):
-        errors.extend(unknown_field(f"{address}.{key}", key, known) for key in given if key not in known)
-        given = spec.group(**{attribute(key): value for key, value in given.items() if key in known})
-    elif given is None:
-        given = spec.group()
-    elif not isinstance(given, spec.group):
-        raise InputError("fields.not_a_table", address, value=given, meaning=spec.doc, fields=[*known])
-    result = copy(given)
-    _complete(result, library, f"{address}.", errors, whole)
+    if isinstance(argument, Mapping):
+        errors.extend(unknown_field(f"{address}.{key}", key, valid) for key in argument if key not in valid)
+        argument = spec.group(**{attribute(key): value for key, value in argument.items() if key in valid})
+    elif argument is None:
+        argument = spec.group()
+    elif not isinstance(argument, spec.group):
+        raise InputError("fields.not_a_table", address, value=argument, meaning=spec.meaning, fields=[*valid])
+    result = copy(argument)
+    _complete(result, library, f"{address}.", errors, owner)
     return result
 
 
-def unknown_field(address: str, name: str, known: Mapping[str, Any]) -> InputError:
-    """The mistake of a field that a part does not have."""
-    return InputError("fields.unknown", address, table="", near=NameSuggestion(name, known))
+def unknown_field(address: str, name: str, valid: Mapping[str, Any]) -> InputError:
+    """Return the error of a field that a part does not have."""
+    return InputError("fields.unknown", address, table="", near=NameSuggestion(name, valid))
 
 
-def flatten(part: Any, path: str = "", whole: Any = None) -> list[tuple[str, NumberSpec, Number]]:
-    """All numbers of a completed part, or of a group of it, with their dotted names."""
-    whole = part if whole is None else whole
-    found: list[tuple[str, NumberSpec, Number]] = []
-    for name, own, spec in declared(part.__class__, NumberSpec, GroupSpec, MemberSpec):
-        value = getattr(part, own)
+def flatten(part: Any, path: str = "", owner: Any = None) -> list[tuple[str, NumberSpec, Number]]:
+    """Return all numbers of a completed part, or of a group of it, with their dotted names and declarations."""
+    owner = part if owner is None else owner
+    numbers: list[tuple[str, NumberSpec, Number]] = []
+    for name, attribute_name, spec in declared(part.__class__, NumberSpec, GroupSpec, MemberSpec):
+        value = getattr(part, attribute_name)
         if value is None:
             continue
         if type(spec) is NumberSpec:
-            found.append((path + name, spec.within(whole), value))
+            numbers.append((path + name, spec.within(owner), value))
         else:
-            found += flatten(value, f"{path}{name}.", None if type(spec) is MemberSpec else whole)
-    return found
+            numbers += flatten(value, f"{path}{name}.", None if type(spec) is MemberSpec else owner)
+    return numbers

@@ -1,4 +1,4 @@
-"""What all ISO 6358 passages share: the ways to say how much flows, and the law itself."""
+"""Flow paths after ISO 6358: flow capacity and flow law."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from poppet.core.provenance import Number, Source
 from poppet.core.symbolic import is_symbolic, where
 from poppet.laws import iso6358
 from poppet.laws.curves import Characteristic, characteristic_from_mapping
+from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
 from poppet.parts.fields import NumberLike, laminar_limit, number, reference, subsonic_index_m
 from poppet.parts.part import Flow, GasState, Passage, Quantities, Scope, Surroundings
 
@@ -27,35 +28,31 @@ _SIZES = (
     "characteristic",
 )
 
-# Stated with air or a liquid, whatever gas flows later.
-_OF_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
+# Stated for air or a liquid, independent of the gas of the circuit.
+_FROM_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
     "flow_coefficient_kv": iso6358.conductance_from_flow_coefficient_kv,
     "flow_coefficient_cv": iso6358.conductance_from_flow_coefficient_cv,
     "nominal_flow": iso6358.conductance_from_nominal_flow,
 }
 
 
-def read_characteristic(given: Any, address: str) -> Characteristic:
-    """A characteristic by name of the library, by file name (`.toml`), as a table, or as it is."""
-    if isinstance(given, Characteristic):
-        return given
-    if isinstance(given, Mapping):
-        return characteristic_from_mapping(given, name=address)
-    if isinstance(given, str) and given.endswith(".toml"):
-        return _characteristic_file(Path(given), address)
-    if isinstance(given, str):
-        return library.characteristic(given)
-    raise InputError("parts.not_a_characteristic", address, value=given, known=library.characteristics())
+def read_characteristic(argument: Any, address: str) -> Characteristic:
+    """Return a characteristic by library name, file name (`.toml`) or table."""
+    if isinstance(argument, Characteristic):
+        return argument
+    if isinstance(argument, Mapping):
+        return characteristic_from_mapping(argument, name=address)
+    if isinstance(argument, str) and argument.endswith(".toml"):
+        from poppet.core.toml_file import TomlFile
 
-
-def _characteristic_file(path: Path, address: str) -> Characteristic:
-    from poppet.core.toml_file import TomlFile
-
-    try:
-        table = TomlFile.read(path).content
-    except InputError as error:
-        raise InputError("parts.unreadable_file", address, path=str(path), why=error.reason) from None
-    return characteristic_from_mapping(table, name=str(path))
+        try:
+            table = TomlFile.read(Path(argument)).content
+        except InputError as error:
+            raise InputError("parts.unreadable_file", address, path=argument, why=error.reason) from None
+        return characteristic_from_mapping(table, name=argument)
+    if isinstance(argument, str):
+        return library.characteristic(argument)
+    raise InputError("parts.not_a_characteristic", address, value=argument, known=library.characteristics())
 
 
 def _assumed_ratio(size: str) -> Number:
@@ -64,39 +61,21 @@ def _assumed_ratio(size: str) -> Number:
 
 @dataclass(frozen=True)
 class FlowPath(Passage):
-    """Sizes of a passage after ISO 6358: exactly one way to say how much flows.
+    """Flow path after ISO 6358 with exactly one specification of its flow capacity.
 
-    Subclasses name the ports.
-
-    Parameters
-    ----------
-    sonic_conductance : number
-        Sonic conductance C [m^3/(s Pa)].
-    critical_ratio : number
-        Critical ratio b.
-    effective_area : number
-        Area of the isentropic nozzle that passes the same choked flow [m^2].
-    flow_coefficient_kv, flow_coefficient_cv : number
-        Flow coefficients Kv and Cv.
-    nominal_flow : number
-        Nominal flow qNn from 6 to 5 bar g, `380 l/min ANR` [m^3/s ANR].
-    characteristic : str or mapping
-        C and b over the stroke: library name, .toml file or table.
-    subsonic_index : number
-        Subsonic index m.
-    laminar_ratio : number
-        Pressure ratio at which the regularised zone begins.
+    Subclasses declare the ports.
 
     Notes
     -----
-    With a flow coefficient, a nominal flow or a conductance alone, the critical ratio is assumed to be 0.3 and
-    marked as assumed; with an effective area C and b are those of an isentropic nozzle with the gas of the circuit.
-    A flow coefficient and a nominal flow, stated with a liquid or air, are turned into C and b of that gas.
+    If a flow coefficient, a nominal flow or a conductance is given without a critical ratio, this ratio is assumed to
+    be 0.3 and has the source `assumed`. An effective area gives C and b of an isentropic nozzle with the gas of the
+    circuit. A flow coefficient or a nominal flow, which refers to a liquid or to air, is converted to C and b of that
+    gas.
     """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", low=0.0)
     critical_ratio: NumberLike = number("1", optional=True, doc="critical ratio b", low=0.0, below=1.0)
-    effective_area: NumberLike = number("m^2", optional=True, doc="effective area", low=0.0)
+    effective_area: NumberLike = number("m^2", optional=True, doc="effective area of an isentropic nozzle", low=0.0)
     flow_coefficient_kv: NumberLike = number("1", optional=True, doc="flow coefficient Kv", low=0.0, high=1e6)
     flow_coefficient_cv: NumberLike = number("1", optional=True, doc="flow coefficient Cv", low=0.0, high=1e6)
     nominal_flow: NumberLike = number(
@@ -107,32 +86,40 @@ class FlowPath(Passage):
     laminar_ratio: NumberLike = laminar_limit()
 
     has_stroke: ClassVar[bool] = False
-    """Whether a characteristic has a stroke to follow."""
+    """True if the flow path has a stroke, which a characteristic needs."""
 
     def check(self) -> None:
-        given = [name for name in _SIZES if getattr(self, name) is not None]
-        if not given:
+        specified = [name for name in _SIZES if getattr(self, name) is not None]
+        if not specified:
             raise InputError("parts.no_size", "sonic_conductance", sizes=[*_SIZES])
-        if len(given) > 1:
-            raise InputError("parts.several_sizes", given[1], given=given, sizes=[*_SIZES])
-        if self.critical_ratio is not None and given[0] in ("effective_area", "characteristic"):
-            raise InputError("parts.idle_critical_ratio", "critical_ratio", size=given[0])
+        if len(specified) > 1:
+            raise InputError("parts.several_sizes", specified[1], given=specified, sizes=[*_SIZES])
+        if self.critical_ratio is not None and specified[0] in ("effective_area", "characteristic"):
+            raise InputError("parts.idle_critical_ratio", "critical_ratio", size=specified[0])
         if self.characteristic is not None:
             object.__setattr__(self, "characteristic", read_characteristic(self.characteristic, "characteristic"))
             if not self.has_stroke:
                 raise InputError("parts.no_stroke_to_follow", "characteristic", kind=self.kind)
-        # That of an area is known with the gas only.
+        # The ratio of an effective area depends on the gas.
         elif self.critical_ratio is None and self.effective_area is None:
-            object.__setattr__(self, "critical_ratio", _assumed_ratio(given[0]))
+            object.__setattr__(self, "critical_ratio", _assumed_ratio(specified[0]))
 
     @property
     def _size(self) -> str:
-        """The field that says how much flows."""
+        """Field that specifies the flow capacity."""
         return next(name for name in _SIZES if getattr(self, name) is not None)
 
     def notes(self) -> tuple[Note, ...]:
         is_assumed = self.critical_ratio == _assumed_ratio(self._size)
         return (Note("parts.assumed_ratio", "critical_ratio", size=self._size),) if is_assumed else ()
+
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        if self.characteristic is not None:
+            return [f"C(x), b(x): {self.characteristic.name}"]
+        conductance: Any = self.sonic_conductance
+        mark = ASSUMED if conductance is not None and conductance.source.kind == "assumed" else ""
+        value = format_value(numbers.parameter("sonic_conductance"), "m^3/(s Pa)")
+        return [f"C = {value}{mark}", f"b = {numbers.text(self.critical_ratio)}"]
 
     def numbers(self) -> dict[str, Number]:
         values = super().numbers()
@@ -150,7 +137,7 @@ class FlowPath(Passage):
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
 
     def _size_with_gas(self, values: Mapping[str, float], ambient: Surroundings) -> tuple[float, float]:
-        """C and b with the gas of the circuit, of a size that has but one meaning."""
+        """Return C and b with the gas of the circuit for a specification other than C or a characteristic."""
         name = self._size
         gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
         if name == "effective_area":
@@ -158,27 +145,27 @@ class FlowPath(Passage):
             return nozzle.sonic_conductance, nozzle.critical_ratio
         ratio = values["critical_ratio"]
         factor, shift = iso6358.factors_from_air(**gas)
-        by_air = _OF_AIR[name](values[name], critical_ratio=ratio).sonic_conductance
-        return factor * by_air, ratio + (1.0 - ratio) * shift
+        conductance = _FROM_AIR[name](values[name], critical_ratio=ratio).sonic_conductance
+        return factor * conductance, ratio + (1.0 - ratio) * shift
 
     def structure(self) -> Hashable:
         return super().structure(), None if self.characteristic is None else self.characteristic.structure()
 
     def size_at(self, scope: Scope, stroke: Any) -> tuple[Any, Any]:
-        """Sonic conductance and critical ratio, at a stroke where there is a characteristic."""
+        """Return sonic conductance and critical ratio; a characteristic needs the stroke."""
         if self.characteristic is None:
             return scope["sonic_conductance"], scope["critical_ratio"]
         return characteristic_at(self.characteristic, scope, "characteristic.", stroke)
 
 
 def characteristic_at(curve: Characteristic, scope: Scope, prefix: str, stroke: Any) -> tuple[Any, Any]:
-    """C and b of a characteristic with the scope's run-time numbers."""
-    values = _Prefixed(scope, prefix)
+    """Return C and b of a characteristic with the parameters of a scope."""
+    values = _PrefixedParameters(scope, prefix)
     return curve.sonic_conductance_at(stroke, values), curve.critical_ratio_at(stroke, values)
 
 
-class _Prefixed(Mapping[str, Any]):
-    """The numbers of a scope below a prefix."""
+class _PrefixedParameters(Mapping[str, Any]):
+    """Parameters of a scope below a prefix."""
 
     def __init__(self, scope: Scope, prefix: str) -> None:
         self._scope, self._prefix = scope, prefix
@@ -209,7 +196,7 @@ def iso_flow(
     one_way: bool = False,
     regime: str = "regime",
 ) -> tuple[Flow, Quantities]:
-    """One ISO 6358 flow between two ports, with its outputs."""
+    """Return an ISO 6358 flow between two ports, and its outputs."""
     conductance, ratio = scope.surroundings.size_with_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}

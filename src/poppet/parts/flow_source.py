@@ -1,4 +1,4 @@
-"""A flow source: a prescribed mass flow rate, from a number, a signal or a recording."""
+"""Flow source: a prescribed mass flow rate from a number, a signal or a recording."""
 
 from __future__ import annotations
 
@@ -7,24 +7,17 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from poppet.core.symbolic import where
+from poppet.parts import symbols
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, anr_temperature, number, port
 from poppet.parts.part import Flow, GasState, Input, Passage, PassageFlows, Scope
 
 
 @dataclass(frozen=True)
 class FlowSource(Passage):
-    """A prescribed mass flow rate into a store (negative: out of it).
+    """Prescribed mass flow rate into a gas node; negative: out of it.
 
-    Parameters
-    ----------
-    to : str
-        The store that it feeds.
-    mass_flow_rate : number
-        Mass flow rate into the store [kg/s]; also an input. Volumetric flow needs its reference: `10 l/min ANR`.
-    temperature : number
-        Temperature of the gas that flows in [K]; gas drawn out leaves with the temperature of the store.
-    delay : number
-        Time by which a signal arrives later [s], as behind a slow flow meter.
+    Gas that leaves the node has the temperature of the node. Volumetric flow needs its reference: `10 l/min ANR`.
 
     Examples
     --------
@@ -33,12 +26,16 @@ class FlowSource(Passage):
     """
 
     kind: ClassVar[str] = "flow_source"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.FLOW_SOURCE
     summary: ClassVar[str] = "a prescribed mass flow rate into a store"
 
-    to: str | None = port("store that is fed")
+    to: str | None = port("gas node that receives the flow")
     mass_flow_rate: NumberLike = number("kg/s", 0.0, doc="mass flow rate", kind="mass_flow", note="no flow by default")
-    temperature: NumberLike = anr_temperature("temperature")
+    temperature: NumberLike = anr_temperature("temperature of the gas that flows in")
     delay: NumberLike = number("s", 0.0, doc="delay of the signal", low=0.0, note="no delay by default")
+
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        return ["flow source"] if "mass_flow_rate" in numbers.signals else [numbers.text(self.mass_flow_rate)]
 
     def inputs(self) -> tuple[Input, ...]:
         return (Input("mass_flow_rate", "kg/s", "mass_flow_rate", kind="mass_flow", delay="delay"),)

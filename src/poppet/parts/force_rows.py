@@ -1,4 +1,4 @@
-"""Measured force of a muscle as a table: a line over pressure at each of several contractions."""
+"""Table of the measured force of a muscle: a line over pressure for each contraction."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ _COLUMNS = {
 
 @dataclass(frozen=True)
 class ForceRows(NumberTable):
-    """Contraction with force per gauge pressure and force without it; straight lines between.
+    """Force per gauge pressure and passive force by contraction, with linear interpolation.
 
     Parameters
     ----------
     columns : mapping
-        Name of each column to its numbers, one per contraction.
+        Name of each column to its numbers, one for each contraction.
 
     Examples
     --------
@@ -37,9 +37,9 @@ class ForceRows(NumberTable):
     field: ClassVar[str] = "force_table"
 
     @classmethod
-    def known(cls, *form: str) -> Mapping[str, NumberSpec]:
+    def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
         return _COLUMNS
 
     def law(self, values: Mapping[str, Any]) -> ForceTable:
-        """The law of run-time values, floats or symbols."""
+        """Return the law for run-time values, floats or symbols."""
         return ForceTable(*(self.column(name, values) for name in _COLUMNS))

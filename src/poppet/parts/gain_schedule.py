@@ -1,4 +1,4 @@
-"""Gains of a controller over operating points, interpolated."""
+"""Gains of a controller that are interpolated between operating points."""
 
 from __future__ import annotations
 
@@ -11,19 +11,19 @@ from poppet.parts.fields import NumberSpec
 from poppet.parts.quantities import OPENING, QUANTITIES, gain_unit
 from poppet.parts.rows import NumberTable
 
-_OTHERWISE = {"derivative_time": 0.0, "vent_factor": 1.0}
+_DEFAULTS = {"derivative_time": 0.0, "vent_factor": 1.0}
 
 
 @dataclass(frozen=True)
 class GainSchedule(NumberTable):
-    """Gains at operating points; between them straight lines, beyond them those of the last point.
+    """Gains at operating points, with linear interpolation and constant extrapolation.
 
     Parameters
     ----------
     columns : mapping
-        Name of each column to its numbers, one per operating point.
+        Name of each column to its numbers, one for each operating point.
     form : tuple of str
-        What is controlled, which is the name of the first column, and what is commanded.
+        Controlled quantity, which is the name of the first column, and commanded quantity.
 
     Examples
     --------
@@ -36,31 +36,31 @@ class GainSchedule(NumberTable):
     field: ClassVar[str] = "schedule"
 
     @classmethod
-    def known(cls, *form: str) -> Mapping[str, NumberSpec]:
+    def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
         quantity, command = form
-        of = QUANTITIES[quantity]
-        found = {
-            quantity: NumberSpec(of.unit, "operating point", kind=of.kind, low=of.low),
+        controlled = QUANTITIES[quantity]
+        columns = {
+            quantity: NumberSpec(controlled.unit, "operating point", kind=controlled.kind, low=controlled.low),
             "gain": NumberSpec(gain_unit(quantity, command), "gain"),
             "integral_time": NumberSpec("s", "integral time", above=0.0),
             "derivative_time": NumberSpec("s", "derivative time", low=0.0, optional=True),
         }
         factor = NumberSpec("1", "factor on commands to vent", above=0.0, optional=True)
-        return found | {"vent_factor": factor} if command == OPENING else found
+        return columns | {"vent_factor": factor} if command == OPENING else columns
 
     @classmethod
-    def read(cls, given: Any, *form: str) -> Self:
-        return super().read(given, *(form or ("pressure", OPENING)))
+    def read(cls, table: Any, *form: str) -> Self:
+        return super().read(table, *(form or ("pressure", OPENING)))
 
     def at(self, point: Any, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Gains at an operating point."""
-        rising = self.form[0]
-        gaps = range(1, len(self.columns[rising]))
+        """Return the gains at an operating point."""
+        point_column = self.form[0]
+        gaps = range(1, len(self.columns[point_column]))
         steps = {name: [values[f"{name}_{k + 1}"] - values[f"{name}_{k}"] for k in gaps] for name in self.columns}
-        # The part of each gap that lies below the operating point, 0..1: a sum, so that it traces without a branch.
-        widths = zip(gaps, steps.pop(rising), strict=True)
-        shares = [clip((point - values[f"{rising}_{k}"]) / width, 0.0, 1.0) for k, width in widths]
-        found: dict[str, Any] = dict(_OTHERWISE)
+        # The fraction of each gap below the operating point: a sum, which is traced without a branch.
+        widths = zip(gaps, steps.pop(point_column), strict=True)
+        fractions = [clip((point - values[f"{point_column}_{k}"]) / width, 0.0, 1.0) for k, width in widths]
+        gains: dict[str, Any] = dict(_DEFAULTS)
         for name, heights in steps.items():
-            found[name] = values[f"{name}_1"] + sum(a * b for a, b in zip(shares, heights, strict=True))
-        return found
+            gains[name] = values[f"{name}_1"] + sum(a * b for a, b in zip(fractions, heights, strict=True))
+        return gains

@@ -1,4 +1,4 @@
-"""Which law the force of a muscle follows, and with which numbers: of the muscle itself and of who reckons with it."""
+"""Force law of a muscle and its parameters, for muscles and inverse muscles."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from poppet.parts.fields import NumberLike, group, number, option, reference
 from poppet.parts.force_rows import ForceRows
 from poppet.parts.part import Part, Surroundings
 
-NEEDED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": "braid_angle", "table": "force_table"}
-"""Laws of the force, and the field that each cannot do without."""
+REQUIRED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": "braid_angle", "table": "force_table"}
+"""Force laws and the field that each law requires."""
 
 
 @dataclass(frozen=True)
 class SarosiNumbers:
-    """The six numbers of Sarosi's law."""
+    """Six parameters of Sarosi's law."""
 
     a1: NumberLike = number("N/Pa", doc="Sarosi's a1")
     a2: NumberLike = number("N", doc="Sarosi's a2")
@@ -32,21 +32,21 @@ class SarosiNumbers:
 
 @dataclass(frozen=True)
 class MuscleLawPart(Part):
-    """A part with the law of a muscle's force."""
+    """Part with the force law of a muscle."""
 
-    nominal_length: NumberLike = number("m", doc="nominal length", above=0.0)
-    nominal_diameter: NumberLike = number("m", doc="nominal diameter", above=0.0)
-    law: str = option(*NEEDED, doc="law of the force")
-    sarosi: Any = group(SarosiNumbers, doc="Sarosi's numbers", optional=True)
-    braid_angle: NumberLike = number("rad", optional=True, doc="braid angle", above=0.0, below=math.pi / 2)
+    nominal_length: NumberLike = number("m", doc="nominal length; without pressure and load", above=0.0)
+    nominal_diameter: NumberLike = number("m", doc="nominal inner diameter; without pressure and load", above=0.0)
+    law: str = option(*REQUIRED, doc="force law")
+    sarosi: Any = group(SarosiNumbers, doc="parameters of Sarosi's law", optional=True)
+    braid_angle: NumberLike = number("rad", optional=True, doc="braid angle to the axis", above=0.0, below=math.pi / 2)
     end_factor: NumberLike = number("1", 1.0, doc="factor k of the ends", above=0.0, note="cylindrical ends")
-    force_table: Any = reference(doc="measured force: table of lists")
+    force_table: Any = reference(doc="measured force; mapping of lists contraction, force_per_pressure, passive_force")
 
     def check(self) -> None:
         if self.force_table is not None:
             object.__setattr__(self, "force_table", ForceRows.read(self.force_table))
-        if getattr(self, NEEDED[self.law]) is None:
-            raise InputError("muscle.law_needs", NEEDED[self.law], choice="law", value=self.law)
+        if getattr(self, REQUIRED[self.law]) is None:
+            raise InputError("muscle.law_needs", REQUIRED[self.law], choice="law", value=self.law)
 
     def structure(self) -> Hashable:
         return super().structure(), None if self.force_table is None else self.force_table.structure()
@@ -60,39 +60,39 @@ class MuscleLawPart(Part):
         return super().parameters(ambient) | {f"force_table.{name}": value for name, value in table.items()}
 
     def force_law(self, numbers: Mapping[str, Any] | None = None) -> ForceLaw:
-        """Force over gauge pressure and contraction.
+        """Return the force law over gauge pressure and contraction.
 
         Parameters
         ----------
         numbers : mapping, optional
-            Floats or symbols by local name; default the muscle's own.
+            Floats or symbols by local name; default the numbers of the muscle.
 
         Returns
         -------
         ForceLaw
             With `force`, `pressure_for`, `slope`, `passive` and `swept`.
         """
-        known = {name: each.value for name, each in self.numbers().items()} if numbers is None else numbers
+        values = {name: number.value for name, number in self.numbers().items()} if numbers is None else numbers
         match self.law:
             case "sarosi":
-                return Sarosi(*(known[f"sarosi.a{k}"] for k in range(1, 7)))
+                return Sarosi(*(values[f"sarosi.a{k}"] for k in range(1, 7)))
             case "table":
                 names = self.force_table.numbers()
-                return self.force_table.law({name: known[f"force_table.{name}"] for name in names})  # type: ignore[no-any-return]
+                return self.force_table.law({name: values[f"force_table.{name}"] for name in names})  # type: ignore[no-any-return]
             case "tondu_lopez":
-                return TonduLopez(known["nominal_diameter"], known["braid_angle"], known["end_factor"])
+                return TonduLopez(values["nominal_diameter"], values["braid_angle"], values["end_factor"])
             case _:
-                return braid_of(known)
+                return braid_of(values)
 
     def pressure_for(self, force: Any, contraction: Any) -> Any:
-        """The pressure at which it pulls with a force, hysteresis and damping left out.
+        """Return the pressure for a force, without hysteresis and damping.
 
         Parameters
         ----------
         force : float or array
-            Pull [N].
+            Pulling force [N].
         contraction : float or array
-            [1].
+            Contraction [1].
 
         Returns
         -------
@@ -103,5 +103,5 @@ class MuscleLawPart(Part):
 
 
 def braid_of(numbers: Mapping[str, Any]) -> ChouHannaford:
-    """The braid of a nominal size."""
+    """Return the law of a braid with a nominal size."""
     return ChouHannaford(numbers["nominal_diameter"], numbers["nominal_length"], numbers["braid_angle"])

@@ -1,11 +1,16 @@
-"""What a part is: stores hold gas, passages move it, bodies move, actuators push them, controllers sample. All are
-frozen dataclasses that know their equations.
+"""Base classes of parts and the quantities that they exchange.
 
-A part never sees symbols of other parts. While a circuit is traced, a body turns its states into a motion, a store
-turns its states (and the motion of the body that moves its wall) into a gas state, a passage turns the gas states at
-its ports into flows, an actuator turns them into a force, the store turns the sum of its flows into rates, and the body
-the sum of its forces. What is sampled or switched lives in a part's memory, which changes at instants only. The same
-methods run on floats.
+Gas nodes (`Store`) contain gas, flow paths (`Passage`) move it between them, actuators act on bodies, and controllers
+sample. Parts are frozen dataclasses with their equations.
+
+A part does not use symbols of other parts. The trace of a circuit calls the methods of parts in this order:
+
+1. a body returns its motion for its states,
+2. a gas node returns its gas state for its states and the motion of its body,
+3. a flow path returns its flows, and an actuator its force, for the gas states at their ports,
+4. a gas node returns its rates for the sum of its flows, and a body its rates for the sum of its forces.
+
+Discrete states change at sample instants only. The same methods accept floats.
 """
 
 from __future__ import annotations
@@ -19,20 +24,29 @@ from poppet import library
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.provenance import Number
-from poppet.parts.fields import BodySpec, OptionSpec, PortSpec, complete, declared, flatten, forget
-
-# --- The terms in which parts speak of themselves ---
+from poppet.parts.captions import CaptionNumbers
+from poppet.parts.fields import (
+    BodySpec,
+    DeclaredDocstring,
+    OptionSpec,
+    PortSpec,
+    complete,
+    declared,
+    flatten,
+    forget_library,
+)
+from poppet.parts.symbols import Symbol
 
 AMBIENT = "ambient"
-"""Reserved name of the open air, to which any port may be joined."""
+"""Reserved name of the ambient, to which any port can be connected."""
 NEVER = 1e300
-"""Time of a timer that waits for another to set it [s]."""
+"""Time of a timer that is inactive [s]."""
 SELF = "self"
-"""End of a flow at the part that moves the gas, when it is a store as well."""
+"""End of a flow at the part itself, if the part is a gas node too."""
 TUBE = "tube"
-"""Kind of the part whose ends may name ports of other parts."""
+"""Kind of the parts whose ends can name ports of other parts."""
 PORTS = ("from", "to", "supply", "outlet", "exhaust", "pilot_exhaust", "a", "b", "exhaust_a", "exhaust_b")
-"""Names of ports: an end of a tube that ends in one of them is a port that names the tube itself."""
+"""Names of ports that the end of a tube can refer to: `valve.outlet`."""
 
 Quantities = dict[str, tuple[Any, str]]
 """Outputs: local name to value and unit."""
@@ -40,34 +54,34 @@ Quantities = dict[str, tuple[Any, str]]
 
 @dataclass(frozen=True)
 class State:
-    """One element of the state vector, by its local name and SI unit."""
+    """Element of the state vector with its local name and SI unit."""
 
     name: str
     unit: str
-    nominal: float  # usual size; the absolute tolerance follows it or the initial value
-    tolerance: float = 1.0  # factor on the relative tolerance: mechanics may be looser than gas
-    floor: float = 1e-3  # absolute tolerance per relative tolerance and size of the state
-    positive: bool = False  # a step that makes it zero or less is rejected
+    nominal: float  # nominal size, a lower bound of the size to which the absolute tolerance refers
+    tolerance: float = 1.0  # factor on the relative tolerance; larger for mechanics than for gas
+    floor: float = 1e-3  # absolute tolerance per relative tolerance and nominal size
+    positive: bool = False  # reject steps to zero or below
 
 
 @dataclass(frozen=True)
 class Input:
-    """A quantity that a signal may drive, by its local name and SI unit."""
+    """Quantity that a signal or a connection can drive, with its local name and SI unit."""
 
     name: str
     unit: str
-    default: str | float  # what it takes without a signal: a value, or the name of a number
-    kind: str = "plain"  # of quantity, as in `poppet.core.units.quantity`
-    low: str | float = float("-inf")  # limits of its values, or names of the numbers that are
+    default: str | float  # value without a signal, or the name of the parameter with this value
+    kind: str = "plain"  # of quantity, see `poppet.core.units.quantity`
+    low: str | float = float("-inf")  # limits of the values, or names of parameters
     high: str | float = float("inf")
-    delay: str = ""  # name of a number by which the signal comes later
-    slope_of: str = ""  # the input whose time derivative it is: nobody drives it, it follows that one's signal
-    by_signal: bool = False  # nothing but a signal may drive it
+    delay: str = ""  # name of the parameter that delays a signal
+    slope_of: str = ""  # input whose time derivative it is; it cannot be driven on its own
+    by_signal: bool = False  # only a signal can drive it
 
 
 @dataclass(frozen=True)
 class DiscreteState:
-    """An element of sampled memory, constant between instants, by its local name and SI unit."""
+    """Quantity that is constant between sample instants, with its local name and SI unit."""
 
     name: str
     unit: str
@@ -75,15 +89,15 @@ class DiscreteState:
 
 @dataclass(frozen=True)
 class Timer:
-    """The next instant [s] at which a part acts; the part sets it anew at every instant, or to `NEVER`."""
+    """Next sample instant of a part [s]; the part sets a new time, or `NEVER`, at each instant."""
 
     name: str
-    rank: int = 0  # at a common instant timers act in this order, those of one rank in the order of the parts
+    rank: int = 0  # order at a common instant; equal ranks act in the order of the parts
 
 
 @dataclass(frozen=True)
 class GasState:
-    """State of the gas that a store offers: pressure [Pa] and temperature [K]."""
+    """Pressure [Pa] and temperature [K] of a gas node."""
 
     pressure: Any
     temperature: Any
@@ -91,7 +105,7 @@ class GasState:
 
 @dataclass(frozen=True)
 class BodyMotion:
-    """How a body moves where its actuators hold it: travel [m] and speed [m/s]."""
+    """Travel [m] and speed [m/s] of a body at the point where its actuators act."""
 
     position: Any
     velocity: Any
@@ -99,7 +113,7 @@ class BodyMotion:
 
 @dataclass(frozen=True)
 class ActuatorForce:
-    """What an actuator does to its body: force towards larger positions and what it adds to its friction [N]."""
+    """Force on a body towards larger positions [N], and an addition to the friction of the body [N]."""
 
     force: Any
     outputs: Quantities = field(default_factory=dict)
@@ -109,8 +123,10 @@ class ActuatorForce:
 
 @dataclass(frozen=True)
 class BodyDynamics:
-    """What a body does under its forces: outputs, rates, its energy [J] and the powers of what drives it, its load
-    taken off, and of its friction and stops [W]."""
+    """Outputs, rates and energy [J] of a body.
+
+    `powers` are those of the actuators minus the load, and of friction and stops [W].
+    """
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
@@ -120,9 +136,9 @@ class BodyDynamics:
 
 @dataclass(frozen=True)
 class Flow:
-    """Gas on its way from one port to another, positive from source to target."""
+    """Flow of gas between two ports, positive from source to target."""
 
-    name: str  # of the mass flow rate's output
+    name: str  # output of the mass flow rate
     source: str | None  # a port or `SELF`; None is outside the circuit
     target: str | None
     mass: Any  # mass flow rate [kg/s]
@@ -131,30 +147,33 @@ class Flow:
 
 @dataclass(frozen=True)
 class PassageFlows:
-    """What a passage does in a given state: flows between its ports, outputs, rates of its own states."""
+    """Flows between the ports of a flow path, with its outputs and the rates of its states."""
 
     flows: tuple[Flow, ...]
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
-    hidden: Quantities = field(default_factory=dict)  # connections may take them, and no recording shows them
+    hidden: Quantities = field(default_factory=dict)  # available to connections, absent from recordings
 
 
 @dataclass(frozen=True)
 class GasBalance:
-    """What a store does with its flows: rates of its states, outputs, the heat taken from its wall and the work done on
-    it [W], and its energy where that is linear in the states [J]."""
+    """Outputs and rates of a gas node for its flows.
+
+    `heat` is the heat from the wall and `work` the work on the gas [W]. `energy` is given only if it is linear in the
+    states [J].
+    """
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
     heat: Any = None
     energy: Any = None
     work: Any = None
-    totals: Quantities = field(default_factory=dict)  # outputs that come last in a recording: sums of what others show
+    totals: Quantities = field(default_factory=dict)  # sums of other outputs; last columns of a recording
 
 
 @dataclass(frozen=True)
 class ControlOutputs:
-    """What a controller shows between instants: outputs, and rates of its own states."""
+    """Outputs of a controller between sample instants, and the rates of its continuous states."""
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
@@ -162,14 +181,14 @@ class ControlOutputs:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """Numbers that all parts share, floats or symbols: ambient pressure [Pa] and temperature [K], and the gas."""
+    """Ambient pressure [Pa], ambient temperature [K] and gas of a circuit, as floats or symbols."""
 
     pressure: Any
     temperature: Any
     gas_constant: Any  # specific [J/(kg K)]
     isentropic_exponent: Any
-    conductance_factor: Any  # on sonic conductances, which were measured with another gas
-    ratio_shift: Any = 0.0  # the part of 1 - b by which this gas raises critical ratios
+    conductance_factor: Any  # ratio of the sonic conductance with this gas to that with air
+    ratio_shift: Any = 0.0  # fraction of 1 - b by which this gas increases critical ratios
 
     @property
     def heat_capacity_pressure(self) -> Any:
@@ -182,17 +201,17 @@ class Surroundings:
         return self.gas_constant / (self.isentropic_exponent - 1.0)
 
     def size_with_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
-        """C and b that a flow has, of the ones that stand in the circuit."""
+        """Return C and b with this gas for C and b of the circuit file."""
         return conductance * self.conductance_factor, ratio + (1.0 - ratio) * self.ratio_shift
 
     def stated_size(self, conductance: float, ratio: float) -> tuple[float, float]:
-        """C and b that `size_with_gas` makes these."""
+        """Return C and b of the circuit file for C and b with this gas; inverse of `size_with_gas`."""
         return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 
 
 @dataclass(frozen=True)
 class Scope:
-    """What one part sees: its numbers, states, inputs and memory (floats or symbols), surroundings and time [s]."""
+    """Parameters, states, inputs and discrete states of one part (floats or symbols), surroundings and time [s]."""
 
     numbers: Mapping[str, Any]
     states: Mapping[str, Any]
@@ -200,11 +219,11 @@ class Scope:
     surroundings: Surroundings
     memory: Mapping[str, Any] = field(default_factory=dict)
     time: Any = 0.0
-    motion: BodyMotion | None = None  # of the body that the part holds
+    motion: BodyMotion | None = None  # of the body of the part
 
     @property
     def body(self) -> BodyMotion:
-        """The motion of the part's body, which it must have."""
+        """Motion of the body of the part; the part must have one."""
         assert self.motion is not None
         return self.motion
 
@@ -219,58 +238,68 @@ class Scope:
 
 
 class Part(ABC):
-    """A named thing in a circuit."""
+    """Component of a circuit with a name."""
 
     kind: ClassVar[str] = ""
     summary: ClassVar[str]
+    symbol: ClassVar[Symbol | str] = ""
+    """Strokes of the symbol, or the text of a labelled box; an empty text stands for the kind."""
     resume: ClassVar[dict[str, str]] = {}
-    """Outputs that say where a run may start again, with the number that each of them becomes."""
+    """Outputs from which a run can continue, with the initial value that each of them sets."""
     internal_outputs: ClassVar[tuple[str, ...]] = ()
-    """Series that show how the part works inside: a picture has them by name, or when all are asked for."""
+    """Outputs that plots omit unless they are requested by name or all outputs are."""
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        if isinstance(text := vars(cls).get("__doc__"), str):
+            cls.__doc__ = DeclaredDocstring(text)  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
-        # First, so that a copy with another `data` or `mode` does not keep the numbers of the old set as given ones.
-        forget(self, self.library_sets())
+        # First, so that a copy with another `data` or `mode` does not keep the numbers of the previous set.
+        forget_library(self, self.library_sets())
         try:
-            known = self.library_numbers()
+            library_numbers = self.library_numbers()
         except InputError as error:
             raise error.located(address="data") from None
-        complete(self, known)
+        complete(self, library_numbers)
         self.check()
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        """All sets of which a copy of the part may carry numbers; they give way to `library_numbers`."""
+        """Return all sets from which a copy of the part can have numbers; `library_numbers` replaces these."""
         return library.every_set(self.kind) if hasattr(self, "data") else ()
 
     def library_numbers(self) -> Mapping[str, Number]:
-        """Numbers of a library set, used for fields that were not given."""
+        """Return the numbers of a library set, for fields without a value."""
         data = getattr(self, "data", None)
         return {} if data is None else library.numbers(str(data), self.kind, self.variant())
 
     def variant(self) -> str:
-        """Which numbers of its library set a part takes, where the set has several for it."""
+        """Return the variant of the library set that applies to the part."""
         return ""
 
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
-        """Raise `InputError` where fields contradict each other."""
+        """Raise `InputError` if fields contradict each other."""
 
-    def check_start(self, travel: float) -> None:  # noqa: B027 - most parts hold no body
-        """Raise `InputError` where the part cannot be with its body's travel at the start [m]."""
+    def check_start(self, travel: float) -> None:  # noqa: B027 - most parts have no body
+        """Raise `InputError` if the initial travel of the body [m] is not possible for the part."""
 
     def notes(self) -> tuple[Note, ...]:
-        """What a reader of any result has to know about the fields that were given, with addresses within the part."""
+        """Return notes on the fields for the reader of any result, with addresses within the part."""
         return ()
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        """What a reader of a run has to know; `series` gives the (n_times,) array of an output, or of `time`."""
+        """Return notes on a run; `series` returns the (n_times,) array of an output, or of `time`."""
         return ()
 
     def numbers(self) -> dict[str, Number]:
-        """Every number of the part by its dotted local name."""
+        """Return all numbers of the part by dotted local name."""
         return {name: value for name, _, value in flatten(self)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
-        """Run-time values, SI and absolute, of numbers and what derives from them; the names follow the structure."""
+        """Return the run-time parameters: numbers and derived values, in SI and absolute.
+
+        The names depend on the structure only.
+        """
         values = {}
         for name, spec, value in flatten(self):
             try:
@@ -278,145 +307,158 @@ class Part(ABC):
             except InputError as error:
                 raise error.located(address=name) from None
             if value.reference == "gauge":
-                # Only now is its absolute value known, to which the limits refer.
+                # The limits refer to the absolute value, which is known only here.
                 spec.check(name, values[name], f"{value.display()} ({values[name]:g} Pa absolute)")
         return values
 
     def ports(self) -> dict[str, str]:
-        """Port name to the name of the store it is joined to."""
-        named = ((name, getattr(self, own)) for name, own, _ in declared(type(self), PortSpec))
-        return {name: store for name, store in named if store is not None}
+        """Return the gas node that is connected to each port."""
+        connected = ((name, getattr(self, attribute)) for name, attribute, _ in declared(type(self), PortSpec))
+        return {name: node for name, node in connected if node is not None}
 
     def outer_ports(self) -> dict[str, str]:
-        """Port of another part that names this one, to the store of this one that it is joined to."""
+        """Return the ports of other parts that name this part, with the gas node of this part for each."""
         return {}
 
     def stores(self) -> tuple[str, ...]:
-        """Local names of the gas states that ports may be joined to; the empty name is the part itself."""
+        """Return the local names of the gas nodes to which ports can be connected; empty for the part itself."""
         return ()
 
     def body_name(self) -> str | None:
-        """Name of the body that the part moves or is moved by."""
-        return next((getattr(self, own) for _, own, _ in declared(type(self), BodySpec)), None)
+        """Return the name of the body on which the part acts."""
+        return next((getattr(self, attribute) for _, attribute, _ in declared(type(self), BodySpec)), None)
 
     def list_internal_outputs(self) -> tuple[str, ...]:
-        """Inner series of the part in its form."""
+        """Return the internal outputs of the part with its options."""
         return self.internal_outputs
 
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        """Return the lines in the box of the part in a schematic."""
+        first = list(self.numbers().items())[:3]
+        values = (f"{name.replace('_', ' ')} {numbers.text(number)}" for name, number in first)
+        return [self.kind.replace("_", " "), *values]
+
+    def symbol_for(self, is_driven: bool) -> Symbol | str:
+        """Return the symbol; `is_driven` is True if a signal or a connection drives an input."""
+        return self.symbol
+
     def options(self) -> dict[str, str]:
-        """Choices that shape the model."""
-        return {name: getattr(self, own) for name, own, _ in declared(type(self), OptionSpec)}
+        """Return the options that determine the form of the model."""
+        return {name: getattr(self, attribute) for name, attribute, _ in declared(type(self), OptionSpec)}
 
     def structure(self) -> Hashable:
-        """Everything but values: two parts of equal structure share one compiled model."""
+        """Return all that determines the compiled model, without values."""
         return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items())), self.body_name()
 
     def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
-        """Fields that go where a file of numbers brings others which they cannot stand beside."""
+        """Return the fields to remove because a file sets `fields`, which contradict them."""
         return ()
 
     def states(self) -> tuple[State, ...]:
-        """States of the part."""
+        """Return the states of the part."""
         return ()
 
     def inputs(self) -> tuple[Input, ...]:
-        """Inputs of the part."""
+        """Return the inputs of the part."""
         return ()
 
     def memory(self) -> tuple[DiscreteState, ...]:
-        """Sampled memory of the part, its timers not among them."""
+        """Return the discrete states of the part, without its timers."""
         return ()
 
     def timers(self) -> tuple[Timer, ...]:
-        """Instants at which the memory changes."""
+        """Return the timers at which discrete states change."""
         return ()
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        """Initial values of states, memory and timers."""
-        # The scope has neither states nor memory yet; inputs have the values that they begin with.
+        """Return initial values of states, discrete states and timers."""
+        # The scope has no states yet. Inputs have their initial values.
         return {}
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
-        """New values of memory and timers, that timer among them; what is not named keeps its value."""
+        """Return new values of discrete states and timers, including this timer; others keep their values."""
         raise NotImplementedError(f"{self.kind} has no timers")
 
     def can_resume(self, target: str) -> bool:
-        """True when the number of that name has a meaning for this part's form."""
+        """Return True if the part with its options uses the initial value `target`."""
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """State or input name to the characteristic that holds only over a range of it, and its end stops."""
+        """Return, for states and inputs, the characteristic with a limited domain and the end stops."""
         return {}
 
 
 class Store(Part):
-    """A part that holds gas and offers its state."""
+    """Gas node: a part that contains gas."""
 
     def stores(self) -> tuple[str, ...]:
         return ("",)
 
     @abstractmethod
     def gas(self, scope: Scope) -> GasState:
-        """The gas at its ports."""
+        """Return the gas state at the ports."""
 
     @abstractmethod
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        """Rates and outputs for all flows, (mass [kg/s], enthalpy [W]), positive into the store."""
+        """Return rates and outputs for all flows, (mass [kg/s], enthalpy [W]), positive into the node."""
 
 
 class Passage(Part):
-    """A part that moves gas between stores."""
+    """Flow path: a part that moves gas between gas nodes."""
 
     @abstractmethod
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        """Flows, rates and outputs for the gas states at its ports, by port name."""
+        """Return flows, rates and outputs for the gas states by port name."""
 
 
 class Actuator(Part):
-    """A part that pushes a body."""
+    """Part that exerts a force on a body."""
 
     @abstractmethod
     def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
-        """Force on its body for the gas states at its ports, and at itself under `SELF` when it is a store."""
+        """Return the force for the gas states by port name; `SELF` is the gas of the actuator itself."""
 
 
 class Body(Part):
-    """A part that moves."""
+    """Part that moves."""
 
     @abstractmethod
     def initial_travel(self) -> float:
-        """Travel at the start [m]; a signal may say otherwise."""
+        """Return the travel at the start without a signal [m]."""
 
     @abstractmethod
     def motion(self, scope: Scope) -> BodyMotion:
-        """Travel and speed of the point that its actuators hold."""
+        """Return travel and speed of the point where the actuators act."""
 
     @abstractmethod
     def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
-        """Rates and outputs under the sum of the actuators' forces and of what they add to its friction [N]."""
+        """Return rates and outputs for the sums of the actuators' forces and additions to friction [N]."""
 
 
 class Controller(Part):
-    """A part that moves no gas: it reads, remembers and gives signals."""
+    """Part without gas flows that measures, samples and drives inputs of other parts."""
 
     measured: ClassVar[tuple[str, ...]] = ()
-    """Inputs without which it controls nothing: a run in which they are left alone says so."""
+    """Inputs that the controller needs; a run notes each of them that is not connected."""
 
     def sensors(self) -> dict[str, tuple[str, str]]:
-        """State of each sensor to the input that it follows, and the group of its numbers: no part of a program."""
+        """Return the measured input and the parameter group of each sensor, by state.
+
+        Sensors are not part of an exported controller.
+        """
         return {}
 
     @abstractmethod
     def control(self, scope: Scope) -> ControlOutputs:
-        """Outputs, and rates of the part's own states."""
+        """Return outputs, and rates of the continuous states."""
 
 
 def is_port(end: str) -> bool:
-    """Whether an end of a tube is a port of another part, `valve.outlet`, and no store."""
+    """Return True if the end of a tube is a port of another part, `valve.outlet`, instead of a gas node."""
     return end.partition(".")[2] in PORTS
 
 
 def advance_clock(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
-    """A clock set to its next instant, counted from the start so that no rounding adds up."""
+    """Return the next instant of a clock and its counter; counting from the start avoids accumulated rounding."""
     count = scope.memory[f"{timer}_count"] + 1.0
     return {timer: phase + count * period, f"{timer}_count": count}

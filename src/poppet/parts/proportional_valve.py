@@ -1,4 +1,4 @@
-"""The complete pressure valve: main stage, pilot stage and electronics in one part."""
+"""Proportional valve: main stage, pilot stage and electronics in one part."""
 
 from __future__ import annotations
 
@@ -9,45 +9,29 @@ from typing import Any, ClassVar
 import numpy as np
 
 from poppet.core.codes import Note
+from poppet.parts import symbols
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.compound import Compound
 from poppet.parts.electronics import PRESETS, SCALES, Electronics
 from poppet.parts.fields import member, option, port, reference
 from poppet.parts.main_stage import OUTPUTS, MainStage
 from poppet.parts.part import AMBIENT
-from poppet.parts.pilot_stage import PilotStage, too_small
+from poppet.parts.pilot_stage import PilotStage, volume_notes
 
-SHORTEST_PLATEAU, TURNS = 10, 6
-"""Rows of a plateau about which something can be said, and changes of sign that make an oscillation."""
+MIN_PLATEAU_ROWS, MIN_REVERSALS = 10, 6
+"""Minimum count of rows of an evaluated plateau, and of sign changes of an oscillation."""
 
 
 @dataclass(frozen=True)
 class ProportionalValve(Compound):
-    """An electro-pneumatic pressure regulator.
-
-    Parameters
-    ----------
-    supply, outlet, exhaust : str
-        Stores at ports 1, 2 and 3.
-    data : str
-        A library set for all three members; fields given below them override it.
-    preset : str
-        `universal` (default), `fast` or `precise`.
-    setpoint_type : str
-        `pressure` (default), `0-10 V` or `4-20 mA`.
-    pilot_exhaust : str
-        Store into which the pilot is vented; default the open air.
-    main_stage : table
-        Fields of `main_stage`, but its ports and mode: it works as a regulator.
-    pilot : table
-        Fields of `pilot_stage`, but its ports.
-    electronics : table
-        Fields of `electronics`, but preset and setpoint_type.
+    """Electro-pneumatic pressure regulator.
 
     Notes
     -----
-    The pilot volume grows with the plate's stroke, the pilot's pressure drives the plate, the electronics read pilot
-    and outlet pressure and set the duties of the pilot's solenoids. The pilot starts at `pilot.initial_pressure`, 1 bar
-    by default, whatever the outlet's pressure is then.
+    The main stage operates as a regulator. The pilot volume increases with the stroke of the plate, and the pilot
+    pressure drives the plate. The electronics measure pilot and outlet pressure and set the duties of the solenoids.
+    The pilot starts at `pilot.initial_pressure`, 1 bar by default, for any outlet pressure. The default of
+    `pilot_exhaust` is the ambient.
 
     References
     ----------
@@ -61,18 +45,19 @@ class ProportionalValve(Compound):
     """
 
     kind: ClassVar[str] = "proportional_valve"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.PROPORTIONAL_VALVE
     summary: ClassVar[str] = "an electro-pneumatic pressure regulator: main stage, pilot stage and electronics"
 
-    supply: str | None = port("store at port 1")
-    outlet: str | None = port("store at port 2")
-    exhaust: str | None = port("store at port 3")
-    data: Any = reference(doc="library set")
+    supply: str | None = port("gas node at port 1")
+    outlet: str | None = port("gas node at port 2")
+    exhaust: str | None = port("gas node at port 3")
+    data: Any = reference(doc="library set of all members")
     preset: str = option(*PRESETS, doc="preset")
     setpoint_type: str = option(*SCALES, doc="type of setpoint")
-    pilot_exhaust: str | None = port("store into which the pilot is vented", optional=True)
-    main_stage: Any = member(MainStage, doc="the main stage", inherited=("data", "mode", "supply", "outlet", "exhaust"))
-    pilot: Any = member(PilotStage, doc="the pilot stage", inherited=("data", "supply", "exhaust"))
-    electronics: Any = member(Electronics, doc="the electronics", inherited=("data", "preset", "setpoint_type"))
+    pilot_exhaust: str | None = port("gas node into which the pilot is vented", optional=True)
+    main_stage: Any = member(MainStage, doc="main stage", inherited=("data", "mode", "supply", "outlet", "exhaust"))
+    pilot: Any = member(PilotStage, doc="pilot stage", inherited=("data", "supply", "exhaust"))
+    electronics: Any = member(Electronics, doc="electronics", inherited=("data", "preset", "setpoint_type"))
 
     links: ClassVar[Mapping[str, str]] = {
         "main_stage.pilot_pressure": "pilot.pressure",
@@ -83,7 +68,7 @@ class ProportionalValve(Compound):
         "electronics.pilot_pressure": "pilot.pressure",
     }
     inlets: ClassVar[Mapping[str, str]] = {"setpoint": "electronics.setpoint", "power": "electronics.power"}
-    # By member; all but the pilot's state are called outside as they are called inside.
+    # By member. Only the outputs of the pilot state have other names outside.
     outlets: ClassVar[Mapping[str, str]] = {
         **{name: f"electronics.{name}" for name in (
             "target_pressure", "actual_value", "pilot_setpoint", "integral", "fill_duty", "vent_duty",
@@ -108,37 +93,39 @@ class ProportionalValve(Compound):
         "integral": "electronics.initial_integral",
     }
 
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        count = sum(number.source.kind == "assumed" for number in self.numbers().values())
+        assumed = f"{self.data}: {count} assumed numbers" if self.data else f"{count} assumed numbers"
+        return [f"pressure regulator, {self.preset}", f"C(x), b(x): {self.main_stage.curve.name}", assumed]
+
     def list_internal_outputs(self) -> tuple[str, ...]:
         return (*self.internal_outputs, *self.electronics.list_internal_outputs())
 
     def options(self) -> dict[str, str]:
-        # A preset is a set of numbers and shapes no model.
+        # A preset is a set of numbers and does not change the model.
         return {name: choice for name, choice in super().options().items() if name != "preset"}
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
         time, target = series("time"), series(f"{name}.target_pressure")
         supply, outlet = series(f"{self.supply}.pressure"), series(f"{self.outlet}.pressure")
-        electronics, air = self.electronics, float(series(f"{AMBIENT}.pressure")[0])
-        low, high = electronics.scaling.low.absolute(air), electronics.scaling.high.absolute(air)
+        electronics, ambient = self.electronics, float(series(f"{AMBIENT}.pressure")[0])
+        low, high = electronics.scaling.low.absolute(ambient), electronics.scaling.high.absolute(ambient)
         is_idle = target < low + float(electronics.zero_suppression) * (high - low)
         swept = -float(self.main_stage.plate_area) * float(series(f"{name}.stroke").min())
-        remarks = too_small("pilot.volume", self.pilot.volume, swept)
-        shown = {"target_bar": target / 1e5, "time": time}
-        remarks += _first("valve.out_of_reach", target >= supply, **shown, supply_bar=supply / 1e5)
-        remarks += _first("valve.counts_as_zero", is_idle & (target > low), **shown)
+        notes = volume_notes("pilot.volume", self.pilot.volume, swept)
+        facts = {"target_bar": target / 1e5, "time": time}
+        notes += _first_note("valve.out_of_reach", target >= supply, **facts, supply_bar=supply / 1e5)
+        notes += _first_note("valve.counts_as_zero", is_idle & (target > low), **facts)
         ends = np.append(np.flatnonzero(np.diff(target)), time.size - 1)
         starts = np.append(0, ends[:-1] + 1)
         has_power = series(f"{name}.power") > 0.5
-        missed = []
-        # A target that moves all the time has no plateaus.
-        if 2 * ends.size < time.size:
-            for first, last in zip(starts, ends, strict=True):
-                if not is_idle[last]:
-                    rows = slice(first, last + 1)
-                    missed += _of_plateau(
-                        time[rows], outlet[rows], target[last], 0.01 * (high - low), not has_power[last]
-                    )
-        return *remarks, *missed
+        # A target that changes in most rows has no plateaus.
+        for first, last in zip(starts, ends, strict=True) if 2 * ends.size < time.size else ():
+            if not is_idle[last]:
+                rows = slice(first, last + 1)
+                tolerance = 0.01 * (high - low)
+                notes += _plateau_notes(time[rows], outlet[rows], target[last], tolerance, not has_power[last])
+        return tuple(notes)
 
     def inherited_fields(self, member: str) -> dict[str, Any]:
         match member:
@@ -151,21 +138,21 @@ class ProportionalValve(Compound):
                 return {"data": self.data, "preset": self.preset, "setpoint_type": self.setpoint_type}
 
 
-def _first(code: str, holds: Any, **series: Any) -> list[Note]:
-    """The note on the first moment at which something holds, with what the series are then."""
-    return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(holds)[:1]]
+def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
+    """Return a note on the first row of a condition, with the values of series in this row."""
+    return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(is_true)[:1]]
 
 
-def _of_plateau(time: Any, outlet: Any, target: float, allowed: float, unpowered: bool) -> list[Note]:
-    """What a plateau of the target has not come to: its value, or rest."""
+def _plateau_notes(time: Any, outlet: Any, target: float, tolerance: float, unpowered: bool) -> list[Note]:
+    """Return a note if the outlet oscillates or misses the target on a plateau."""
     facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
-    # The last third: what came before may still belong to the step.
+    # The last 30 %: earlier rows can belong to the step response.
     late = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
     swing = np.ptp(late)
-    turns = np.count_nonzero(np.diff(np.sign(late - late.mean())))
-    if time.size > SHORTEST_PLATEAU and turns >= TURNS and swing > allowed:
+    reversals = np.count_nonzero(np.diff(np.sign(late - late.mean())))
+    if time.size > MIN_PLATEAU_ROWS and reversals >= MIN_REVERSALS and swing > tolerance:
         return [Note("valve.not_held", **facts, swing_bar=swing / 1e5)]
-    missed = abs(outlet[-1] - target)
-    if time.size > SHORTEST_PLATEAU and missed > allowed:
-        return [Note("valve.not_reached", **facts, outlet_bar=outlet[-1] / 1e5, missed_bar=missed / 1e5)]
+    error = abs(outlet[-1] - target)
+    if time.size > MIN_PLATEAU_ROWS and error > tolerance:
+        return [Note("valve.not_reached", **facts, outlet_bar=outlet[-1] / 1e5, missed_bar=error / 1e5)]
     return []

@@ -1,7 +1,7 @@
-"""What a controller may measure and command, and how its numbers follow from that choice.
+"""Measured and commanded quantities of controllers.
 
-Fields of a controller are declared for a pressure that openings control. Where `quantity` and `command_quantity` say
-something else, the functions below say what changes in a declaration: they are its `varies`.
+The fields of a controller are declared for a pressure that openings control. For other options `quantity` and
+`command_quantity`, the functions below return the changes of a declaration (`NumberSpec.varies`).
 """
 
 from __future__ import annotations
@@ -15,14 +15,14 @@ from poppet.core.units import Kind
 
 @dataclass(frozen=True)
 class ControlledQuantity:
-    """A quantity: its SI unit and kind, what it is without a word, its least value, and its usual size."""
+    """SI unit, kind, default, lower limit and nominal size of a quantity."""
 
     unit: str
     usual: float
     kind: Kind = "plain"
     default: str | float = 0.0
     low: float = -math.inf
-    floor: float = 0.1  # tolerance of a sensor per relative tolerance and usual size; that of a gas is tighter
+    floor: float = 0.1  # tolerance of a sensor per relative tolerance and nominal size; smaller for a gas
 
 
 QUANTITIES = {
@@ -38,23 +38,23 @@ QUANTITIES = {
 }
 OPENING = "opening"
 COMMANDS = {OPENING: ControlledQuantity("1", 1.0), **QUANTITIES}
-"""What a command may be: the opening of valves, -1 ... 1, or the setpoint of a controller further in."""
+"""Commanded quantities: the opening of valves, -1 ... 1, or the setpoint of an inner controller."""
 
 
 def quantity_of(part: Any) -> str:
-    """Name of what a controller measures."""
+    """Return the name of the quantity that a controller measures."""
     name = getattr(part, "quantity", "pressure")
-    return name if name in QUANTITIES else "pressure"  # a name that is none is a mistake of its own field
+    return name if name in QUANTITIES else "pressure"  # the field itself reports an invalid name
 
 
 def command_of(part: Any) -> str:
-    """Name of what a controller commands."""
+    """Return the name of the quantity that a controller commands."""
     name = getattr(part, "command_quantity", OPENING)
     return name if name in COMMANDS else OPENING
 
 
 def gain_unit(quantity: str, command: str) -> str:
-    """Unit of a gain.
+    """Return the unit of a gain.
 
     Examples
     --------
@@ -65,47 +65,49 @@ def gain_unit(quantity: str, command: str) -> str:
     return f"{COMMANDS[command].unit}/" + (f"({unit})" if set(" /") & set(unit) else unit)
 
 
-# --- What changes in a declaration ---
+# --- Changes of declarations ---
 
 
 def as_setpoint(part: Any) -> dict[str, Any]:
-    """A value of what is measured."""
+    """Return the changes for a value of the measured quantity."""
     name = quantity_of(part)
     if name == "pressure":
         return {}
-    of = QUANTITIES[name]
-    return {"unit": of.unit, "kind": of.kind, "default": of.default, "low": of.low, "note": "without a signal"}
+    measured = QUANTITIES[name]
+    limits = {"default": measured.default, "low": measured.low, "note": "without a signal"}
+    return {"unit": measured.unit, "kind": measured.kind, **limits}
 
 
 def as_difference(part: Any) -> dict[str, Any]:
-    """A difference of what is measured."""
+    """Return the changes for a difference of the measured quantity."""
     return {"unit": QUANTITIES[quantity_of(part)].unit}
 
 
 def as_gain(part: Any) -> dict[str, Any]:
-    """Command per error."""
+    """Return the changes for a gain, command per error."""
     return {"unit": gain_unit(quantity_of(part), command_of(part))}
 
 
 def as_command(part: Any) -> dict[str, Any]:
-    """A value of the command."""
+    """Return the changes for a value of the command."""
     name = command_of(part)
     if name == OPENING:
         return {}
-    of = COMMANDS[name]
-    return {"unit": of.unit, "kind": of.kind, "default": of.default, "low": of.low, "high": math.inf}
+    command = COMMANDS[name]
+    limits = {"default": command.default, "low": command.low, "high": math.inf}
+    return {"unit": command.unit, "kind": command.kind, **limits}
 
 
 def as_limit(part: Any) -> dict[str, Any]:
-    """A limit of the command; openings have limits of their own."""
+    """Return the changes for a limit of a command other than an opening."""
     return {key: value for key, value in as_command(part).items() if key != "default"}
 
 
 def as_command_change(part: Any) -> dict[str, Any]:
-    """A change of the command."""
+    """Return the changes for a difference of commands."""
     return {"unit": COMMANDS[command_of(part)].unit}
 
 
 def of_openings(part: Any) -> dict[str, Any]:
-    """A number that only commands of openings have."""
+    """Return the changes for a number that applies to openings only."""
     return {} if command_of(part) == OPENING else {"default": None, "optional": True}

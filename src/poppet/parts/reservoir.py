@@ -1,29 +1,23 @@
-"""A reservoir: gas at a prescribed pressure and temperature, however much flows."""
+"""Reservoir: gas at a prescribed pressure and temperature."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, anr_temperature, number
 from poppet.parts.part import GasBalance, GasState, Input, Scope, Store
 
 
 @dataclass(frozen=True)
 class Reservoir(Store):
-    """Gas at a prescribed state: a supply line, the open air.
-
-    Parameters
-    ----------
-    pressure : number
-        Absolute pressure [Pa]; also an input, so that a signal may drive it.
-    temperature : number
-        Temperature [K]; also an input.
+    """Gas at a prescribed state, such as a supply line or the ambient.
 
     Notes
     -----
-    Its output `mass_flow_rate` [kg/s] is what it gives to all that it is joined to: positive from a supply, negative
-    where gas flows into it, as into the open air behind a silencer.
+    The output `mass_flow_rate` [kg/s] is the sum of the flows out of the reservoir: positive for a supply, negative if
+    gas flows in, as behind a silencer.
 
     Examples
     --------
@@ -38,6 +32,9 @@ class Reservoir(Store):
     pressure: NumberLike = number("Pa", doc="pressure", kind="pressure", low=0.0)
     temperature: NumberLike = anr_temperature("temperature")
 
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        return [numbers.text(self.pressure), numbers.text(self.temperature)]
+
     def inputs(self) -> tuple[Input, ...]:
         return (
             Input("pressure", "Pa", "pressure", kind="pressure", low=0.0),
@@ -48,5 +45,5 @@ class Reservoir(Store):
         return GasState(scope.inputs["pressure"], scope.inputs["temperature"])
 
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        # Its state is prescribed, so flows change nothing but what a flow meter beside it would show.
+        # The state is prescribed: flows change the flow rate output only.
         return GasBalance({}, totals={"mass_flow_rate": (-sum(mass for mass, _ in flows), "kg/s")})

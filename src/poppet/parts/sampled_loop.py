@@ -1,4 +1,4 @@
-"""What all sampled controllers share: a sensor, a clock, limits, and commands for two valves or one."""
+"""Sampled controllers: sensor, clock, limits, and commands for one or two valves."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.core.symbolic import maximum, where
-from poppet.parts.electronics import SHORTEST_LAG, SHORTEST_SAMPLE, FirstOrderSensor
+from poppet.parts.electronics import MIN_LAG, MIN_SAMPLE_TIME, FirstOrderSensor
 from poppet.parts.fields import NumberLike, group, number, option
 from poppet.parts.part import (
     Controller,
@@ -36,20 +36,9 @@ AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
 
 @dataclass(frozen=True)
 class SampledLoop(Controller):
-    """A controller that samples a quantity and commands a filling and a venting valve, or an inner loop.
+    """Controller that samples a quantity and commands a fill and a vent valve, or an inner loop.
 
-    Parameters
-    ----------
-    setpoint : number
-        Without a signal [Pa], or in the unit of the quantity.
-    sample_time : number
-        Sample time [s].
-    acts : str
-        `at_once` (default): a command follows its sample without delay; `next_sample`: it comes one sample later.
-    sensor : group
-        lag, offset.
-    fill_limit, vent_limit : number
-        Greatest commands of the two valves, 0..1.
+    With `acts = "next_sample"` a command acts one sample after its measurement.
     """
 
     measured: ClassVar[tuple[str, ...]] = ("measurement",)
@@ -60,31 +49,37 @@ class SampledLoop(Controller):
     )
 
     setpoint: NumberLike = number(
-        "Pa", "0 bar g", doc="setpoint", kind="pressure", low=0.0, note="no pressure", varies=as_setpoint
+        "Pa",
+        "0 bar g",
+        doc="setpoint without a signal",
+        kind="pressure",
+        low=0.0,
+        note="no pressure",
+        varies=as_setpoint,
     )
-    sample_time: NumberLike = number("s", "1 ms", doc="sample time", low=SHORTEST_SAMPLE)
-    acts: str = option(AT_ONCE, NEXT_SAMPLE, doc="time at which a command follows its sample")
-    sensor: Any = group(FirstOrderSensor, doc="the sensor")
+    sample_time: NumberLike = number("s", "1 ms", doc="sample time", low=MIN_SAMPLE_TIME)
+    acts: str = option(AT_ONCE, NEXT_SAMPLE, doc="time at which a command acts")
+    sensor: Any = group(FirstOrderSensor, doc="sensor")
     fill_limit: NumberLike = number(
-        "1", 1.0, doc="greatest command to fill", low=0.0, high=1.0, note="fully open", varies=of_openings
+        "1", 1.0, doc="limit of the fill command", low=0.0, high=1.0, note="fully open", varies=of_openings
     )
     vent_limit: NumberLike = number(
-        "1", 1.0, doc="greatest command to vent", low=0.0, high=1.0, note="fully open", varies=of_openings
+        "1", 1.0, doc="limit of the vent command", low=0.0, high=1.0, note="fully open", varies=of_openings
     )
 
     @property
     def controls(self) -> str:
-        """Name of the quantity that is measured."""
+        """Name of the measured quantity."""
         return quantity_of(self)
 
     @property
     def is_of_openings(self) -> bool:
-        """True when the command opens valves; else it is the setpoint of another loop."""
+        """True if the command opens valves; False if it is the setpoint of another loop."""
         return command_of(self) == OPENING
 
     @property
     def unit(self) -> str:
-        """SI unit of the quantity."""
+        """SI unit of the measured quantity."""
         return QUANTITIES[self.controls].unit
 
     @property
@@ -93,50 +88,51 @@ class SampledLoop(Controller):
         return COMMANDS[command_of(self)].unit
 
     @property
-    def _shown(self) -> str:
-        """Name of what the sensor has come to."""
+    def _sensor_state(self) -> str:
+        """Name of the state of the sensor, which is an output too."""
         return f"sensor_{self.controls}"
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
-        # Without a connection it measures the open air.
-        air = {"pressure": ambient.pressure, "temperature": ambient.temperature}
-        return super().parameters(ambient) | {"measurement": air.get(self.controls, 0.0)}
+        # Without a connection it measures the ambient.
+        defaults = {"pressure": ambient.pressure, "temperature": ambient.temperature}
+        return super().parameters(ambient) | {"measurement": defaults.get(self.controls, 0.0)}
 
     @abstractmethod
     def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
-        """Command (positive fills, negative vents), opening of the venting valve 0..1, and new memory."""
+        """Return the command (positive fills), the opening of the vent valve 0..1, and new discrete states."""
 
     @abstractmethod
     def law_memory(self) -> tuple[DiscreteState, ...]:
-        """Memory beside the commands and the clock."""
+        """Return the discrete states other than the commands and the clock."""
 
     @abstractmethod
     def law_outputs(self, scope: Scope) -> Quantities:
-        """Outputs beside the commands and what the sensor shows."""
+        """Return the outputs other than the commands and the sensor."""
 
     def states(self) -> tuple[State, ...]:
-        of = QUANTITIES[self.controls]
-        return (State(self._shown, of.unit, of.usual, floor=of.floor),)
+        measured = QUANTITIES[self.controls]
+        return (State(self._sensor_state, measured.unit, measured.usual, floor=measured.floor),)
 
     def memory(self) -> tuple[DiscreteState, ...]:
         names = ("command", "vent_command") if self.is_of_openings else ("command",)
-        waiting = [f"next_{name}" for name in names] if self.acts == NEXT_SAMPLE else []
-        commands = (DiscreteState(name, self.command_unit) for name in (*names, *waiting))
+        delayed = [f"next_{name}" for name in names] if self.acts == NEXT_SAMPLE else []
+        commands = (DiscreteState(name, self.command_unit) for name in (*names, *delayed))
         return *commands, DiscreteState("sample_count", "1"), *self.law_memory()
 
     def timers(self) -> tuple[Timer, ...]:
         return (Timer("sample"),)
 
     def inputs(self) -> tuple[Input, ...]:
-        of = QUANTITIES[self.controls]
-        return tuple(Input(name, of.unit, name, kind=of.kind, low=of.low) for name in ("setpoint", "measurement"))
+        measured = QUANTITIES[self.controls]
+        options: dict[str, Any] = {"kind": measured.kind, "low": measured.low}
+        return tuple(Input(name, measured.unit, name, **options) for name in ("setpoint", "measurement"))
 
     def sensors(self) -> dict[str, tuple[str, str]]:
-        return {self._shown: ("measurement", "sensor")}
+        return {self._sensor_state: ("measurement", "sensor")}
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        remembered = {each.name: 0.0 for each in self.memory()}
-        return remembered | {self._shown: scope.inputs["measurement"], "sample": 0.0}
+        discrete = {state.name: 0.0 for state in self.memory()}
+        return discrete | {self._sensor_state: scope.inputs["measurement"], "sample": 0.0}
 
     def control(self, scope: Scope) -> ControlOutputs:
         command = scope.memory["command"]
@@ -144,27 +140,27 @@ class SampledLoop(Controller):
         if self.is_of_openings:
             outputs["fill_command"] = (maximum(command, 0.0), "1")
             outputs["vent_command"] = (scope.memory["vent_command"], "1")
-        outputs |= {self._shown: (self._sensed(scope), self.unit), **self.law_outputs(scope)}
-        shown = scope.states[self._shown]
-        lag = maximum(scope["sensor.lag"], SHORTEST_LAG)
-        # Without a lag the state is not used; it rests, so that it costs no steps.
-        rate = where(scope["sensor.lag"] > 0.0, (scope.inputs["measurement"] - shown) / lag, 0.0)
-        return ControlOutputs(outputs, {self._shown: rate})
+        outputs |= {self._sensor_state: (self._sensed(scope), self.unit), **self.law_outputs(scope)}
+        sensor_value = scope.states[self._sensor_state]
+        lag = maximum(scope["sensor.lag"], MIN_LAG)
+        # Without a lag the state is not used. It is constant and causes no steps.
+        rate = where(scope["sensor.lag"] > 0.0, (scope.inputs["measurement"] - sensor_value) / lag, 0.0)
+        return ControlOutputs(outputs, {self._sensor_state: rate})
 
     def _sensed(self, scope: Scope) -> Any:
-        """What the sensor has come to, without its offset."""
-        return where(scope["sensor.lag"] > 0.0, scope.states[self._shown], scope.inputs["measurement"])
+        """Return the value of the sensor without its offset."""
+        return where(scope["sensor.lag"] > 0.0, scope.states[self._sensor_state], scope.inputs["measurement"])
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
-        # The offset is an error of the sensor: the controller sees it, a recording shows the quantity itself.
-        command, vent, new = self.compute_command(scope, self._sensed(scope) + scope["sensor.offset"])
-        given = {"command": command} | ({"vent_command": vent} if self.is_of_openings else {})
+        # The offset is an error of the sensor: it acts on the controller and is not in the output of the sensor.
+        command, vent, discrete = self.compute_command(scope, self._sensed(scope) + scope["sensor.offset"])
+        commands = {"command": command} | ({"vent_command": vent} if self.is_of_openings else {})
         if self.acts == NEXT_SAMPLE:
-            new |= {f"next_{name}": value for name, value in given.items()}
-            given = {name: scope.memory[f"next_{name}"] for name in given}
-        return new | given | advance_clock(scope, timer, scope["sample_time"])
+            discrete |= {f"next_{name}": value for name, value in commands.items()}
+            commands = {name: scope.memory[f"next_{name}"] for name in commands}
+        return discrete | commands | advance_clock(scope, timer, scope["sample_time"])
 
 
 def is_first(scope: Scope) -> Any:
-    """True at the first sample of a run, which has none before it."""
+    """Return True at the first sample of a run."""
     return scope.memory["sample_count"] < 0.5

@@ -1,4 +1,4 @@
-"""A directional valve with five ports, 5/3 or 5/2, proportional or switched."""
+"""Directional valve with five ports, 5/3 or 5/2, proportional or switched."""
 
 from __future__ import annotations
 
@@ -8,76 +8,50 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from poppet.core.symbolic import clip
+from poppet.parts import symbols
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, port
 from poppet.parts.flow_path import FlowPath
-from poppet.parts.orifice import way
+from poppet.parts.orifice import named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, Input, PassageFlows, Quantities, Scope, State, Surroundings
 
-AT_ONCE = 1e-6
-"""Time from the centre to an end of a spool whose speed has no limit [s]."""
+MIN_SWITCHING_TIME = 1e-6
+"""Time from the centre to an end of a spool without a speed limit [s]."""
 LOOSER = 30.0
-"""Tolerance of the spool per tolerance of the gas, as of bodies: a sampled command sets it going at every instant, and
-held as the gas is it alone would take three of four steps."""
+"""Tolerance of the spool per tolerance of the gas states.
+
+A sampled command accelerates the spool at each instant. With the tolerance of the gas, the spool would cause three of
+four steps."""
 EDGES = {
     "supply_a": ("supply", "a", 1.0),
     "supply_b": ("supply", "b", -1.0),
     "exhaust_a": ("a", "exhaust_a", -1.0),
     "exhaust_b": ("b", "exhaust_b", 1.0),
 }
-"""Metering edge to the ports between which it lies, and the side of the centre on which it opens."""
+"""Metering edge to the ports that it connects, and the side of the centre on which it opens."""
 _INHERITS = {"supply_b": "supply_a", "exhaust_a": "supply_a", "exhaust_b": "exhaust_a"}
 
 
 @dataclass(frozen=True)
 class SpoolValve(FlowPath):
-    r"""A directional valve with five ports whose spool opens four metering edges.
+    r"""Directional valve with five ports whose spool opens four metering edges.
 
     .. math:: C = C_l + (C_e - C_l) \operatorname{clip}\left(\frac{\pm s - o}{1 - o}, 0, 1\right)
 
-    Parameters
-    ----------
-    supply : str
-        Store at port 1.
-    a, b : str
-        Stores at ports 4 and 2. A positive command fills a and vents b.
-    exhaust_a, exhaust_b : str, optional
-        Stores at ports 5 and 3; default the open air.
-    command : number
-        Where the spool shall be, -1..1; also an input.
-    delay : number
-        Time by which a signal of the command acts later [s].
-    dynamics : str
-        How the spool follows: `first_order` (default) or `second_order`.
-    lag : number
-        Time constant of `first_order` [s].
-    natural_frequency, damping : number
-        Of `second_order` [Hz], [1].
-    switching_time : number
-        Shortest time from the centre to an end [s]; default no such limit.
-    overlap : number
-        Part of the way to an end in which the supply's edges stay shut, o; negative: open at the centre by that way.
-    exhaust_overlap : number
-        The same of the exhausts' edges; default `overlap`.
-    supply_b_conductance, supply_b_ratio : number
-        C [m^3/(s Pa)] and b of the edge from supply to b, fully open; default those from supply to a.
-    exhaust_a_conductance, exhaust_a_ratio : number
-        The same from a to its exhaust; default those from supply to a.
-    exhaust_b_conductance, exhaust_b_ratio : number
-        The same from b to its exhaust; default those from a to its exhaust.
-    leak_conductance : number
-        C of an edge that is shut [m^3/(s Pa)].
-    initial_position : number
-        Where the spool starts, -1..1; default where the number `command` holds it.
-
     Notes
     -----
-    5/3 by the overlaps: closed at the centre (both zero or more), exhausted (supply's above, exhaust's below zero),
-    under pressure (the other way). A 5/2 valve is the same with commands of -1 and 1. The speed of a switched spool is
-    limited by `switching_time`, and a short lag says how it settles.
+    A positive command fills a and vents b. The overlaps determine the centre of a 5/3 valve: closed if both are zero or
+    positive, exhausted if only the exhaust overlap is negative, pressurised if only the supply overlap is negative. A
+    5/2 valve has commands of -1 and 1 only. `switching_time` limits the speed of a switched spool; its default is no
+    limit.
+
+    Further defaults: the exhausts are the ambient; `exhaust_overlap` is `overlap`; the edge from supply to b and that
+    from a to its exhaust have C and b of the edge from supply to a, and the edge from b to its exhaust those of a; the
+    spool starts at the parameter `command`.
 
     References
     ----------
-    ISO 5599-1, ISO 11727: numbers of ports. Beater, Pneumatic Drives, Springer 2007, on spool valves.
+    ISO 5599-1 and ISO 11727 for numbers of ports; Beater, Pneumatic Drives, Springer 2007, for spool valves.
 
     Examples
     --------
@@ -87,44 +61,54 @@ class SpoolValve(FlowPath):
     """
 
     kind: ClassVar[str] = "spool_valve"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.SPOOL_VALVE
     summary: ClassVar[str] = "directional valve with five ports, 5/3 or 5/2, proportional or switched"
     resume: ClassVar[dict[str, str]] = {"position": "initial_position"}
 
-    supply: str | None = port("store at port 1")
-    a: str | None = port("store at port 4")
-    b: str | None = port("store at port 2")
-    exhaust_a: str | None = port("store at port 5", optional=True)
-    exhaust_b: str | None = port("store at port 3", optional=True)
+    supply: str | None = port("gas node at port 1")
+    a: str | None = port("gas node at port 4")
+    b: str | None = port("gas node at port 2")
+    exhaust_a: str | None = port("gas node at port 5", optional=True)
+    exhaust_b: str | None = port("gas node at port 3", optional=True)
     command: NumberLike = number("1", 0.0, doc="command", low=-1.0, high=1.0, note="centre by default")
-    delay: NumberLike = number("s", 0.0, doc="delay", low=0.0, note="none by default")
-    dynamics: str = option("first_order", "second_order", doc="how the spool follows")
+    delay: NumberLike = number("s", 0.0, doc="delay of a command signal", low=0.0, note="none by default")
+    dynamics: str = option("first_order", "second_order", doc="dynamics of the spool")
     lag: NumberLike = number("s", "5 ms", doc="time constant of the spool", above=0.0, note="a small valve")
     natural_frequency: NumberLike = number("Hz", 100.0, doc="natural frequency", above=0.0, note="a small valve")
-    damping: NumberLike = number("1", 0.7, doc="damping ratio", above=0.0, note="hardly overshoots")
+    damping: NumberLike = number("1", 0.7, doc="damping ratio", above=0.0, note="small overshoot")
     switching_time: NumberLike = number("s", optional=True, doc="shortest time from centre to end", above=0.0)
-    overlap: NumberLike = number("1", 0.0, doc="overlap of the supply's edges", low=-1.0, below=1.0, note="none")
-    exhaust_overlap: NumberLike = number("1", optional=True, doc="overlap of the exhausts' edges", low=-1.0, below=1.0)
-    supply_b_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="C from 1 to 2", low=0.0)
-    supply_b_ratio: NumberLike = number("1", optional=True, doc="b from 1 to 2", low=0.0, below=1.0)
-    exhaust_a_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="C from 4 to 5", low=0.0)
-    exhaust_a_ratio: NumberLike = number("1", optional=True, doc="b from 4 to 5", low=0.0, below=1.0)
-    exhaust_b_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="C from 2 to 3", low=0.0)
-    exhaust_b_ratio: NumberLike = number("1", optional=True, doc="b from 2 to 3", low=0.0, below=1.0)
-    leak_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="C of a shut edge", low=0.0, note="tight")
-    initial_position: NumberLike = number("1", optional=True, doc="initial position", low=-1.0, high=1.0)
+    overlap: NumberLike = number("1", 0.0, doc="overlap o of the supply edges", low=-1.0, below=1.0, note="none")
+    exhaust_overlap: NumberLike = number("1", optional=True, doc="overlap o of the exhaust edges", low=-1.0, below=1.0)
+    supply_b_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 1 to 2", low=0.0)
+    supply_b_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 1 to 2", low=0.0, below=1.0)
+    exhaust_a_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 4 to 5", low=0.0)
+    exhaust_a_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 4 to 5", low=0.0, below=1.0)
+    exhaust_b_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 2 to 3", low=0.0)
+    exhaust_b_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 2 to 3", low=0.0, below=1.0)
+    leak_conductance: NumberLike = number(
+        "m^3/(s Pa)", 0.0, doc="conductance C of a closed edge", low=0.0, note="tight"
+    )
+    initial_position: NumberLike = number("1", optional=True, doc="initial position of the spool", low=-1.0, high=1.0)
 
     def ports(self) -> dict[str, str]:
-        open_air = {"exhaust_a": AMBIENT, "exhaust_b": AMBIENT}
-        return super().ports() | {name: at for name, at in open_air.items() if getattr(self, name) is None}
+        exhausts = (name for name in ("exhaust_a", "exhaust_b") if getattr(self, name) is None)
+        return super().ports() | dict.fromkeys(exhausts, AMBIENT)
+
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        overlaps: dict[str, Any] = {"supply": self.overlap, "exhausts": self.exhaust_overlap or self.overlap}
+        is_open = " and ".join(side for side, overlap in overlaps.items() if float(overlap) < 0.0)
+        dynamics = self.lag if self.dynamics == "first_order" else self.natural_frequency
+        head, spool = f"5/3, {is_open or 'nothing'} open at the centre", f"spool {numbers.text(dynamics)}"
+        return [head, *super().caption(numbers), spool]
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
         sizes = {"supply_a_conductance": values["sonic_conductance"], "supply_a_ratio": values["critical_ratio"]}
-        for edge, other in _INHERITS.items():
+        for edge, default in _INHERITS.items():
             for size in ("conductance", "ratio"):
-                sizes[f"{edge}_{size}"] = values.setdefault(f"{edge}_{size}", sizes[f"{other}_{size}"])
+                sizes[f"{edge}_{size}"] = values.setdefault(f"{edge}_{size}", sizes[f"{default}_{size}"])
         values.setdefault("exhaust_overlap", values["overlap"])
-        values.setdefault("switching_time", AT_ONCE)
+        values.setdefault("switching_time", MIN_SWITCHING_TIME)
         values.setdefault("initial_position", values["command"])
         return values
 
@@ -140,15 +124,6 @@ class SpoolValve(FlowPath):
         values = {"position": scope["initial_position"], "velocity": 0.0}
         return {state.name: values[state.name] for state in self.states()}
 
-    def _rates(self, scope: Scope) -> dict[str, Any]:
-        missing = scope.inputs["command"] - scope.states["position"]
-        fastest = 1.0 / scope["switching_time"]
-        if self.dynamics == "first_order":
-            return {"position": clip(missing / scope["lag"], -fastest, fastest)}
-        turn, velocity = math.tau * scope["natural_frequency"], scope.states["velocity"]
-        rate = turn * turn * missing - 2.0 * scope["damping"] * turn * velocity
-        return {"position": clip(velocity, -fastest, fastest), "velocity": rate}
-
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         position, leak = scope.states["position"], scope["leak_conductance"]
         flows, outputs = list[Flow](), Quantities(position=(position, "1"))
@@ -160,7 +135,15 @@ class SpoolValve(FlowPath):
             )
             overlap = scope["overlap" if edge.startswith("supply") else "exhaust_overlap"]
             opening = clip((side * position - overlap) / (1.0 - overlap), 0.0, 1.0)
-            flow, more = way(scope, gas, edge, (first, second), (leak + (conductance - leak) * opening, ratio))
+            size = leak + (conductance - leak) * opening, ratio
+            flow, edge_outputs = named_flow(scope, gas, edge, (first, second), size)
             flows.append(flow)
-            outputs.update(more)
-        return PassageFlows(tuple(flows), outputs, self._rates(scope))
+            outputs.update(edge_outputs)
+        error, max_speed = scope.inputs["command"] - position, 1.0 / scope["switching_time"]
+        if self.dynamics == "first_order":
+            rates = {"position": clip(error / scope["lag"], -max_speed, max_speed)}
+        else:
+            omega, velocity = math.tau * scope["natural_frequency"], scope.states["velocity"]
+            rate = omega * omega * error - 2.0 * scope["damping"] * omega * velocity
+            rates = {"position": clip(velocity, -max_speed, max_speed), "velocity": rate}
+        return PassageFlows(tuple(flows), outputs, rates)

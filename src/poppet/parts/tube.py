@@ -1,4 +1,4 @@
-"""A tube: a row of cells with loss between them, and by option the inertia of the gas."""
+"""Tube: a row of cells with pressure losses between them, optionally with the inertia of the gas."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ from poppet.core.symbolic import maximum, sqrt
 from poppet.laws import iso6358
 from poppet.laws.physics import gas as gas_law
 from poppet.laws.physics import pipe
+from poppet.parts import symbols
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.chamber import Chamber
 from poppet.parts.compound import Compound
 from poppet.parts.fields import (
@@ -37,9 +39,9 @@ from poppet.parts.flow_path import iso_flow
 from poppet.parts.part import TUBE, Flow, GasState, Part, Passage, PassageFlows, Scope, State, Surroundings, is_port
 
 ISO, FRICTION = "iso6358", "friction"
-MOST_CELLS = 200
-MET, MADE, CLOSED = "met", "made", "closed"
-"""An end of a tube: named by another part's port, joined to a store by a passage of half a cell, or shut."""
+MAX_CELLS = 200
+AT_PORT, AT_NODE, CLOSED = "met", "made", "closed"
+"""End of a tube: at a port of another part, connected to a gas node by half a cell, or closed."""
 _CELL = ("pressure", "temperature", "mass", "heat_flow_rate")
 _START = {
     "pressure": NumberSpec("Pa", "pressure of a cell at the start", kind="pressure", above=0.0),
@@ -50,13 +52,13 @@ _START = {
 
 @dataclass(frozen=True)
 class TubeSegment(Passage):
-    """The gas between two cells of a tube; a member of `Tube`, which tells it everything."""
+    """Gas between two cells of a tube; a member of `Tube`."""
 
     kind: ClassVar[str] = "tube_segment"
     summary: ClassVar[str] = "a piece of a tube"
 
-    from_: str | None = port("cell or store at the first end")
-    to: str | None = port("cell or store at the second end")
+    from_: str | None = port("cell or gas node at the first end")
+    to: str | None = port("cell or gas node at the second end")
     loss: str = option(ISO, FRICTION, doc="law of the loss")
     inertia: str = switch(doc="inertia of the gas")
     length: NumberLike = number("m", doc="length", above=0.0)
@@ -71,7 +73,7 @@ class TubeSegment(Passage):
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
-        if self.loss == FRICTION:  # chokes as its cross-section does
+        if self.loss == FRICTION:  # the choked flow is that of the cross-section
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = iso6358.conductance_from_effective_area(0.25 * math.pi * values["bore"] ** 2, **gas)
             values["sonic_conductance"], _ = ambient.stated_size(nozzle.sonic_conductance, 0.0)
@@ -97,23 +99,23 @@ class TubeSegment(Passage):
         return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
 
     def _temperature_and_loss(self, scope: Scope, mass: Any, first: GasState, second: GasState) -> tuple[Any, Any]:
-        """Temperature of the gas that flows, and what friction takes of the pressure."""
-        pressures, air = (first.pressure, second.pressure), scope.surroundings
-        conductance, ratio = air.size_with_gas(scope["sonic_conductance"], scope["critical_ratio"])
-        # Per root of the temperature, which follows.
+        """Return the temperature of the flow and the pressure loss."""
+        pressures, surroundings = (first.pressure, second.pressure), scope.surroundings
+        conductance, ratio = surroundings.size_with_gas(scope["sonic_conductance"], scope["critical_ratio"])
+        # Times the square root of the temperature, which follows.
         sonic = conductance * iso6358.REFERENCE_DENSITY * sqrt(iso6358.REFERENCE_TEMPERATURE) * maximum(*pressures)
         temperature = iso6358.temperature_of_flow(
             mass, sonic / sqrt(first.temperature), first.temperature, second.temperature
         )
         choked = sonic / sqrt(temperature)
-        density = gas_law.density(0.5 * (first.pressure + second.pressure), temperature, air.gas_constant)
+        density = gas_law.density(0.5 * (first.pressure + second.pressure), temperature, surroundings.gas_constant)
         tube = scope["length"], scope["bore"], density, scope["viscosity"]
         if self.loss == ISO:
             coefficient = iso6358.loss_coefficient(*pressures, choked, ratio)
         else:
-            # No drop holds a flow above the choked one for long.
-            least = abs(first.pressure - second.pressure) / choked**2
-            coefficient = maximum(pipe.darcy_coefficient(mass, *tube, scope["roughness"]), least)
+            # The pressure difference cannot sustain a flow above the choked one.
+            smallest = abs(first.pressure - second.pressure) / choked**2
+            coefficient = maximum(pipe.darcy_coefficient(mass, *tube, scope["roughness"]), smallest)
         reynolds = pipe.reynolds_number(mass, scope["bore"], scope["viscosity"])
         laminar, turbulent = pipe.laminar_resistance(*tube) * mass, coefficient * mass * abs(mass)
         return temperature, pipe.between_laminar_and_turbulent(reynolds, laminar, turbulent)
@@ -121,60 +123,37 @@ class TubeSegment(Passage):
 
 @dataclass(frozen=True)
 class Profile:
-    """States of the single cells at the start: those that were given, and those of the whole tube."""
+    """Initial states of single cells, with those of the whole tube as defaults."""
 
-    given: Mapping[str, Number]
-    usual: Mapping[str, Number]
+    specified: Mapping[str, Number]
+    defaults: Mapping[str, Number]
 
     def numbers(self) -> dict[str, Number]:
-        """Number of every state by name and place, `pressure_3`."""
-        return {**self.usual, **self.given}
+        """Return the numbers of all states by name and index, `pressure_3`."""
+        return {**self.defaults, **self.specified}
 
     def with_numbers(self, values: Mapping[str, Number]) -> Profile:
-        """The same but for some states."""
-        return Profile({**self.given, **values}, self.usual)
+        """Return the profile with some states replaced."""
+        return Profile({**self.specified, **values}, self.defaults)
 
 
 @dataclass(frozen=True)
 class Tube(Compound):
-    r"""A tube or hose: cells in a row, with loss between them, wall heat, and by option the inertia of the gas.
+    r"""Tube or hose: a row of cells with pressure losses and heat transfer, optionally with inertia of the gas.
 
     .. math:: \frac{V \dot p}{\kappa - 1} = \sum c_p T q + h A (T_w - T), \qquad
               \frac{L}{A} \dot q = p_1 - p_2 - \Delta p(q) \quad \text{(with inertia)}
 
-    Parameters
-    ----------
-    from_, to : str
-        What its ends are joined to (`from` in a circuit file): a store, `tank`, to which the tube makes the passage; a
-        port, `valve.outlet`, of a part that names this tube there: the port is joined to the cell at that end. Without
-        `to` that end is shut.
-    length, bore : number
-        Length and inner diameter [m].
-    cells : number
-        Number of cells, 1 ... 200; not a number that can be fitted.
-    inertia : bool
-        With true the mass flow rates are states, and pressure waves travel.
-    loss : str
-        `iso6358` (default): C and b, those of the tube formula where they are not given; `friction`: Darcy-Weisbach
-        with the tube's roughness, for tubes with inertia.
-    sonic_conductance, critical_ratio : number
-        C [m^3/(s Pa)] and b of the whole tube, where a catalogue or a bench has them, for `iso6358`.
-    roughness : number
-        Height of the wall's roughness [m], for `friction`.
-    viscosity : number
-        Dynamic viscosity of the gas [Pa s], for tubes with inertia.
-    wall_conductance, wall_temperature : number
-        Product h A of the whole tube's heat transfer [W/K], 0 is adiabatic; temperature of its wall [K].
-    initial_pressure, initial_temperature : number
-        Absolute pressure [Pa] and temperature [K] at the start.
-    profile : table
-        States of single cells at the start, by name and place, ``{"pressure_3": "1.1 bar"}``; a run that goes on where
-        another has ended begins with these.
-
     Notes
     -----
-    See docs/tube.md. Ports of other parts may be joined to any cell, `hose.3`. Up to Re = 2000 the loss of a tube with
-    inertia is laminar; its flow is held below the choked one, and its kinetic energy is not reckoned.
+    See docs/tube.md. An end names a gas node, `tank`, or the port of another part, `valve.outlet`, that names the tube:
+    this port is connected to the cell at that end. Without `to` the second end is closed. Ports of other parts can be
+    connected to any cell, `hose.3`.
+
+    With inertia the mass flow rates are states, and pressure waves travel. The default C and b are those of the tube
+    formula. The loss `friction`, Darcy-Weisbach with a roughness, is for tubes with inertia. Up to Re = 2000 the loss
+    of a tube with inertia is laminar; its flow is limited by the choked one, and the model neglects kinetic energy. A
+    run that continues another one starts with its `profile`.
 
     Examples
     --------
@@ -186,17 +165,18 @@ class Tube(Compound):
     """
 
     kind: ClassVar[str] = TUBE
-    summary: ClassVar[str] = "a tube: cells with loss, wall heat and, by option, the inertia of the gas"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.TUBE
+    summary: ClassVar[str] = "a tube: cells with pressure loss, heat transfer and, optionally, inertia of the gas"
 
-    from_: str | None = port("store at the first end, or port that names the tube")
-    to: str | None = port("store at the second end, or port that names the tube; shut without", optional=True)
+    from_: str | None = port("gas node at the first end, or port that names the tube")
+    to: str | None = port("gas node at the second end, or port that names the tube; closed without it", optional=True)
     length: NumberLike = number("m", doc="length", above=0.0)
     bore: NumberLike = number("m", doc="bore", above=0.0)
-    cells: NumberLike = number("1", 8.0, doc="number of cells", low=1.0, high=float(MOST_CELLS))
+    cells: NumberLike = number("1", 8.0, doc="number of cells", low=1.0, high=float(MAX_CELLS))
     inertia: str = switch(doc="inertia of the gas")
     loss: str = option(ISO, FRICTION, doc="law of the loss")
     sonic_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="sonic conductance C", above=0.0)
-    critical_ratio: NumberLike = number("1", optional=True, doc="critical ratio b", low=0.0, below=1.0)
+    critical_ratio: NumberLike = number("1", optional=True, doc="critical ratio b of the tube", low=0.0, below=1.0)
     roughness: NumberLike = number("m", 0.0, doc="height of the wall's roughness", low=0.0, note="smooth")
     viscosity: NumberLike = number(
         "Pa s", pipe.AIR_VISCOSITY_ANR, doc="dynamic viscosity", above=0.0, source="paper", note="air at 20 degC, White"
@@ -205,35 +185,37 @@ class Tube(Compound):
     wall_temperature: NumberLike = number("K", optional=True, doc="wall temperature", kind="temperature", above=0.0)
     initial_pressure: NumberLike = anr_pressure("initial pressure")
     initial_temperature: NumberLike = anr_temperature("initial temperature")
-    profile: Any = reference(doc="states of single cells at the start, by name and place")
+    profile: Any = reference(doc="initial states of single cells; mapping such as pressure_3")
 
     def check(self) -> None:
         count = self._value("cells")
         with ErrorCollector() as errors:
             if count != int(count):
                 errors.add("tube.cells", "cells", value=count)
-            elif count == 1.0 and self._ends == (MET, MET):
+            elif count == 1.0 and self._ends == (AT_PORT, AT_PORT):
                 errors.add("tube.one_cell", "cells", ends=[self.from_, self.to])
             if self.loss == FRICTION and self.inertia != "true":
                 errors.add("tube.friction_without_inertia", "loss")
         object.__setattr__(self, "profile", self._profile())
 
     def _profile(self) -> Profile:
-        given = self.profile.given if isinstance(self.profile, Profile) else self.profile or {}
-        if not isinstance(given, Mapping):
-            raise InputError("fields.no_table", "profile", value=given)
-        usual: dict[str, Any] = {}
+        table = self.profile.specified if isinstance(self.profile, Profile) else self.profile or {}
+        if not isinstance(table, Mapping):
+            raise InputError("fields.no_table", "profile", value=table)
+        defaults: dict[str, Any] = {}
         for k in range(1, self._count + 1):
-            usual |= {f"pressure_{k}": self.initial_pressure, f"temperature_{k}": self.initial_temperature}
+            defaults |= {f"pressure_{k}": self.initial_pressure, f"temperature_{k}": self.initial_temperature}
         for name in self._open_passages if self.inertia == "true" else ():
-            usual[f"mass_flow_rate_{self._place(name)}"] = Number(0.0, "kg/s", Source("assumed", note="at rest"))
+            defaults[f"mass_flow_rate_{self._cell_index(name)}"] = Number(
+                0.0, "kg/s", Source("assumed", note="at rest")
+            )
         with ErrorCollector() as errors:
-            errors.extend(unknown_field(f"profile.{key}", key, usual) for key in given if key not in usual)
-            read = {}
-            for key in (key for key in given if key in usual):
+            errors.extend(unknown_field(f"profile.{key}", key, defaults) for key in table if key not in defaults)
+            numbers = {}
+            for key in (key for key in table if key in defaults):
                 with errors.collecting():
-                    read[key] = read_number(f"profile.{key}", _START[key.rpartition("_")[0]], given[key])
-        return Profile(read, usual)
+                    numbers[key] = read_number(f"profile.{key}", _START[key.rpartition("_")[0]], table[key])
+        return Profile(numbers, defaults)
 
     @property
     def _count(self) -> int:
@@ -241,12 +223,13 @@ class Tube(Compound):
 
     @property
     def _ends(self) -> tuple[str, str]:
-        """How the first and the second end are joined."""
-        first, second = (CLOSED if end is None else MET if is_port(end) else MADE for end in (self.from_, self.to))
+        """Types of the first and the second end."""
+        first, second = (
+            CLOSED if end is None else AT_PORT if is_port(end) else AT_NODE for end in (self.from_, self.to)
+        )
         return first, second
 
     def outer_ports(self) -> dict[str, str]:
-        """Port of another part that names this tube, to the cell that it is joined to."""
         cells = {self.from_: "1", self.to: str(self._count)}
         return {end: cell for end, cell in cells.items() if end is not None and is_port(end)}
 
@@ -254,25 +237,25 @@ class Tube(Compound):
 
     @property
     def _spacing(self) -> float:
-        """Distance between two cells, over the length: at a port lies half a cell, elsewhere the middle of a whole."""
-        return 1.0 / (self._count - sum(0.5 for end in self._ends if end == MET))
+        """Distance of two cells per length; a cell at a port is a half cell."""
+        return 1.0 / (self._count - sum(0.5 for end in self._ends if end == AT_PORT))
 
     @cached_property
     def _passages(self) -> dict[str, tuple[str, str, float]]:
-        """Name to both ends and length in spacings of all between cells, half a cell at a shut end as well."""
+        """Both ends and length, in spacings, of each flow path by name; a closed end has half a spacing too."""
         names = [str(k) for k in range(1, self._count + 1)]
-        found = {} if self._ends[0] == MET else {"inlet": (str(self.from_), f".{names[0]}", 0.5)}
-        for one, other in pairwise(names):
-            found[f"{one}_to_{other}"] = f".{one}", f".{other}", 1.0
-        return found if self._ends[1] == MET else {**found, "outlet": (f".{names[-1]}", str(self.to), 0.5)}
+        paths = {} if self._ends[0] == AT_PORT else {"inlet": (str(self.from_), f".{names[0]}", 0.5)}
+        for first, second in pairwise(names):
+            paths[f"{first}_to_{second}"] = f".{first}", f".{second}", 1.0
+        return paths if self._ends[1] == AT_PORT else {**paths, "outlet": (f".{names[-1]}", str(self.to), 0.5)}
 
     @property
     def _open_passages(self) -> list[str]:
-        """Names of those that gas can pass."""
+        """Names of the flow paths that are not closed."""
         return [name for name in self._passages if name != "outlet" or self._ends[1] != CLOSED]
 
-    def _place(self, passage: str) -> str:
-        """Number of the cell in front of a passage: 0 at the first end."""
+    def _cell_index(self, passage: str) -> str:
+        """Return the index of the cell in front of a flow path; 0 at the first end."""
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
     def _value(self, name: str) -> float:
@@ -280,85 +263,86 @@ class Tube(Compound):
 
     @cached_property
     def members(self) -> dict[str, Part]:
-        """Cells by number, then the passages between them."""
+        """Cells by index, then the flow paths between them."""
         start, conductance = self.profile.numbers(), self._value("wall_conductance")
         volume = 0.25 * math.pi * self._value("bore") ** 2 * self._value("length")
         cells: dict[str, Part] = {}
         for k in range(1, self._count + 1):
-            at_ports = (k == 1 and self._ends[0] == MET) + (k == self._count and self._ends[1] == MET)
-            share = self._spacing * (1.0 - 0.5 * at_ports)
+            port_ends = (k == 1 and self._ends[0] == AT_PORT) + (k == self._count and self._ends[1] == AT_PORT)
+            fraction = self._spacing * (1.0 - 0.5 * port_ends)
             cells[str(k)] = Chamber(
-                volume=volume * share,
-                wall_conductance=conductance * share,
+                volume=volume * fraction,
+                wall_conductance=conductance * fraction,
                 wall_temperature=self.wall_temperature,
                 initial_pressure=start[f"pressure_{k}"],
                 initial_temperature=start[f"temperature_{k}"],
             )
-        return cells | self._segments(start)
-
-    def _segments(self, start: Mapping[str, Number]) -> dict[str, Part]:
-        """What joins the cells to each other and to stores."""
-        found: dict[str, Part] = {}
+        segments: dict[str, Part] = {}
         weights = [weight for *_, weight in self._passages.values()]
         sizes = iso6358.divided(*self._size, weights) if self.loss == ISO else [(None, 0.0)] * len(weights)
-        for name, (conductance, ratio) in zip(self._passages, sizes, strict=True):
-            one, other, weight = self._passages[name]
-            flow = start.get(f"mass_flow_rate_{self._place(name)}")
+        for name, (sonic_conductance, ratio) in zip(self._passages, sizes, strict=True):
+            first, second, weight = self._passages[name]
+            flow = start.get(f"mass_flow_rate_{self._cell_index(name)}")
             if name in self._open_passages:
-                found[name] = TubeSegment(
-                    one, other, self.loss, self.inertia, self._value("length") * self._spacing * weight, self.bore,
-                    conductance, ratio, self.viscosity, self.roughness, flow,
-                    laminar_ratio=1.0 - 1e-3 * weight * self._spacing,  # of the whole tube it is the usual one
+                segments[name] = TubeSegment(
+                    first, second, self.loss, self.inertia, self._value("length") * self._spacing * weight, self.bore,
+                    sonic_conductance, ratio, self.viscosity, self.roughness, flow,
+                    laminar_ratio=1.0 - 1e-3 * weight * self._spacing,  # the default one for the whole tube
                 )  # fmt: skip
-        return found
+        return cells | segments
 
     @property
     def _size(self) -> tuple[float, float]:
-        """C [m^3/(s Pa)] and b of the whole tube, by the tube formula where they are not given."""
+        """C [m^3/(s Pa)] and b of the tube, by the tube formula if they are not specified."""
         conductance, ratio = iso6358.tube(self._value("length"), self._value("bore"))
         return (
             conductance if self.sonic_conductance is None else self._value("sonic_conductance"),
             ratio if self.critical_ratio is None else self._value("critical_ratio"),
         )
 
-    # What a circuit asks ------------------------------------------------------------------------------------------
+    # Interface to circuits ------------------------------------------------------------------------------------------
 
     def stores(self) -> tuple[str, ...]:
         return tuple(str(k) for k in range(1, self._count + 1))
 
     def outside(self) -> dict[str, str]:
-        flows = {self._place(name): name for name in self._open_passages}
-        found = {"mass_flow_rate": "inlet.mass_flow_rate"} if "0" in flows else {}
+        flows = {self._cell_index(name): name for name in self._open_passages}
+        names = {"mass_flow_rate": "inlet.mass_flow_rate"} if "0" in flows else {}
         for cell in self.stores():
-            found |= {f"{cell}.{name}": f"{cell}.{name}" for name in _CELL}
+            names |= {f"{cell}.{name}": f"{cell}.{name}" for name in _CELL}
             if cell in flows:
-                found[f"{cell}.mass_flow_rate"] = f"{flows[cell]}.mass_flow_rate"
-        return found
+                names[f"{cell}.mass_flow_rate"] = f"{flows[cell]}.mass_flow_rate"
+        return names
 
     @property
     def resume(self) -> dict[str, str]:  # type: ignore[override]
-        """The states of every cell, and of every passage with inertia."""
-        found = {}
+        """States of all cells, and of flow paths with inertia."""
+        targets = {}
         for key in self.profile.numbers():
-            name, _, place = key.rpartition("_")
-            found[name if place == "0" else f"{place}.{name}"] = f"profile.{key}"
-        return found
+            name, _, index = key.rpartition("_")
+            targets[name if index == "0" else f"{index}.{name}"] = f"profile.{key}"
+        return targets
 
     def can_resume(self, target: str) -> bool:
         return True
 
     def numbers(self) -> dict[str, Number]:
-        own = {name: value for name, value in Part.numbers(self).items() if name != "cells"}
-        return own | {f"profile.{key}": value for key, value in self.profile.given.items()}
+        numbers = {name: value for name, value in Part.numbers(self).items() if name != "cells"}
+        return numbers | {f"profile.{key}": value for key, value in self.profile.specified.items()}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
-        Part.parameters(self, ambient)  # where a gauge value lies below vacuum, it is the tube's own
+        Part.parameters(self, ambient)  # reports a gauge value below vacuum at the address of the tube
         return super().parameters(ambient)
 
     def options(self) -> dict[str, str]:
         return {**super().options(), "cells": str(self._count)}
 
     def notes(self) -> tuple[Note, ...]:
-        idle = ("sonic_conductance", "critical_ratio") if self.loss == FRICTION else ("roughness",)
-        given = [name for name in idle if getattr(self, name) is not None and self._value(name) > 0.0]
-        return (Note("tube.no_effect", given[0], loss=self.loss),) if given else ()
+        unused = ("sonic_conductance", "critical_ratio") if self.loss == FRICTION else ("roughness",)
+        specified = [name for name in unused if getattr(self, name) is not None and self._value(name) > 0.0]
+        return (Note("tube.no_effect", specified[0], loss=self.loss),) if specified else ()
+
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        waves = "with waves" if self.inertia == "true" else "no waves"
+        length: Any = self.length
+        return [f"{length.display()}, bore {numbers.text(self.bore)}", f"{self._count} cells, {waves}"]

@@ -1,4 +1,4 @@
-"""Check valve, relief valve, on/off directional valve and silencer: ISO 6358 passages with a rule of their own."""
+"""Check valve, relief valve, on/off directional valve and silencer."""
 
 from __future__ import annotations
 
@@ -8,131 +8,100 @@ from typing import Any, ClassVar
 
 from poppet.core.errors import InputError
 from poppet.core.symbolic import clip, smoothstep
+from poppet.parts import symbols
+from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, port
 from poppet.parts.flow_path import FlowPath
-from poppet.parts.orifice import from_to, way
-from poppet.parts.part import GasState, Input, PassageFlows, Scope, State
+from poppet.parts.orifice import named_flow, single_flow
+from poppet.parts.part import GasState, Input, PassageFlows, Scope, State, Surroundings
 
 SPOOL_GAIN = 50.0
-"""How sharply the spool stops at its end: it covers the last 1/50 of its way exponentially."""
+"""Gain of the spool position; the spool covers the last 1/50 of its travel exponentially."""
 
 
 @dataclass(frozen=True)
 class CheckValve(FlowPath):
-    """A passage that lets gas through in one direction, above a cracking pressure.
-
-    Parameters
-    ----------
-    from_ : str
-        Store at the inlet.
-    to : str
-        Store at the outlet.
-    cracking_pressure : number
-        Pressure difference at which it opens [Pa].
+    """Flow path for one direction with a cracking pressure.
 
     Notes
     -----
-    The law of ISO 6358-1:2013 with its cracking-pressure term; no moving mass.
+    The law is that of ISO 6358-1:2013 with its cracking-pressure term, without a moving mass.
     """
 
     kind: ClassVar[str] = "check_valve"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.CHECK_VALVE
     summary: ClassVar[str] = "flow in one direction only, above a cracking pressure"
 
-    from_: str | None = port("store at the inlet")
-    to: str | None = port("store at the outlet")
+    from_: str | None = port("gas node at the inlet")
+    to: str | None = port("gas node at the outlet")
     cracking_pressure: NumberLike = number(
         "Pa", 0.0, doc="cracking pressure", kind="pressure_difference", low=0.0, note="none by default"
     )
 
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        return [*super().caption(numbers), f"opens at {numbers.text(self.cracking_pressure)}"]
+
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         size = self.size_at(scope, None)
-        return from_to(scope, gas, size, cracking_pressure=scope["cracking_pressure"], one_way=True)
+        return single_flow(scope, gas, size, cracking_pressure=scope["cracking_pressure"], one_way=True)
 
 
 @dataclass(frozen=True)
 class ReliefValve(FlowPath):
-    """A passage that opens with the inlet pressure, from the set pressure on.
-
-    Parameters
-    ----------
-    from_ : str
-        Store that is protected.
-    to : str
-        Store it discharges into.
-    set_pressure : number
-        Inlet pressure at which it begins to open [Pa], absolute.
-    accumulation : number
-        Rise above the set pressure at which it is fully open [Pa].
+    """Flow path that opens if the inlet pressure exceeds the set pressure.
 
     Notes
     -----
-    Static: the opening follows the inlet pressure by a C1 smoothstep; no hysteresis (blow-down) and no moving mass.
+    The opening is a static C1 function of the inlet pressure, without hysteresis (blow-down) or moving mass.
     """
 
     kind: ClassVar[str] = "relief_valve"
-    summary: ClassVar[str] = "opens with its inlet pressure, from the set pressure on"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.RELIEF_VALVE
+    summary: ClassVar[str] = "opens above the set pressure at its inlet"
 
-    from_: str | None = port("store that is protected")
-    to: str | None = port("store it discharges into")
-    set_pressure: NumberLike = number("Pa", doc="set pressure", kind="pressure", above=0.0)
+    from_: str | None = port("protected gas node")
+    to: str | None = port("gas node that receives the discharge")
+    set_pressure: NumberLike = number("Pa", doc="set pressure, where it begins to open", kind="pressure", above=0.0)
     accumulation: NumberLike = number(
         "Pa", "0.2 bar", doc="accumulation", kind="pressure_difference", above=0.0, note="rise to full opening"
     )
 
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        return [*super().caption(numbers), f"opens at {numbers.text(self.set_pressure)}"]
+
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        begin = scope["set_pressure"]
-        opening = smoothstep(gas["from"].pressure, begin, begin + scope["accumulation"])
+        set_pressure = scope["set_pressure"]
+        opening = smoothstep(gas["from"].pressure, set_pressure, set_pressure + scope["accumulation"])
         conductance, ratio = self.size_at(scope, None)
-        passing = from_to(scope, gas, (conductance * opening, ratio), one_way=True)
-        return replace(passing, outputs={"opening": (opening, "1"), **passing.outputs})
+        result = single_flow(scope, gas, (conductance * opening, ratio), one_way=True)
+        return replace(result, outputs={"opening": (opening, "1"), **result.outputs})
 
 
 @dataclass(frozen=True)
 class DirectionalValve(FlowPath):
-    """An on/off valve, 2/2 or (with an exhaust port) 3/2, whose spool takes time to move.
-
-    Parameters
-    ----------
-    supply : str
-        Store at port 1.
-    outlet : str
-        Store at port 2.
-    exhaust : str, optional
-        Store at port 3; without it the valve is 2/2.
-    normally : str
-        `closed` (default) or `open`: the state at command 0.
-    command : number
-        0 is off, 1 on; also an input.
-    delay : number
-        Time from the command to the first motion [s].
-    switching_time : number
-        Time of the spool from end to end [s].
-    closing_time : number
-        Time of its way back [s]; default `switching_time`.
-    exhaust_conductance, exhaust_ratio : number
-        C [m^3/(s Pa)] and b from port 2 to port 3; default those from 1 to 2.
-    initial_position : number
-        Where the spool starts, 0..1; default where the number `command` holds it.
+    """On/off valve, 2/2 or (with an exhaust port) 3/2, with delay and switching time.
 
     Notes
     -----
-    The conductance is proportional to the spool's position. In a 3/2 valve the exhaust closes over the first half of
-    the stroke and the supply opens over the second, so the two are never open together.
+    The conductance is proportional to the spool position. In a 3/2 valve the exhaust closes over the first half of the
+    stroke and the supply opens over the second half: they are never open at the same time. Defaults: `closing_time` is
+    `switching_time`, the exhaust has C and b of the supply, and the spool starts at rest under the parameter `command`.
     """
 
     kind: ClassVar[str] = "directional_valve"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.VALVE
     summary: ClassVar[str] = "on/off valve, 2/2 or 3/2, with delay and switching time"
 
-    supply: str | None = port("store at port 1")
-    outlet: str | None = port("store at port 2")
-    exhaust: str | None = port("store at port 3", optional=True)
+    supply: str | None = port("gas node at port 1")
+    outlet: str | None = port("gas node at port 2")
+    exhaust: str | None = port("gas node at port 3; without it the valve is 2/2", optional=True)
     normally: str = option("closed", "open", doc="state at command 0")
-    command: NumberLike = number("1", 0.0, doc="command", low=0.0, high=1.0, note="off by default")
-    delay: NumberLike = number("s", 0.0, doc="delay", low=0.0, note="none by default")
+    command: NumberLike = number("1", 0.0, doc="command, 0 off and 1 on", low=0.0, high=1.0, note="off by default")
+    delay: NumberLike = number("s", 0.0, doc="delay from the command to the motion", low=0.0, note="none by default")
     switching_time: NumberLike = number("s", "10 ms", doc="switching time", above=0.0, note="typical of a small valve")
-    closing_time: NumberLike = number("s", optional=True, doc="closing time", above=0.0)
-    exhaust_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="exhaust conductance", low=0.0)
-    exhaust_ratio: NumberLike = number("1", optional=True, doc="exhaust critical ratio", low=0.0, below=1.0)
+    closing_time: NumberLike = number("s", optional=True, doc="switching time of the return", above=0.0)
+    exhaust_conductance: NumberLike = number("m^3/(s Pa)", optional=True, doc="conductance C from 2 to 3", low=0.0)
+    exhaust_ratio: NumberLike = number("1", optional=True, doc="critical ratio b from 2 to 3", low=0.0, below=1.0)
     initial_position: NumberLike = number("1", optional=True, doc="initial position of the spool", low=0.0, high=1.0)
     resume: ClassVar[dict[str, str]] = {"position": "initial_position"}
 
@@ -142,12 +111,16 @@ class DirectionalValve(FlowPath):
             if getattr(self, name) is not None and self.exhaust is None:
                 raise InputError("parts.no_exhaust_port", name)
 
-    def parameters(self, ambient: Any) -> dict[str, float]:
+    def caption(self, numbers: CaptionNumbers) -> list[str]:
+        form = "3/2" if self.exhaust is not None else "2/2"
+        return [f"{form}, normally {self.normally}", *super().caption(numbers)]
+
+    def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
         values.setdefault("closing_time", values["switching_time"])
         values.setdefault("exhaust_conductance", values["sonic_conductance"])
         values.setdefault("exhaust_ratio", values["critical_ratio"])
-        # At rest under its own command; a signal that begins elsewhere moves the spool from there.
+        # At rest under the parameter; a signal with another initial value moves the spool from there.
         rest = values["command"] if self.normally == "closed" else 1.0 - values["command"]
         values.setdefault("initial_position", rest)
         return values
@@ -156,7 +129,7 @@ class DirectionalValve(FlowPath):
         return super().structure(), self.exhaust is not None
 
     def states(self) -> tuple[State, ...]:
-        # A spool that creeps onto its seat is to be known as a part of its stroke.
+        # The tolerance refers to the stroke, also for a spool close to its seat.
         return (State("position", "1", 1.0, floor=1.0),)
 
     def inputs(self) -> tuple[Input, ...]:
@@ -168,43 +141,36 @@ class DirectionalValve(FlowPath):
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         position, command = scope.states["position"], scope.inputs["command"]
         target = command if self.normally == "closed" else 1.0 - command
-        pull = clip(SPOOL_GAIN * (target - position), -1.0, 1.0)
-        # One of the two is zero: the way back may take another time than the way there.
-        opening_rate, closing_rate = clip(pull, 0.0, 1.0), clip(pull, -1.0, 0.0)
+        speed = clip(SPOOL_GAIN * (target - position), -1.0, 1.0)
+        # One of both is zero: the return can need another time.
+        opening_rate, closing_rate = clip(speed, 0.0, 1.0), clip(speed, -1.0, 0.0)
         rates = {"position": opening_rate / scope["switching_time"] + closing_rate / scope["closing_time"]}
         conductance, ratio = self.size_at(scope, None)
         supply_opening = clip(position if self.exhaust is None else 2.0 * position - 1.0, 0.0, 1.0)
-        flow, outputs = way(scope, gas, "supply", ("supply", "outlet"), (conductance * supply_opening, ratio))
+        flow, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), (conductance * supply_opening, ratio))
         flows, outputs = [flow], {"position": (position, "1"), **outputs}
         if self.exhaust is not None:
             size = scope["exhaust_conductance"] * clip(1.0 - 2.0 * position, 0.0, 1.0), scope["exhaust_ratio"]
-            flow, more = way(scope, gas, "exhaust", ("outlet", "exhaust"), size)
+            flow, exhaust_outputs = named_flow(scope, gas, "exhaust", ("outlet", "exhaust"), size)
             flows.append(flow)
-            outputs.update(more)
+            outputs.update(exhaust_outputs)
         return PassageFlows(tuple(flows), outputs, rates)
 
 
 @dataclass(frozen=True)
 class Silencer(FlowPath):
-    """A silencer at an exhaust: an ISO 6358 passage that clogs.
-
-    Parameters
-    ----------
-    from_ : str
-        Store that it vents.
-    to : str
-        Where it vents to, usually `ambient`.
-    clogging : number
-        Fraction of the conductance lost to dirt, 0..1.
-    """
+    """Silencer at an exhaust, with clogging."""
 
     kind: ClassVar[str] = "silencer"
+    symbol: ClassVar[symbols.Symbol | str] = symbols.SILENCER
     summary: ClassVar[str] = "a silencer at an exhaust, with clogging"
 
-    from_: str | None = port("store that is vented")
-    to: str | None = port("store it vents to")
-    clogging: NumberLike = number("1", 0.0, doc="clogging", low=0.0, high=1.0, note="clean by default")
+    from_: str | None = port("gas node that is vented")
+    to: str | None = port("gas node that receives the exhaust, usually `ambient`")
+    clogging: NumberLike = number(
+        "1", 0.0, doc="lost fraction of the conductance", low=0.0, high=1.0, note="clean by default"
+    )
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         conductance, ratio = self.size_at(scope, None)
-        return from_to(scope, gas, (conductance * (1.0 - scope["clogging"]), ratio))
+        return single_flow(scope, gas, (conductance * (1.0 - scope["clogging"]), ratio))

@@ -9,7 +9,7 @@ import numpy as np
 
 from poppet.control.comparison import Comparison
 from poppet.control.loop import SampledPlant, step_response
-from poppet.control.metrics import read_in, readable
+from poppet.control.metrics import readable_metric_unit, readable_unit_of
 from poppet.control.tuning import TunedPoint, Tuning
 from poppet.core.number_format import pretty, scaled
 from poppet.core.units import convert
@@ -129,7 +129,7 @@ def _draw_responses(figure: Figure, comparison: Comparison) -> None:
             lower.tick_params(labelleft=False)
             continue
         first = upper, lower
-        units = [pretty(readable(unit)) for unit in comparison.units]
+        units = [pretty(readable_unit_of(unit)) for unit in comparison.units]
         reference = ", absolute" if comparison.quantity == "pressure" else ""
         upper.set_ylabel(f"{comparison.quantity.replace('_', ' ')}\n[{units[0]}{reference}]")
         is_opening = comparison.command_quantity == OPENING
@@ -140,7 +140,7 @@ def _draw_responses(figure: Figure, comparison: Comparison) -> None:
 
 def _draw_response(upper: Any, lower: Any, comparison: Comparison, name: str, colour: str) -> None:
     (unit, command_unit), time = comparison.units, comparison.time
-    rows = convert(comparison.responses[name], unit, readable(unit))
+    rows = convert(comparison.responses[name], unit, readable_unit_of(unit))
     upper.set_title(name, loc="left")
     complete = rows[~np.isnan(rows[:, -1])]
     if len(complete) > 1:
@@ -148,10 +148,10 @@ def _draw_response(upper: Any, lower: Any, comparison: Comparison, name: str, co
         edges = complete.min(axis=0), complete.max(axis=0)
         upper.fill_between(time, *edges, color=colour, alpha=0.25, linewidth=0.0, label=label)
     upper.plot(time, rows[0], color=colour, label="nominal")
-    setpoint = convert(comparison.setpoint, unit, readable(unit))
+    setpoint = convert(comparison.setpoint, unit, readable_unit_of(unit))
     upper.plot(time, setpoint, color=INK, linewidth=0.8, linestyle="--", label="setpoint", drawstyle="steps-post")
     upper.tick_params(labelbottom=False)
-    commands = convert(comparison.commands[name], command_unit, readable(command_unit))
+    commands = convert(comparison.commands[name], command_unit, readable_unit_of(command_unit))
     lower.plot(time, commands, color=colour, linewidth=1.0, drawstyle="steps-post", label="command")
     max_opening = max(float(np.nanmax(np.abs(command))) for command in comparison.commands.values())
     if comparison.command_quantity == OPENING and max_opening > _SMALL_OPENING:
@@ -177,7 +177,7 @@ def _draw_spreads(figure: Figure, comparison: Comparison, top: float) -> None:
 
 
 def _draw_spread(axes: Any, comparison: Comparison, key: str, *, is_first: bool) -> None:
-    unit = read_in(comparison.kinds[key], *comparison.units)
+    unit = readable_metric_unit(comparison.kinds[key], *comparison.units)
     factor, names = scaled(1.0, comparison.kinds[key].unit, unit), list(comparison.figures)
     jitter = np.random.default_rng(0)
     for k, name in enumerate(names):

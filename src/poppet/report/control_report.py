@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from poppet.control.comparison import Comparison
-from poppet.control.metrics import read_in, readable
+from poppet.control.metrics import readable_metric_unit, readable_unit_of
 from poppet.control.tuning import Tuning
 from poppet.core.number_format import scaled
 from poppet.parts.quantities import OPENING, QUANTITIES
@@ -37,7 +37,7 @@ def margin_table(tuning: Tuning) -> Table:
 def verification_table(tuning: Tuning) -> Table:
     """Return the response of the nonlinear plant to a step up and back."""
     si_unit = QUANTITIES[tuning.quantity].unit
-    unit = readable(si_unit)
+    unit = readable_unit_of(si_unit)
     rows = [
         (
             run.at,
@@ -82,7 +82,7 @@ def tuning_page(tuning: Tuning, circuit: Circuit) -> str:
 def figure_table(comparison: Comparison) -> Table:
     """Return the metrics of every controller: nominal and, with several samples, median and worst."""
     kinds = comparison.kinds
-    units = {key: read_in(kind, *comparison.units) for key, kind in kinds.items()}
+    units = {key: readable_metric_unit(kind, *comparison.units) for key, kind in kinds.items()}
     headings = [key.replace("_", " ") + (f" [{unit}]" if unit != "1" else "") for key, unit in units.items()]
     rows = []
     plants = ("nominal", "median", "worst") if comparison.draws else ("nominal",)

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from poppet.circuit.linear_model import LinearModel
-from poppet.circuit.load_metrics import Figures
+from poppet.circuit.load_metrics import LoadMetrics
 from poppet.core.number_format import USUAL, digits_of, pretty
 from poppet.report.tables import Column, Table, numeric
 from poppet.timeseries.recording import Recording
@@ -22,7 +22,7 @@ _CODES = "regime", "contact", "friction_state"
 """Last words of the names of codes, for which extremes have no meaning."""
 
 
-def stroke_table(metrics: Figures) -> Table:
+def stroke_table(metrics: LoadMetrics) -> Table:
     """Return a row for each of the first strokes."""
     rows = []
     for stroke in metrics.strokes[:MAX_STROKES]:
@@ -42,7 +42,7 @@ def _motion_text(value: float, unit: str) -> str:
     return f"{value * factor:.4g} {usual_unit}"
 
 
-def energy_table(metrics: Figures) -> Table:
+def energy_table(metrics: LoadMetrics) -> Table:
     """Return air, work and efficiency; values that are not available are omitted."""
     rows = [
         ("air used", f"{metrics.air_used * 1e3:.4g}", "l ANR"),

@@ -11,6 +11,7 @@ from poppet.core.provenance import LEAST_CERTAIN_FIRST
 from poppet.report.circuit.schematic import draw_circuit
 from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
 from poppet.report.result_tables import ENERGY, STROKES, energy_table, extreme_table, stroke_table
+from poppet.report.styles import stylesheet
 from poppet.report.tables import Column, Markup, Table, code, numeric
 from poppet.timeseries.plotting.figures import style
 from poppet.timeseries.plotting.plots import plot_recordings
@@ -18,12 +19,6 @@ from poppet.timeseries.recording import Recording
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
-
-_STYLE = """
-details { margin: .6rem 0; } summary { cursor: pointer; }
-code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; }
-.numbers td:last-child { color: var(--soft); min-width: 14rem; }
-"""
 
 
 def write_run(
@@ -87,7 +82,7 @@ def run_page(
             Section("Solver", _settings(circuit, recording)),
             Section("Parameters", _parameters(circuit)),
         ]
-    return document(title, sections, style=_STYLE)
+    return document(title, sections, style=stylesheet("run"))
 
 
 def _loads(recording: Recording) -> list[str | Table]:

@@ -176,7 +176,7 @@ class Columns(HtmlMixin):
 
     @property
     def figures(self) -> Any:
-        """Load metrics of a run (`poppet.circuit.load_metrics.Figures`), None without loads."""
+        """Load metrics of a run (`poppet.circuit.load_metrics.LoadMetrics`), None without loads."""
         if callable(self._figures):  # evaluated on first use: most recordings do not need it
             self._figures = self._figures()
         return self._figures

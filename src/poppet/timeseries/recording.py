@@ -105,7 +105,7 @@ class Recording(Columns):
         )
 
     def between(self, start: float, stop: float) -> Recording:
-        """The samples of a time window, both ends included.
+        """Return the samples of a time window, including both limits.
 
         Parameters
         ----------

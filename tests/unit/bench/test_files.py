@@ -268,7 +268,7 @@ def test_a_result_is_read_as_it_was_written(tmp_path, name):
     data = tomllib.loads(text) if name.endswith("toml") else json.loads(text)
     assert is_result(data)
     assert data["figures"]["hysteresis"]["standard"].endswith("verify against the standard")
-    assert data["notes"] == ["bench: note: with a colon.", "step: r: the setpoint makes no step of 2 % FS or more."]
+    assert data["notes"] == ["bench: note: with a colon.", "step: r: the setpoint has no step of at least 2 % FS."]
     again.save(tmp_path / f"again-{name}")
     assert (tmp_path / f"again-{name}").read_text(encoding="utf-8") == text
 

@@ -285,9 +285,9 @@ class TestResult:
 
     def test_findings_in_words(self):
         text = " ".join(map(str, filled().findings))
-        assert "The solenoids limit at 1 of 3 points (1 l and amplitudes of 5 kPa); ideal, up to 2.5 times" in text
-        assert "The load volume limits at 1 of 3 points" in text
-        assert "let it hunt slowly. (2 points)" in text
+        assert "The solenoids limit the bandwidth at 1 of 3 points (1 l and amplitudes of 5 kPa)." in text
+        assert "The load volume limits the bandwidth at 1 of 3 points" in text
+        assert "permit slow hunting. (2 points)" in text
 
     @pytest.mark.parametrize("suffix", ["toml", "json"])
     def test_saved_and_read(self, tmp_path, suffix):
@@ -315,7 +315,7 @@ class TestResult:
         needs_nothing_else(page)
         assert "a valve: dynamic limits" in page
         assert "Interrupted: missing points are grey." in page
-        assert "The solenoids limit at 1 of 3 points" in page
+        assert "The solenoids limit the bandwidth at 1 of 3 points" in page
         with pytest.raises(InputError) as caught:
             write_limits(filled(), tmp_path / "page.pdf")
         assert caught.value.code == "page.suffix"
@@ -381,9 +381,9 @@ class TestCommand:
     @pytest.mark.parametrize(
         ("options", "said"),
         [
-            (("--springs", "1, two"), "--springs 1, two is no list of factors"),
+            (("--springs", "1, two"), "--springs 1, two must be a list of numbers"),
             (("--valve", "vavle"), "Did you mean valve?"),
-            (("-o", "r.csv"), "names no format"),
+            (("-o", "r.csv"), "is not a supported format"),
         ],
     )
     def test_refusals(self, tmp_path, capsys, options, said):

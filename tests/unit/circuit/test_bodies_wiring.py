@@ -38,7 +38,7 @@ def test_a_number_stands_once_with_the_whole():
 
 
 def test_names_of_bodies():
-    with refused("wiring.unknown_body", "parts.other.body", body="slid"):
+    with refused("fields.not_an_option", "parts.other.body", value="slid"):
         circuit(other=cylinder(body="slid"))
     with refused("wiring.no_body", "parts.other.body", body="cylinder"):
         circuit(other=cylinder(body="cylinder"))
@@ -55,7 +55,7 @@ def test_names_of_chambers():
     with refused("wiring.several_stores", "parts.leak.to", stores=["cylinder.cap", "cylinder.rod"]):
         circuit(leak=Orifice(from_="ambient", to="cylinder", **leak))
     single = cylinder(acting="single", rod=None, body="slide")
-    with refused("wiring.unknown_store", "parts.leak.to", store="single.rod"):
+    with refused("fields.not_an_option", "parts.leak.to", value="single.rod"):
         circuit(single=single, leak=Orifice(from_="ambient", to="single.rod", **leak))
     with refused("wiring.no_store", "parts.leak.to", store="slide"):
         circuit(leak=Orifice(from_="ambient", to="slide", **leak))
@@ -99,7 +99,7 @@ def test_a_guide_follows_signals_alone_and_never_jumps():
     with refused("signals.swept", "signals.slide.position"):
         sweep = Chirp(mean=0.05, amplitude=0.01, frequency=1.0, end_frequency=2.0, duration=1.0)
         circuit(Guide(), {"slide.position": sweep}).simulate(1.0)
-    with refused("wiring.drives_nothing", "signals.slide.velocity"):
+    with refused("names.unknown", "signals.slide.velocity"):
         circuit(Guide(), {"slide.velocity": Constant(0.1)})
     with refused("wiring.signal_only", "connections.slide.position"):
         parts = {"slide": Guide(), "cylinder": cylinder(), "free": Mass(mass=1.0), "other": cylinder(body="free")}
@@ -128,4 +128,4 @@ rod.dead_volume = "5 cm^3"
     with refused("fields.out_of_range", "parts.cylinder.cap.dead_volume") as caught:
         loads(text)
     codes = {problem.code for problem in caught.value.problems}
-    assert codes == {"fields.out_of_range", "quantity.other_quantity", "wiring.unknown_body"}
+    assert codes == {"fields.out_of_range", "quantity.other_quantity", "fields.not_an_option"}

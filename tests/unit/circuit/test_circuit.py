@@ -81,12 +81,12 @@ class TestWiring:
         assert found == [
             ("wiring.reserved", "parts.run"),
             ("wiring.no_name", "parts.2nd"),
-            ("wiring.unknown_store", "parts.fill.to"),
+            ("fields.not_an_option", "parts.fill.to"),
             ("wiring.joined_twice", "parts.loop"),
             ("wiring.no_store", "parts.joint.from"),
             ("wiring.alone", "parts.lonely"),
             ("wiring.alone", "parts.run"),
-            ("wiring.drives_nothing", "signals.fill.openin"),
+            ("names.unknown", "signals.fill.openin"),
             ("wiring.signal_below", "signals.supply.pressure"),
         ]
 
@@ -246,7 +246,7 @@ class TestWithValues:
     def test_a_port_is_checked_with_the_whole_circuit(self):
         with pytest.raises(InputError) as caught:
             valve_circuit().with_values({"valve.outlet": "tnk"})
-        assert {problem.code for problem in caught.value.problems} >= {"wiring.unknown_store"}
+        assert {problem.code for problem in caught.value.problems} >= {"fields.not_an_option"}
 
     def test_gauge_below_vacuum_names_the_part(self):
         with pytest.raises(InputError) as caught:
@@ -495,7 +495,7 @@ class TestNearestAddress:
     def test_of_a_known_part(self):
         with pytest.raises(InputError) as caught:
             filling().with_values({"tank.volmue": 1.0})
-        assert caught.value.code == "address.unknown"
+        assert caught.value.code == "names.unknown"
         assert caught.value.facts["near"].names == ["tank.volume"]
 
     def test_of_nothing_that_is_known(self):

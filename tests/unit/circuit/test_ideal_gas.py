@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from poppet import Circuit, library
-from poppet.circuit.ideal_gas import EVERYDAY, MILD, TRUSTED
+from poppet.circuit.ideal_gas import MAX_PRESSURES, TEMPERATURES, TOLERANCE
 from poppet.circuit.options import GasChoice
 from poppet.laws.physics.real_gas import deviation
 from poppet.library.gases import GASES
@@ -111,11 +111,11 @@ def test_correlations_of_air_are_not_those_of_helium(gas, law, thermal, is_said)
     assert (("gas.heat_as_of_air", "tank.heat_transfer") in found) == is_said
 
 
-@pytest.mark.parametrize("name", EVERYDAY)
+@pytest.mark.parametrize("name", MAX_PRESSURES)
 def test_everyday_states_are_close_to_ideal(name):
     """Where nothing is reckoned, nothing would be said."""
     gas = GASES[name]
-    for pressure in np.geomspace(1e4, EVERYDAY[name], 12):
-        for temperature in np.linspace(*MILD, 7):
+    for pressure in np.geomspace(1e4, MAX_PRESSURES[name], 12):
+        for temperature in np.linspace(*TEMPERATURES, 7):
             found = deviation(float(pressure), float(temperature), gas.as_real, float(gas.isentropic_exponent))
-            assert max(abs(found.mass), abs(found.flow)) <= TRUSTED
+            assert max(abs(found.mass), abs(found.flow)) <= TOLERANCE

@@ -144,14 +144,14 @@ def test_notes_of_a_run_that_stopped_early_speak_of_its_own_end():
 
 def test_hand_over(monkeypatch):
     """A stall of the Rosenbrock method is taken over by another one, and said."""
-    own = simulate.kernel_run
+    own = simulate.run_kernel
 
     def stalled(problem: Any, progress: Any) -> Any:
         run = own(problem, progress)
         return dataclasses.replace(run, outcome=Outcome.STALLED, time=run.time[:11], values=run.values[:, :11])
 
     known = filling().simulate("2 s", "0.1 s")
-    monkeypatch.setattr(simulate, "kernel_run", stalled)
+    monkeypatch.setattr(simulate, "run_kernel", stalled)
     recording = filling().simulate("2 s", "0.1 s")
     assert recording.remarks == (Note("run.handed_over", time=1.0, solver="cvodes"),)
     assert recording.ending.code == "run.done"

@@ -111,7 +111,7 @@ class TestGrid:
     def test_missing_duration(self):
         with pytest.raises(InputError) as caught:
             Run().grid()
-        assert (caught.value.code, caught.value.address) == ("options.no_duration", "run.duration")
+        assert (caught.value.code, caught.value.address) == ("fields.missing", "run.duration")
 
     def test_more_rows_than_memory_holds(self):
         with pytest.raises(OutOfRangeError) as caught:

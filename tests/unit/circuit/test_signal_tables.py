@@ -93,10 +93,10 @@ def test_pwm_with_a_duty_and_with_a_signal_for_it():
 def test_pwm_is_refused_where_its_pulses_mean_nothing():
     table = {"kind": "pwm", "frequency": "100 Hz", "duty": 0.3}
     found = [(problem.code, problem.address) for problem in problems_of(table)]
-    assert found == [("inputs.missing", "low"), ("inputs.missing", "high")]
+    assert found == [("fields.missing", "low"), ("fields.missing", "high")]
     assert problems_of(table | {"duty": 3}, OPENING)[0].code == "signals.duty"
     (problem,) = problems_of(table | {"duty": {"kind": "steps", "times": [0.0], "value": [0.1]}}, OPENING)
-    assert (problem.code, problem.address) == ("inputs.unknown_field", "duty.value")
+    assert (problem.code, problem.address) == ("fields.unknown", "duty.value")
 
 
 def test_mass_flow_as_a_volume_at_its_reference():
@@ -187,7 +187,7 @@ def test_missing_and_unknown_fields_at_once(kind):
 @pytest.mark.parametrize(
     ("table", "code", "address"),
     [
-        ({"kind": "stps"}, "inputs.unknown_kind", "kind"),
+        ({"kind": "stps"}, "fields.not_an_option", "kind"),
         ({"times": [0.0]}, "inputs.no_kind", "kind"),
         ({"kind": "steps", "times": "0 s", "values": [1.0]}, "inputs.no_list", "times"),
         ({"kind": "steps", "times": [], "values": []}, "inputs.no_list", "times"),

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import InputError, OutOfRangeError
+from poppet import InputError, OutOfRangeError, control
 from poppet.control import METRICS, compare, step_metrics
 from poppet.core.errors import InputErrors
 from poppet.report.control_figures import plot_comparison
@@ -210,3 +210,13 @@ def test_the_picture_shows_every_controller(comparison, tmp_path):
     with pytest.raises(InputError) as caught:
         plot_comparison(comparison, tmp_path / "spread.xyz")
     assert caught.value.code == "files.suffix"
+
+
+@pytest.mark.parametrize(
+    ("former", "name"), [("FIGURES", "METRICS"), ("figures_of", "step_metrics"), ("figures_in", "metrics_in")]
+)
+def test_former_names_are_deprecated(former, name):
+    with pytest.warns(DeprecationWarning, match=name):
+        assert getattr(control, former) is getattr(control, name)
+    with pytest.raises(AttributeError):
+        _ = control.no_such_name

@@ -208,7 +208,7 @@ KNOWING = {"volume": "1 l", "fill": VALVE, "vent": VALVE, "supply_pressure": "7 
 @pytest.mark.parametrize(
     ("circuit", "options", "error", "code"),
     [
-        (tank_loop(), {"form": "pdf"}, InputError, "tuning.unknown_form"),
+        (tank_loop(), {"form": "pdf"}, InputError, "fields.not_an_option"),
         (tank_loop(), {"sensitivity": 0.9}, OutOfRangeError, "tuning.bound"),
         (tank_loop(), {"at": ["9 bar"]}, InputError, "plant.beyond_supply"),
         (tank_loop(), {"at": ["0.5 bar"]}, InputError, "plant.beyond_exhaust"),

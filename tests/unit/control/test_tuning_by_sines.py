@@ -11,7 +11,7 @@ import pytest
 
 from poppet import load
 from poppet.control import Gains, SampledPlant, margins, tune
-from poppet.control.describing_function import MeasuredPlant, measured_loop
+from poppet.control.describing_function import MeasuredPlant, make_measured_loop
 from poppet.control.verification import Verification
 from poppet.core.errors import SimulationError
 from position_drive import TIME, drive
@@ -72,14 +72,14 @@ def test_answers_have_to_reach_where_the_loop_acts(gain, is_known):
     """Of an integrator with |P| = 1/(2 sin(w T/2)), known from 0.1 to 125 Hz: between 800 and 0.71."""
     plant = SampledPlant(np.eye(1), np.ones(1), np.ones(1), TIME)
     low, high = (0.5 / math.sin(math.pi * each) for each in (2e-4, 0.25))
-    assert known(plant).is_known_for(Gains(0.01 * gain), 1.4) == is_known
+    assert known(plant).covers(Gains(0.01 * gain), 1.4) == is_known
     assert is_known == (0.01 * gain * low >= 3.5 and 0.01 * gain * high <= 1.0 - 1.0 / 1.4)
 
 
 def test_a_plant_that_is_unstable_alone_is_judged_by_the_hold():
     """x+ = 1.01 x + u: stable between 0.01 and 2.01, which answers under a hold of 0.1 have to say."""
     plant = SampledPlant(np.array([[1.01]]), np.ones(1), np.ones(1), TIME)
-    answers = replace(known(plant, 0.5), held_by=Gains(0.1))
+    answers = replace(known(plant, 0.5), stabilised_by=Gains(0.1))
     for gain, is_stable in ((0.005, False), (0.02, True), (1.9, True), (2.2, False)):
         assert plant.is_stable_with(Gains(gain)) == is_stable
         assert answers.is_stable_with(Gains(gain)) == is_stable
@@ -95,9 +95,9 @@ def test_a_linear_plant_gets_the_gains_of_its_linear_model():
     assert ours.gains.gain == pytest.approx(linear.gains.gain, rel=0.03)
     assert ours.gains.integral_time == pytest.approx(linear.gains.integral_time, rel=0.05)
     (plant,) = ours.plants.values()
-    exact = linear.plants["100 mm, fill"].response(plant.at(plant.known))
-    assert plant.known[0] < 1.0 < 20.0 < plant.known[-1]
-    assert np.max(np.abs(plant.answers / exact - 1.0)) < 0.03
+    exact = linear.plants["100 mm, fill"].response(plant.at(plant.known_frequencies))
+    assert plant.known_frequencies[0] < 1.0 < 20.0 < plant.known_frequencies[-1]
+    assert np.max(np.abs(plant.responses / exact - 1.0)) < 0.03
 
 
 def test_the_hold_has_no_part_in_what_is_measured():
@@ -134,7 +134,7 @@ def test_a_dead_zone_has_its_describing_function(size):
     answers = []
     for overlap in (0.0, 0.03):
         circuit = even(spool={"overlap": overlap})
-        held = measured_loop(circuit, None, [size], None).held_at(0.1)
+        held = make_measured_loop(circuit, None, [size], None).settle(0.1)
         answer, command = held.answer(250, size)
         answers.append(answer)
     ratio = answers[1] / answers[0]

@@ -13,8 +13,8 @@ import pytest
 
 from poppet import Circuit, load
 from poppet.deploy.fmu import binaries
-from poppet.deploy.fmu.package import fmu_of, write_fmu
-from poppet.deploy.parity import Row, parity
+from poppet.deploy.fmu.package import build_fmu, pack
+from poppet.deploy.parity.parity_table import ParityRow, compare_targets
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 COMPILER = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
@@ -36,7 +36,8 @@ def build(circuit: Circuit, fmi: int, path: Path, inputs: tuple[str, ...] = ()) 
     with pytest.MonkeyPatch.context() as patch:
         # The host's compiler is faster at its first run; Zig has tests of its own.
         patch.setattr(binaries, "has_zig", lambda: False)
-        return write_fmu(fmu_of(circuit, fmi=fmi, inputs=inputs), path)
+        path.write_bytes(pack(build_fmu(circuit, fmi=fmi, inputs=inputs).content))
+    return path
 
 
 @cache
@@ -52,10 +53,10 @@ def fmpy_run(path: Path, kind: str, stop: float) -> Any:
     return fmpy.simulate_fmu(str(path), fmi_type=kind, stop_time=stop, output_interval=1.0, relative_tolerance=1e-8)
 
 
-def held(path: Path, circuit: Circuit, target: str, fmi: int = 2) -> Row:
+def held(path: Path, circuit: Circuit, target: str, fmi: int = 2) -> ParityRow:
     """An FMU beside the kernel, in the row of a target."""
     name = target.replace("fmu", f"fmu {fmi}") if fmi == 3 else target
-    (row,) = parity(circuit, only=[name], fmu=path).rows
+    (row,) = compare_targets(circuit, only=[name], fmu=path).rows
     return row
 
 

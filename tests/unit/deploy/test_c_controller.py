@@ -70,7 +70,7 @@ def test_numbers_change_between_calls(precision, tmp_path):
         program = controller_program(circuit.with_values({"regulator.gain": gain}))
         at = {"regulator.setpoint": 4e5, "regulator.measurement": 396000.0}
         rows = [[at.get(each.address, each.value) for each in program.inputs]] * 40
-        assert value == pytest.approx(program.calls(rows)[-1, 0], rel=1e-5, abs=1e-7)
+        assert value == pytest.approx(program.run(rows)[-1, 0], rel=1e-5, abs=1e-7)
     assert found[39] != pytest.approx(found[19], rel=0.1)
 
 

@@ -18,8 +18,8 @@ import pytest
 from c_compiler import shared_library
 from circuits_of_exports import EVERYDAY, TEN
 from poppet import Circuit
-from poppet.deploy import ExportModel, build_export_model
-from poppet.deploy.c.c_model import integrator_text, model_text
+from poppet.deploy.c.c_model import integrator_code, model_code
+from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.engine import call, compiled
 from poppet.engine.compiled import CompiledFunctions, as_function
 from poppet.engine.kernel import compile_kernel
@@ -30,7 +30,7 @@ NAMES = ("rates", "jacobian", "factor", "solve", "outputs", "start", "energy", "
 
 def in_c(of: ExportModel, folder: Path, *options: str) -> tuple[Problem, Any]:
     """The problem with the functions of C, and the integrator in C."""
-    sources = {"model.c": f"#include <math.h>\n\n{model_text(of)}\n", "integrator.c": integrator_text()}
+    sources = {"model.c": f"#include <math.h>\n\n{model_code(of)}\n", "integrator.c": integrator_code()}
     library = shared_library(sources, folder, *options)
     found = {name: getattr(library, name, None) for name in NAMES}
     addresses = {name: ctypes.cast(f, ctypes.c_void_p).value or 0 for name, f in found.items() if f is not None}
@@ -48,7 +48,7 @@ def without_fused(circuit: Circuit) -> tuple[Problem, Any]:
 def run(problem: Problem, function: Any, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, np.ndarray, list[int]]:
     monkeypatch.setattr(call, "integrator", lambda: function)
     made = call.Call(problem)
-    outcome = made.again()
+    outcome = made.repeat()
     return outcome, made.table, made.counts[:4].tolist()
 
 

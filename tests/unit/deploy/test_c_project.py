@@ -228,5 +228,5 @@ def test_the_command_writes_a_folder(tmp_path, monkeypatch, capsys):
 
 def test_a_run_that_never_ends_is_refused_before_anything_is_written():
     circuit = smooth()
-    with refused("options.no_duration", "run.duration"):
+    with refused("fields.missing", "run.duration"):
         c_project(replace(circuit, run=replace(circuit.run, duration=None)))

@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from poppet import load
-from poppet.deploy import ExportModel, build_export_model
-from poppet.deploy.export_model import without_signals
+from poppet.core.errors import InputError
+from poppet.deploy.export_model import ExportModel, build_export_model, find_tied
 from poppet.identify.free_parameter import number_specs
+from poppet.parts.fields import flatten
 from poppet.timeseries.signals import Square
 from refusals import refused
 
@@ -26,7 +27,7 @@ def of(name: str) -> ExportModel:
 def test_a_free_number_changes_nothing_else(name):
     circuit, found = load(EXAMPLES / f"{name}.toml"), of(name)
     kernel = circuit.kernel
-    free = {k: number for k, number in enumerate(found.numbers) if number.is_free}
+    free = {k: number for k, number in enumerate(found.parameters) if number.is_free}
     assert len(free) >= 8
     for k, number in free.items():
         value = number.value * (1.0 - 1e-3) if number.value else 1e-3
@@ -38,8 +39,30 @@ def test_a_free_number_changes_nothing_else(name):
         assert np.array_equal(x, known_x), number.address
 
 
+@pytest.mark.parametrize("name", ["datasheet_valve", "muscle_lift"])
+def test_tied_parameters_agree_with_a_change_of_the_whole_circuit(name):
+    """Change each parameter alone with `with_values`: a tied one changes others or the structure, or is rejected."""
+    circuit = load(EXAMPLES / f"{name}.toml")
+    specs, tied = number_specs(circuit), set()
+    for section in ("ambient", "gas"):
+        specs |= {f"{section}.{key}": spec for key, spec, _ in flatten(getattr(circuit, section))}
+    for address in circuit.numbers().keys() & circuit.parameters.keys():
+        value = circuit.parameters[address]
+        candidates = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
+        neighbour = next((candidate for candidate in candidates if specs[address].holds(candidate)), None)
+        try:
+            changed = circuit.with_values({address: neighbour})
+        except InputError:
+            tied.add(address)
+            continue
+        if changed.parameters != {**circuit.parameters, address: neighbour} or changed.structure != circuit.structure:
+            tied.add(address)
+    assert find_tied(circuit) == tied
+    assert len(tied) >= 5
+
+
 def test_numbers_say_why_they_are_fixed():
-    numbers = {number.address: number.fixed for number in of("datasheet_valve").numbers}
+    numbers = {number.address: number.fixed for number in of("datasheet_valve").parameters}
     assert numbers["valve.critical_ratio"] == numbers["ambient.pressure"] == "tied"
     assert numbers["valve.delay"] == "delay"
     assert numbers["valve.sonic_conductance"] == numbers["gas.conductance_factor"] == "derived"
@@ -50,7 +73,7 @@ def test_numbers_say_why_they_are_fixed():
 def test_limits_are_the_outermost_numbers_that_python_takes(name):
     """A volume of 0 gives temperatures that are no numbers."""
     specs, found = number_specs(load(EXAMPLES / f"{name}.toml")), of(name)
-    free = [number for number in found.numbers if number.is_free and number.address in specs]
+    free = [number for number in found.parameters if number.is_free and number.address in specs]
     assert len(free) > 10
     for number in free:
         spec = specs[number.address]
@@ -62,27 +85,21 @@ def test_limits_are_the_outermost_numbers_that_python_takes(name):
 def test_everything_stands_in_the_order_of_the_model():
     found = of("pressure_control")
     model, problem = found.model, found.problem
-    assert tuple(number.address for number in found.numbers) == model.parameters
-    assert [number.value for number in found.numbers] == problem.p[: len(found.numbers)].tolist()
+    assert tuple(number.address for number in found.parameters) == model.parameters
+    assert [number.value for number in found.parameters] == problem.p[: len(found.parameters)].tolist()
     assert [state.value for state in found.states] == problem.x0[: len(found.states)].tolist()
-    assert [each.value for each in found.memory] == problem.p[len(found.numbers) :].tolist()
+    assert [each.value for each in found.memory] == problem.p[len(found.parameters) :].tolist()
     assert [(each.address, each.unit) for each in found.outputs] == list(model.outputs)
     (setpoint,) = (item for item in found.inputs if item.address == "regulator.setpoint")
     assert setpoint.is_driven
-    held = {item.address: item for item in found.inputs if item.number >= 0 and not item.is_driven}
+    held = {item.address: item for item in found.inputs if item.parameter >= 0 and not item.is_driven}
     assert held.keys() == {"supply.pressure", "supply.temperature"}
-    assert all(item.value == found.numbers[item.number].value for item in held.values())
-
-
-def test_inputs_are_held_where_they_begin():
-    found = without_signals(of("fill_staircase"))
-    assert found.problem.starts.size == 1
-    assert found.problem.coefficients[0, :, 0].tolist() == [item.value for item in found.inputs]
+    assert all(item.value == found.parameters[item.parameter].value for item in held.values())
 
 
 def test_a_run_without_end_and_signals_without_number_are_refused():
     circuit = load(EXAMPLES / "fill_staircase.toml")
-    with refused("options.no_duration", "run.duration"):
+    with refused("fields.missing", "run.duration"):
         build_export_model(replace(circuit, run=replace(circuit.run, duration=None)))
     quick = Square(low=1e5, high=2e5, frequency=1e3, duty=0.5)
     with refused("deploy.segments", "signals", most=100_000):

@@ -44,7 +44,7 @@ def test_a_program_gives_the_commands_of_the_run(case):
     near = circuit.with_values({"run.maximum_step": program.cycle / 2.0})
     run = near.simulate(duration, program.cycle)
     u = np.array([run[sensors.get(each.address, each.address)] for each in program.inputs]).T[:-1]
-    found = program.calls(u)
+    found = program.run(u)
     assert len(program.outputs) >= 2
     for k, output in enumerate(program.outputs):
         known = run[output.address][:-1]
@@ -57,7 +57,7 @@ def test_sensors_are_outside_and_connections_inside():
     inputs = [each.address for each in program.inputs]
     assert "position.setpoint" in inputs
     assert not {"inverse.force", "valve.setpoint"} & set(inputs)
-    assert not any("sensor" in each.address for each in (*program.numbers, *program.outputs))
+    assert not any("sensor" in each.address for each in (*program.parameters, *program.outputs))
     assert {name: f.n_in() for name, f in program.functions.items()} == {"start": 1, "update": 5, "outputs": 3}
     assert [*program.functions] == [*SIGNATURES]
 
@@ -66,23 +66,23 @@ def test_an_offset_of_the_sensor_reaches_the_program_by_its_input():
     circuit = load(EXAMPLES / "pressure_control.toml")
     moved = circuit.with_values({"regulator.sensor.offset": "0.2 bar"})
     u = np.array([[4e5, 3e5, 1.0, 0.0], [4e5, 3.1e5, 1.0, 0.0]])
-    assert np.array_equal(controller_program(circuit).calls(u), controller_program(moved).calls(u))
+    assert np.array_equal(controller_program(circuit).run(u), controller_program(moved).run(u))
 
 
 def test_numbers_are_free_and_the_cycle_is_the_shortest_sample_time():
     circuit = load(EXAMPLES / "pressure_control.toml").with_values({"regulator.acts": "at_once"})
     program = controller_program(circuit)
     assert program.cycle == 2e-3
-    places = {each.address: k for k, each in enumerate(program.numbers)}
-    p = np.array([each.value for each in program.numbers])
+    places = {each.address: k for k, each in enumerate(program.parameters)}
+    p = np.array([each.value for each in program.parameters])
     # Held between samples: called four times in each sample time.
     u = np.array([[4e5, 3e5 + 1e3 * k, 1.0, 0.0] for k in range(12)])
-    slow = program.calls(u, cycle=program.cycle / 4.0)
+    slow = program.run(u, cycle=program.cycle / 4.0)
     assert np.array_equal(slow[:4], np.repeat(slow[:1], 4, axis=0))
-    assert np.array_equal(slow[::4], program.calls(u[::4]))
+    assert np.array_equal(slow[::4], program.run(u[::4]))
     p[places["regulator.gain"]] *= 0.5
-    changed = controller_program(circuit.with_values({"regulator.gain": "4.605 1/bar"})).calls(u)
-    assert np.allclose(program.calls(u, p), changed, rtol=1e-15)
+    changed = controller_program(circuit.with_values({"regulator.gain": "4.605 1/bar"})).run(u)
+    assert np.allclose(program.run(u, p), changed, rtol=1e-15)
 
 
 def test_what_has_no_program_is_refused():

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from poppet.deploy.export_files import MARK, c_string, identifier, identifiers, plain, write_folder
+from poppet.deploy.export_files import MARK, c_string, comment_text, identifier, identifiers, write_folder
 from refusals import refused
 
 HOSTILE = "*/ int main; /* \\\n // (* *) ??/ <script>&\"'%s \u202e µ"
@@ -24,7 +24,7 @@ def test_identifiers_are_identifiers_and_differ(texts):
 
 @given(st.text(max_size=80))
 def test_a_comment_cannot_be_left(text):
-    found = plain(text)
+    found = comment_text(text)
     assert not any(end in found for end in ("*/", "/*", "//", "*)", "(*", "??", "\\", "\n"))
     assert re.fullmatch(r"[ -~]*", found)
 

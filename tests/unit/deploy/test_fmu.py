@@ -17,8 +17,8 @@ import pytest
 from circuits_of_exports import check_and_relief
 from poppet import loads
 from poppet.cli.main import run as run_command
-from poppet.deploy.fmu.origin import circuit_of
-from poppet.deploy.fmu.package import fmu_of, packed
+from poppet.deploy.fmu.importers import read_circuit
+from poppet.deploy.fmu.package import build_fmu, pack
 from poppet.engine.call import Call
 from refusals import refused
 from unit.deploy.fmus import COMPILER, EXAMPLES, Host, build, built, example, fmpy_run, held
@@ -60,7 +60,7 @@ def test_a_second_host_gives_the_same_bits(name: str, duration: float) -> None:
 @FMI
 def test_one_step_over_the_whole_run_is_the_run(fmi: int) -> None:
     circuit = example("fill_staircase")
-    run = Call(circuit.problem(circuit.run)).made()
+    run = Call(circuit.problem(circuit.run)).run()
     with Host(built("fill_staircase", fmi)).begin() as host:
         host.step(0.0, 120.0)
         place = circuit.model.columns[0].index("tank.pressure")
@@ -123,7 +123,7 @@ def test_numbers_changed_between_runs_and_within_one(fmi: int) -> None:
         # A start value, which is of no use any more once a run has begun.
         with pytest.raises(Exception, match="status 3"):
             host.set("high.initial_pressure", 3e5)
-    run, other = (Call(each.problem(each.run)).made() for each in (circuit, changed))
+    run, other = (Call(each.problem(each.run)).run() for each in (circuit, changed))
     assert before == pytest.approx(run.values[k, -1], rel=1e-12)
     assert after == pytest.approx(other.values[k, -1], rel=1e-12)
     assert abs(after - before) > 1.0
@@ -141,7 +141,7 @@ def test_changed_numbers_are_those_of_with_values(fmi: int, name: str, changes: 
     duration = 3.0 if name == "fill_staircase" else 2.0
     end = 0.9995 * duration  # at no instant: a host is shown what comes after it
     circuit = example(name).with_values({**changes, "run.duration": end, "run.output_step": end})
-    run, names = Call(circuit.problem(circuit.run)).made(), circuit.model.columns[0]
+    run, names = Call(circuit.problem(circuit.run)).run(), circuit.model.columns[0]
     with Host(built(name, fmi, duration)).begin(**changes) as host:
         outputs = [v.name for v in host.description.modelVariables if v.causality == "output" and v.name in names]
         host.step(0.0, end)
@@ -416,7 +416,7 @@ def test_an_fmu_is_held_beside_the_circuit_that_it_carries(
     file, path = str(EXAMPLES / "two_tanks.toml"), tmp_path / "tanks.fmu"
     changes = ["--set", "run.duration=10 s", "--set", "high.volume=0.02"]
     assert run_command(["export", "fmu", file, "-o", str(path), *changes]) == 0
-    assert circuit_of(path).parameters["high.volume"] == 0.02
+    assert read_circuit(path).parameters["high.volume"] == 0.02
     capsys.readouterr()
     assert run_command(["export", "check", str(path), "--only", "fmu cs,scipy"]) == 0
     shown = capsys.readouterr().out
@@ -425,14 +425,14 @@ def test_an_fmu_is_held_beside_the_circuit_that_it_carries(
     # Held beside another circuit it is found out.
     assert run_command(["export", "check", str(path), "--circuit", file, "--duration", "10 s", "--only", "fmu cs"]) == 1
     with refused("deploy.fmu.no_circuit", name="two_tanks.fmu"):
-        circuit_of(Path(shutil.copy(built("two_tanks", 2), tmp_path / "two_tanks.fmu")))
+        read_circuit(Path(shutil.copy(built("two_tanks", 2), tmp_path / "two_tanks.fmu")))
 
 
 @FMI
 def test_the_same_circuit_gives_the_same_bytes(fmi: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("poppet.deploy.fmu.binaries.has_zig", lambda: False)
     built("two_tanks", fmi)
-    once, again = (packed(fmu_of(example("two_tanks"), fmi=fmi).content) for _ in range(2))
+    once, again = (pack(build_fmu(example("two_tanks"), fmi=fmi).content) for _ in range(2))
     assert once == again == built("two_tanks", fmi).read_bytes()
 
 
@@ -457,23 +457,23 @@ def test_hostile_names_stay_text_and_wrong_wishes_are_refused() -> None:
     text = (EXAMPLES / "two_tanks.toml").read_text()
     title = "'/><script>&]]>../x"
     circuit = loads(f'title = "{title}"\n' + "\n".join(x for x in text.splitlines() if not x.startswith("title")))
-    fmu = fmu_of(circuit, platforms=())
+    fmu = build_fmu(circuit, platforms=())
     root = ElementTree.fromstring(fmu.content["modelDescription.xml"])
     assert root.get("modelName").startswith("'/><script>&]]>")  # type: ignore[union-attr]
     identifier = root.find("CoSimulation").get("modelIdentifier")  # type: ignore[union-attr]
     assert identifier.isidentifier()  # type: ignore[union-attr]
     assert all(".." not in path and not path.startswith("/") for path in fmu.content)
-    with refused("deploy.fmu.platform", platform="amiga"):
-        fmu_of(circuit, platforms=("amiga",))
-    with refused("deploy.fmu.unknown_input", "high.volum"):
-        fmu_of(circuit, inputs=("high.volum",))
+    with refused("fields.not_an_option", value="amiga"):
+        build_fmu(circuit, platforms=("amiga",))
+    with refused("names.unknown", "high.volum"):
+        build_fmu(circuit, inputs=("high.volum",))
     with refused("deploy.fmu.fixed_input", "ambient.pressure"):
-        fmu_of(example("fill_staircase", 3.0), inputs=("ambient.pressure",), platforms=())
+        build_fmu(example("fill_staircase", 3.0), inputs=("ambient.pressure",), platforms=())
 
 
 def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("poppet.deploy.fmu.package.compilers", lambda platform: [])
-    fmu = fmu_of(example("two_tanks"), platforms=("linux64", "win64"))
+    fmu = build_fmu(example("two_tanks"), platforms=("linux64", "win64"))
     assert [(note.code, note.facts["platform"]) for note in fmu.notes] == [
         ("deploy.fmu.no_binary", "linux64"),
         ("deploy.fmu.no_binary", "win64"),
@@ -498,7 +498,7 @@ def test_sources_make_the_same_binary_on_a_host_that_compiles(fmi: int, standard
     subprocess.run(made, cwd=tmp_path, check=True)
     (binary,) = (name for name in content if name.startswith("binaries/"))
     own = tmp_path / "own.fmu"
-    own.write_bytes(packed({**content, binary: (tmp_path / "own.so").read_bytes()}))
+    own.write_bytes(pack({**content, binary: (tmp_path / "own.so").read_bytes()}))
     row = held(own, example("fill_staircase", 3.0), "fmu cs", fmi)
     assert row.overall == 0.0
 
@@ -530,7 +530,7 @@ def exported(library: bytes) -> set[str]:
 def test_the_windows_library_exports_what_the_one_for_linux_does(fmi: int) -> None:
     """Symbol by symbol; test_fmu_windows.py runs it where there is Wine."""
     pytest.importorskip("ziglang", reason="the extra fmu is not installed")
-    fmu = fmu_of(example("two_tanks"), fmi=fmi, platforms=("linux64", "win64"))
+    fmu = build_fmu(example("two_tanks"), fmi=fmi, platforms=("linux64", "win64"))
     assert fmu.platforms == ("linux64", "win64")
     linux, windows = (next(v for k, v in fmu.content.items() if k.endswith(ending)) for ending in (".so", ".dll"))
     found = exported(windows)

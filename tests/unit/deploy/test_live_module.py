@@ -11,8 +11,7 @@ import pytest
 from circuits_of_exports import TEN
 from javascript import needs_node, unfused, with_functions_of_this_machine
 from poppet.deploy.live.linker import LinkError, Module, link
-from poppet.deploy.live.module import live_module, wasm_object
-from poppet.deploy.live.node_runner import run_in_node
+from poppet.deploy.live.page_kernel import compile_wasm_object, live_module, run_in_node
 from poppet.engine.call import Call
 
 SMALL = """
@@ -35,7 +34,9 @@ SENSITIVE = ("staircase", "regulator", "switched", "cylinder", "muscle joint")
 
 
 def small(text: str = SMALL, **given) -> Module:
-    return link(wasm_object(llvm.parse_assembly(text)), ("second", "wave"), ("wave",), **{"stack": 100, **given})
+    return link(
+        compile_wasm_object(llvm.parse_assembly(text)), ("second", "wave"), ("wave",), **{"stack": 100, **given}
+    )
 
 
 def sections(code: bytes) -> list[int]:
@@ -120,7 +121,7 @@ def difference(circuit, table, own) -> np.ndarray:
 def test_of_the_kernel_of_this_machine_it_differs_by_rounding(name, tmp_path):
     circuit = TEN[name]()
     own = Call(circuit.problem(circuit.run))
-    own.again()
+    own.repeat()
     ended, table = run_in_node(own.problem, tmp_path)
     assert [ended["accepted"], ended["attempts"]] == own.counts[:2].tolist()
     assert np.max(difference(circuit, table, own.table)) <= 1e-10
@@ -132,12 +133,12 @@ def test_where_it_differs_more_so_does_a_kernel_that_is_moved_by_rounding(name, 
     circuit = TEN[name]()
     problem = circuit.problem(circuit.run)
     own = Call(problem)
-    own.again()
+    own.repeat()
     _, table = run_in_node(problem, tmp_path)
     page, moved = difference(circuit, table, own.table), np.zeros(problem.grid.size)
     for share in (1.0 + 1e-14, 1.0 - 1e-14):
         other = Call(replace(problem, x0=share * problem.x0, coefficients=share * problem.coefficients))
-        other.again()
+        other.repeat()
         moved = np.maximum(moved, difference(circuit, other.table, own.table))
     print(f"{name}: page {page.max():.1e}, moved {moved.max():.1e}")
     assert 1e-10 < page.max() < 10.0 * moved.max()

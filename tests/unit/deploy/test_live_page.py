@@ -19,9 +19,10 @@ from browser import Browser, found
 from circuits_of_exports import EXAMPLES
 from pages import needs_nothing_else
 from poppet import Circuit, Guide, Muscle, Orifice, load, loads
-from poppet.deploy import build_export_model
-from poppet.deploy.live.live_page import live_page, write_live
-from poppet.deploy.live.page_inputs import chosen
+from poppet.deploy.export_model import build_export_model
+from poppet.deploy.live.live_page import live_page
+from poppet.deploy.live.page_inputs import select_sliders
+from poppet.deploy.targets import TARGETS
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.signals import Constant, Points, Steps
 from refusals import refused
@@ -54,7 +55,7 @@ def header(page: str) -> dict:
 
 
 def sliders(circuit: Circuit, *texts: str) -> dict:
-    return {each.address: each for each in chosen(build_export_model(circuit), circuit, texts)}
+    return {each.address: each for each in select_sliders(build_export_model(circuit), circuit, texts)}
 
 
 # --- what it carries ---
@@ -102,7 +103,7 @@ def test_a_run_of_many_rows_is_shown_with_fewer():
 @pytest.mark.parametrize(
     ("texts", "code"),
     [
-        (("tank.volme",), "deploy.live.unknown"),
+        (("tank.volme",), "names.unknown"),
         (("tank.volume=1 l",), "deploy.live.range"),
         (("tank.volume=5 l..1 l",), "deploy.live.range"),
         (("tank.volume=1 bar..2 bar",), "quantity.other_quantity"),
@@ -115,7 +116,7 @@ def test_what_cannot_be_chosen_is_refused(texts, code):
 
 def test_a_number_that_follows_from_others_is_refused():
     circuit = loads(TANK)
-    follows = next(each.address for each in build_export_model(circuit).numbers if each.fixed == "derived")
+    follows = next(each.address for each in build_export_model(circuit).parameters if each.fixed == "derived")
     with refused("deploy.live.derived", address=follows):
         sliders(circuit, follows)
 
@@ -135,14 +136,20 @@ def test_a_delay_and_a_guided_body_are_refused():
 
 def test_numbers_from_which_others_follow_are_refused(tmp_path):
     circuit = load(EXAMPLES / "pressure_regulator.toml")
-    fixed = {each.fixed: each.address for each in build_export_model(circuit).numbers}
+    fixed = {each.fixed: each.address for each in build_export_model(circuit).parameters}
     assert "tied" in fixed
     with refused("deploy.live.tied", address=fixed["tied"]):
-        write_live(circuit, tmp_path / "page.html", numbers=[fixed["tied"]])
+        write_live(circuit, tmp_path / "page.html", parameters=[fixed["tied"]])
     assert not (tmp_path / "page.html").exists()
 
 
 # --- in a browser ---
+
+
+def write_live(circuit, path, **settings):
+    """Write the page of a circuit and return its path."""
+    TARGETS["live"].write(circuit, path, **settings)
+    return path
 
 
 @pytest.fixture(scope="module")
@@ -508,7 +515,7 @@ def test_a_course_that_is_none_is_marked_and_does_nothing(browser, tmp_path):
 def test_courses_come_beside_other_inputs_and_later_by_a_delay(browser, tmp_path):
     circuit = load(EXAMPLES / "datasheet_valve.toml")
     (driven,) = circuit.signals
-    opened(browser, write_live(circuit, tmp_path / "page.html", numbers=[driven, "supply.pressure"]))
+    opened(browser, write_live(circuit, tmp_path / "page.html", parameters=[driven, "supply.pressure"]))
     end = circuit.run.duration.value
     values = {driven: [0.2, 0.8], "supply.pressure": [7e5, 6e5]}
     for address, (first, second) in values.items():

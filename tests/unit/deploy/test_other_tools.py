@@ -143,13 +143,13 @@ def test_what_casadi_cannot_take_is_refused():
     circuit = example("pressure_control")
     with refused("tools.sampled", "regulator.sample"):
         circuit.to_casadi()
-    with refused("tools.no_controller", "tank"):
+    with refused("fields.not_an_option", "without", value="tank"):
         circuit.to_casadi(without="tank")
-    with refused("tools.no_number", "tank.volum"):
+    with refused("names.unknown", "tank.volum"):
         circuit.to_casadi(without="regulator", numbers=["tank.volum"])
     with refused("tools.fixed", "ambient.temperature"):
         circuit.to_casadi(without="regulator", numbers=["ambient.temperature"])
-    with refused("inputs.unknown", "fill.openin"):
+    with refused("names.unknown", "fill.openin"):
         circuit.to_casadi(without="regulator", inputs=["fill.openin"])
 
 

@@ -11,9 +11,10 @@ import pytest
 from poppet import load
 from poppet.cli.main import run
 from poppet.deploy import comparison
-from poppet.deploy.parity import parity, table, targets
+from poppet.deploy.parity import host_runs, parity_table
+from poppet.deploy.parity.parity_check import NotRunError, TargetResult
 from poppet.deploy.parity.parity_report import parity_page
-from poppet.deploy.parity.targets import NotRun, TargetResult
+from poppet.deploy.parity.parity_table import all_checks, compare_targets, run_kernel
 from refusals import refused
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -31,11 +32,11 @@ def short(name="pressure_control", duration="0.1 s"):
 
 @needs_compiler
 def test_every_target_is_within_its_limit():
-    found = parity(short())
+    found = compare_targets(short())
     rows = {row.name: row for row in found.rows}
-    assert [*rows] == [each.name for each in table.TARGETS]
+    assert [*rows] == [*all_checks()]
     ran = {name for name, row in rows.items() if row.why is None}
-    assert {"scipy", "cvodes", "structured text", *COMPILED} <= ran
+    assert {"scipy", "cvodes", "controllers", *COMPILED} <= ran
     assert {row.verdict for row in found.rows} <= {"within", "not run"}
     assert all(rows[name].seconds > 0.0 for name in ran)
     assert all(rows[name].until == pytest.approx(0.1, abs=0.006) for name in ran)
@@ -46,22 +47,22 @@ def test_every_target_is_within_its_limit():
     same = {"c adaptive", "fmu cs", "fmu 3 cs", "fmu cs (second host)", "wasm"} & ran
     assert {name: rows[name].overall for name in same} == dict.fromkeys(same, 0.0)
     assert rows["c adaptive"].differences.keys() == found.sizes.keys()
-    assert rows["structured text"].differences["regulator.command"] < 1e-12
+    assert rows["controllers"].differences["regulator.command"] < 1e-12
 
 
 def test_another_method_is_held_to_what_its_tolerance_is_worth():
-    (row,) = parity(short("two_tanks", "1 s"), only=["cvodes"]).rows
+    (row,) = compare_targets(short("two_tanks", "1 s"), only=["cvodes"]).rows
     assert (row.verdict, row.until, row.share) == ("within", 1.0, 1.0)
     assert 0.0 < row.overall < 1e-5
 
 
-def as_target(of_rows, **more):
-    """A target that gives what a function makes of the rows of the kernel."""
+def make_check(change_rows, **fields):
+    """Return a check whose target gives the changed rows of the kernel."""
 
     def run(reference, folder):
-        return TargetResult(of_rows(reference.rows.values.copy(), reference), 1.0)
+        return TargetResult(change_rows(reference.rows.values.copy(), reference), 1.0)
 
-    return table.TARGETS[2]._replace(run=run, **more)
+    return all_checks()["scipy"]._replace(run=run, **fields)
 
 
 def test_a_target_that_is_wrong_is_found_out(monkeypatch):
@@ -70,37 +71,37 @@ def test_a_target_that_is_wrong_is_found_out(monkeypatch):
         values[reference.names.index("tank.temperature"), 3] = np.nan
         return values
 
-    every = as_target(wrong, name="all of it", limit=1e-9, of="all", errs="rounding")
-    gas = as_target(wrong, name="gas alone", limit=1e-5, of="gas")
-    step = as_target(wrong, name="a step", limit=1e-9, of="gas", errs="step")
-    monkeypatch.setattr(table, "TARGETS", (every, gas, step))
-    found = parity(short(), only=["all of it", "gas alone", "a step"])
+    every = make_check(wrong, name="all of it", limit=1e-9, scope="all", cause="rounding")
+    gas = make_check(wrong, name="gas alone", limit=1e-5, scope="gas")
+    step = make_check(wrong, name="a step", limit=1e-9, scope="gas", cause="step")
+    monkeypatch.setattr(parity_table, "all_checks", lambda: {check.name: check for check in (every, gas, step)})
+    found = compare_targets(short(), only=["all of it", "gas alone", "a step"])
     every, gas, step = found.rows
     assert (every.worst, every.greatest, every.verdict) == ("tank.temperature", np.inf, "beyond")
     assert (gas.worst, gas.verdict) == ("tank.pressure", "within")
     assert np.isclose(gas.greatest, 1e-6, rtol=1e-3)
-    assert (step.verdict, step.is_well) == ("coarse", True)
-    assert not found.is_well
+    assert step.verdict == "coarse"
+    assert not found.is_within_limits
 
 
 def test_what_rounding_becomes_is_allowed_output_by_output():
     """Ten times what small changes become may be there, in that output, and no more."""
     problem = short().problem(short().run)
-    of = comparison.beside(problem, problem.grid.size - 1)
+    of = comparison.run_reference(problem, problem.grid.size - 1)
     every = np.ones(of.values.shape, dtype=bool)
     grown = np.full(of.values.shape, 1e-9)
-    found = comparison.compare(of.values * (1.0 + 3e-9), of, grown, 1e-10, every)
-    assert found.rows == of.values.shape[1]
-    assert found.is_followed.all()
-    assert found.ratios().max() == pytest.approx(0.3, rel=1e-3)
+    found = comparison.compare_runs(of.values * (1.0 + 3e-9), of, grown, 1e-10, every)
+    assert found.n_rows == of.values.shape[1]
+    assert found.is_compared.all()
+    assert found.max_ratios().max() == pytest.approx(0.3, rel=1e-3)
     grown[:, :5] = 1e-12
-    found = comparison.compare(of.values * (1.0 + 3e-9), of, grown, 1e-10, every)
-    assert found.ratios().max() == pytest.approx(30.0, rel=1e-3)
+    found = comparison.compare_runs(of.values * (1.0 + 3e-9), of, grown, 1e-10, every)
+    assert found.max_ratios().max() == pytest.approx(30.0, rel=1e-3)
 
 
 def test_a_run_is_compared_as_long_as_the_kernel_stays_by_itself():
     problem = short().problem(short().run)
-    of = comparison.beside(problem, problem.grid.size - 1)
+    of = comparison.run_reference(problem, problem.grid.size - 1)
     every = np.ones(of.values.shape, dtype=bool)
     gas, other = of.gas.argmax(), (~of.gas).argmax()
     lost = of.values.copy()
@@ -108,24 +109,24 @@ def test_a_run_is_compared_as_long_as_the_kernel_stays_by_itself():
     # One output that cannot be followed is left alone, a state of gas takes all others with it.
     grown = np.full(of.values.shape, 1e-13)
     grown[other, 8:] = 0.5
-    found = comparison.compare(lost, of, grown, 1e-9, every)
-    assert (found.rows, found.ratios().max() > 1.0) == (of.values.shape[1], True)
-    assert not found.is_followed[other, 8:].any()
+    found = comparison.compare_runs(lost, of, grown, 1e-9, every)
+    assert (found.n_rows, found.max_ratios().max() > 1.0) == (of.values.shape[1], True)
+    assert not found.is_compared[other, 8:].any()
     grown[gas, 12:] = 1e-3
-    found = comparison.compare(lost, of, grown, 1e-9, every)
-    assert (found.rows, found.ratios().max()) == (12, 0.0)
-    assert found.greatest(is_all=True).max() == pytest.approx(0.5)
+    found = comparison.compare_runs(lost, of, grown, 1e-9, every)
+    assert (found.n_rows, found.max_ratios().max()) == (12, 0.0)
+    assert found.max_differences(whole_run=True).max() == pytest.approx(0.5)
 
 
 def test_a_hunting_loop_is_compared_until_it_leaves_itself():
     """With other rounding the valve of the joint takes another course after 65 ms; until then it is the same."""
-    reference = table._reference(load(EXAMPLES / "muscle_joint.toml").with_values({"run.duration": "0.2 s"}))
+    reference = run_kernel(load(EXAMPLES / "muscle_joint.toml").with_values({"run.duration": "0.2 s"}))
     of = reference.rows
-    moved = comparison.grown(of, comparison.rounded(reference.separate))
-    found = comparison.compare(reference.run.values, of, moved, 1e-9, np.ones(of.values.shape, dtype=bool))
-    assert 5 < found.rows < of.values.shape[1]
-    assert found.ratios().max() < 1.0
-    assert found.greatest().max() < 1e-5 < found.greatest(is_all=True).max()
+    moved = comparison.change_effects(of, comparison.rounding_changes(reference.separate))
+    found = comparison.compare_runs(reference.run.values, of, moved, 1e-9, np.ones(of.values.shape, dtype=bool))
+    assert 5 < found.n_rows < of.values.shape[1]
+    assert found.max_ratios().max() < 1.0
+    assert found.max_differences().max() < 1e-5 < found.max_differences(whole_run=True).max()
 
 
 def test_the_rest_of_such_a_run_is_as_far_away_as_the_kernel_is_from_itself(monkeypatch):
@@ -134,15 +135,17 @@ def test_the_rest_of_such_a_run_is_as_far_away_as_the_kernel_is_from_itself(monk
 
     def off(times):
         def run(values, reference):
-            moved = comparison.grown(reference.rows, comparison.rounded(reference.separate))
+            moved = comparison.change_effects(reference.rows, comparison.rounding_changes(reference.separate))
             values[:, -20:] += times * moved[:, -1:] * reference.rows.sizes[:, None]
             return values
 
         return run
 
-    near, far = (as_target(off(times), name=f"{times}", limit=1e-9, of="all", errs="rounding") for times in (3, 30))
-    monkeypatch.setattr(table, "TARGETS", (near, far))
-    near, far = parity(circuit).rows
+    near, far = (
+        make_check(off(times), name=f"{times}", limit=1e-9, scope="all", cause="rounding") for times in (3, 30)
+    )
+    monkeypatch.setattr(parity_table, "all_checks", lambda: {check.name: check for check in (near, far)})
+    near, far = compare_targets(circuit).rows
     assert near.until == far.until < 0.2
     assert (near.greatest, near.verdict) == (far.greatest, "within") == (0.0, "within")
     assert far.verdict == "beyond"
@@ -151,29 +154,29 @@ def test_the_rest_of_such_a_run_is_as_far_away_as_the_kernel_is_from_itself(monk
 
 
 def test_what_cannot_run_says_why(monkeypatch):
-    monkeypatch.setattr(targets.shutil, "which", lambda name: None)
-    monkeypatch.setattr(targets, "MOST_INSTANTS", 10)
-    rows = {row.name: row for row in parity(short(), only=["scipy", "c adaptive"]).rows}
+    monkeypatch.setattr(host_runs.shutil, "which", lambda name: None)
+    monkeypatch.setattr(host_runs, "MAX_INSTANTS", 10)
+    rows = {row.name: row for row in compare_targets(short(), only=["scipy", "c adaptive"]).rows}
     assert rows["scipy"].why.code == "deploy.parity.instants"
     assert rows["scipy"].why.facts == {"count": 50, "most": 10}
     assert rows["c adaptive"].why.code == "deploy.parity.no_compiler"
-    assert rows["c adaptive"].is_well
-    (row,) = parity(short(), only=["wasm"]).rows
+    assert rows["c adaptive"].verdict == "not run"
+    (row,) = compare_targets(short(), only=["wasm"]).rows
     assert row.why.code == "deploy.parity.no_node"
     monkeypatch.undo()
     monkeypatch.setenv("CC", "false")
-    (row,) = parity(short(), only=["c 1 kHz"]).rows
+    (row,) = compare_targets(short(), only=["c 1 kHz"]).rows
     assert row.why.code == "deploy.parity.not_compiled"
-    (row,) = parity(short("two_tanks", "0.1 s"), only=["structured text"]).rows
+    (row,) = compare_targets(short("two_tanks", "0.1 s"), only=["controllers"]).rows
     assert row.why.code == "deploy.parity.no_controller"
     uneven = short().with_values({"run.output_step": "3.3333333333 ms"})
-    (row,) = parity(uneven, only=["fmu cs (second host)"]).rows
+    (row,) = compare_targets(uneven, only=["fmu cs (second host)"]).rows
     assert row.why.code == "deploy.parity.no_nanoseconds"
-    with refused("deploy.parity.unknown", "dymola"):
-        parity(short(), only=["dymola"])
+    with refused("fields.not_an_option", "target", value="dymola"):
+        compare_targets(short(), only=["dymola"])
     with refused("deploy.fmu.no_archive", name="two_tanks.toml"):
-        parity(short(), fmu=EXAMPLES / "two_tanks.toml")
-    assert NotRun("other_system", system="win32").note.facts == {"system": "win32"}
+        compare_targets(short(), fmu=EXAMPLES / "two_tanks.toml")
+    assert NotRunError("other_system", system="win32").note.facts == {"system": "win32"}
 
 
 def test_the_command_and_its_page(tmp_path, capsys, monkeypatch):
@@ -188,14 +191,15 @@ def test_the_command_and_its_page(tmp_path, capsys, monkeypatch):
         "--duration",
         "0.1 s",
         "--only",
-        "cvodes,structured text",
+        "cvodes,controllers",
     ]
     assert run([*common, "--report", str(page)]) == 0
     shown = capsys.readouterr().out
-    assert "structured text" in shown
+    assert "controllers" in shown
     assert page.stat().st_size < 100_000
     assert page.read_text(encoding="utf-8").count(">within<") == 2
-    monkeypatch.setattr(table, "TARGETS", tuple(each._replace(limit=1e-300, errs="rounding") for each in table.TARGETS))
+    strict = {name: check._replace(limit=1e-300, cause="rounding") for name, check in all_checks().items()}
+    monkeypatch.setattr(parity_table, "all_checks", lambda: strict)
     assert run(common) == 1
     assert "beyond" in capsys.readouterr().out
 
@@ -204,6 +208,6 @@ def test_hostile_titles_stay_text():
     from dataclasses import replace
 
     circuit = replace(short("two_tanks", "0.1 s"), title="<script>alert(1)</script>")
-    text = parity_page(parity(circuit, only=["cvodes"]))
+    text = parity_page(compare_targets(circuit, only=["cvodes"]))
     assert "<script>alert" not in text
     assert "&lt;script&gt;alert" in text

@@ -11,7 +11,7 @@ import pytest
 from poppet import Chamber, Circuit, FlowSource, Orifice
 from poppet.circuit.options import Run
 from poppet.engine.balances import residuals
-from poppet.engine.batch import BatchRun, Rows, run_batch
+from poppet.engine.batch import BatchRows, BatchRun, run_batch
 from poppet.engine.lane_kernel import WIDTHS
 from poppet.engine.members import Batch
 from poppet.engine.problem import Outcome
@@ -32,7 +32,7 @@ def batch_of(size: int, *, stop: tuple[str, ...] = (), tolerance: float = 1e-6) 
     return Batch(problem, places, values, ((opening, int(places[3])),))
 
 
-def all_rows(rows: Rows) -> np.ndarray:
+def all_rows(rows: BatchRows) -> np.ndarray:
     return rows.values.copy()
 
 
@@ -90,7 +90,7 @@ def test_lanes_give_what_single_runs_give(lanes, stop):
     size = np.nanmax(np.abs(scalar.reduced), axis=(0, 2))[:, None]
     assert np.nanmax(np.abs(found.reduced - scalar.reduced) / size) < 1e-7
     assert max(values.max() for values in found.residuals().values()) < 1.0
-    for name in ("x0", "x", "least", "greatest", "through", "before", "after", "last", "reached"):
+    for name in ("x0", "x", "least", "greatest", "through", "initial_energies", "final_energies", "last", "reached"):
         mine, his = getattr(found.ends, name), getattr(scalar.ends, name)
         assert np.allclose(mine, his, rtol=1e-6, atol=1e-9 * np.abs(his).max()), name
 
@@ -108,7 +108,7 @@ def test_progress_and_interruption():
 
 
 def test_a_mistake_in_what_is_kept_of_the_rows_is_raised():
-    def fail(rows: Rows) -> np.ndarray:
+    def fail(rows: BatchRows) -> np.ndarray:
         raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):

@@ -9,7 +9,7 @@ import pytest
 
 from poppet import Circuit
 from poppet.engine.problem import Outcome, Problem
-from poppet.engine.reference_solvers.solvers import SOLVERS, solve_otherwise
+from poppet.engine.reference_solvers.solvers import SOLVERS, solve_with_reference
 from poppet.engine.solve import solve
 from poppet.parts import Chamber, FlowSource, Orifice, Reservoir
 from poppet.signals import Chirp, Steps
@@ -61,7 +61,7 @@ class TestFailing:
         parts = {"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-3)}
         problem = problem_of(Circuit(parts), 5.0, 0.05)
         empty = problem.x0[1] / 1e-3
-        run = solve_otherwise(problem, solver)
+        run = solve_with_reference(problem, solver)
         assert run.outcome is Outcome.STALLED
         assert empty - 0.2 < run.time[-1] < empty
         assert np.array_equal(run.time, problem.grid[: run.time.size])
@@ -70,13 +70,13 @@ class TestFailing:
 
     def test_rates_that_are_not_finite_leave_no_rows(self, solver):
         problem = problem_of(filling(), 1.0, 0.1)
-        run = solve_otherwise(replace(problem, x0=problem.x0 * np.nan), solver)
+        run = solve_with_reference(replace(problem, x0=problem.x0 * np.nan), solver)
         assert (run.outcome, run.time.size) == (Outcome.NOT_FINITE, 0)
         assert run.values.shape == (len(problem.kernel.model.outputs), 0)
 
     def test_too_many_steps_keep_the_rows_so_far(self, solver):
         problem = problem_of(filling({"supply.pressure": Chirp(5e5, 1e5, 1.0, 20.0)}), 10.0, 0.05)
-        run = solve_otherwise(replace(problem, most_attempts=100), solver)
+        run = solve_with_reference(replace(problem, most_attempts=100), solver)
         assert run.outcome is Outcome.TOO_MANY
         assert 0 < run.time.size < problem.grid.size
         assert np.array_equal(run.time, problem.grid[: run.time.size])
@@ -116,11 +116,11 @@ def test_extremes_and_what_went_through(solver):
 @pytest.mark.parametrize("solver", SOLVERS)
 def test_longest_step_is_kept(solver):
     problem = replace(problem_of(filling(), 1.0, 0.5), maximum_step=1e-3)
-    assert solve_otherwise(problem, solver).accepted >= 1000
+    assert solve_with_reference(problem, solver).accepted >= 1000
 
 
 def test_unknown_solver():
-    with refused("run.unknown_solver", "run.solver", solver="cvode") as caught:
+    with refused("fields.not_an_option", "run.solver", value="cvode") as caught:
         solve(problem_of(filling(), 1.0, 0.5), "cvode")
     assert caught.value.facts["near"].names[0] == "cvodes"
 

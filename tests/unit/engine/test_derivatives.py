@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from poppet import load
-from poppet.engine.derivatives import rates_and_derivatives
+from poppet.engine.derivatives import differentiate_rates
 from poppet.engine.printers.instructions import instructions
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -19,7 +19,7 @@ def both(rates: ca.SX, t: ca.SX, x: ca.SX, u: ca.SX, p: ca.SX) -> tuple[ca.Funct
     """Rates, Jacobian and drift as the kernel has them, and as CasADi derives them."""
     slopes = ca.SX.sym("slopes", u.shape[0])
     moving = ca.jacobian(rates, t) + ca.jtimes(rates, u, slopes)
-    found = rates_and_derivatives(rates, (t, x, u, p), slopes)
+    found = differentiate_rates(rates, (t, x, u, p), slopes)
     known = rates, ca.jacobian(rates, x), moving
     arguments = [t, x, u, slopes, p]
     return tuple(ca.Function("each", arguments, ca.cse([*map(ca.densify, of)])) for of in (found, known))  # type: ignore[return-value]
@@ -49,7 +49,7 @@ def test_derivatives_are_casadis(example):
 def derivative_at(make, value: float) -> float:
     """Of a rate of one state."""
     x, none = ca.SX.sym("x"), ca.SX.sym("none", 0)
-    jacobian = rates_and_derivatives(make(x), (ca.SX.sym("t"), x, none, none), none)[1]
+    jacobian = differentiate_rates(make(x), (ca.SX.sym("t"), x, none, none), none)[1]
     return float(ca.Function("slope", [x], [ca.densify(jacobian)])(value))
 
 
@@ -67,5 +67,5 @@ def test_limits_and_ties(value, slope):
 
 def test_a_rate_that_nothing_moves():
     x, none = ca.SX.sym("x", 2), ca.SX.sym("none", 0)
-    rates, jacobian, drift = rates_and_derivatives(ca.vertcat(1.0, x[0]), (ca.SX.sym("t"), x, none, none), none)
+    rates, jacobian, drift = differentiate_rates(ca.vertcat(1.0, x[0]), (ca.SX.sym("t"), x, none, none), none)
     assert (rates.shape, jacobian.shape, jacobian.nnz(), drift.shape) == ((2, 1), (2, 2), 1, (2, 1))

@@ -29,7 +29,7 @@ def test_pieces_have_the_bits_of_the_whole(example: str) -> None:
         problem, starts=ends[:-1], courses=np.zeros(6, dtype=np.int64), coefficients=held, grid=ends,
         jumps=np.zeros(6, dtype=np.bool_),
     )  # fmt: skip
-    run = Call(whole).made()
+    run = Call(whole).run()
     assert run.outcome is Outcome.DONE
 
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)

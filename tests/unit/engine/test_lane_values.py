@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from poppet import load
-from poppet.engine.lane_kernel import WIDTHS, _compiled, lane_functions
-from poppet.engine.printers.instructions import Instruction, InstructionList, traced_functions
+from poppet.engine.lane_kernel import WIDTHS, _compile, lane_functions
+from poppet.engine.printers.instructions import Instruction, InstructionList, trace_functions
 from poppet.engine.printers.lane_values import _Values, lane_listings
 from poppet.engine.printers.llvm import Kind, print_function
 
@@ -59,7 +59,7 @@ def test_lanes_compute_what_the_kernel_does(name, width):
 
 def test_numbers_are_worked_out_once_and_divisors_shared():
     model = load(EXAMPLES / "fill_staircase.toml").model
-    functions = traced_functions(model)
+    functions = trace_functions(model)
     listings, n_derived = lane_listings(functions, model)
     count = {name: [each.operation for each in listed.instructions].count for name, listed in listings.items()}
     assert all(of("div") == 0 for of in count.values())
@@ -75,7 +75,7 @@ def test_operations_of_lanes_alone(width):
     done = [Instruction("inverse", 1, (0,)), Instruction("inverse_root", 2, (0,))]
     written = [Instruction("output", -1, (1 + k,), place=(0, k)) for k in range(2)]
     kind = Kind(width)
-    code = _compiled(
+    code = _compile(
         kind, [print_function(InstructionList([Instruction("input", 0, ()), *done, *written], 1, 1), "f", kind)], ("f",)
     )
     call = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)(code.addresses["f"])
@@ -90,7 +90,7 @@ def test_operations_of_lanes_alone(width):
 
 def test_rules():
     values = _Values(2)
-    a, b, x, z = (values._known("input", *place) for place in (("p", 0), ("p", 1), ("x", 0), ("p", 2)))
+    a, b, x, z = (values._index("input", *place) for place in (("p", 0), ("p", 1), ("x", 0), ("p", 2)))
     put, constant = values.put, values.constant
     assert [values.is_fixed[each] for each in (a, x, z, put("mul", a, b), put("mul", a, z))] == [1, 0, 0, 1, 0]
     assert put("mul", a, put("mul", x, b)) == put("mul", put("mul", a, b), x)

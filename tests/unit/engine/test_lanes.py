@@ -15,10 +15,10 @@ import pytest
 import poppet
 from poppet import Chamber, Circuit, Orifice, Reservoir, loads
 from poppet.circuit.options import Run
-from poppet.engine.batch import BatchRun, Rows, run_batch
+from poppet.engine.batch import BatchRows, BatchRun, run_batch
 from poppet.engine.job import LaneJob
-from poppet.engine.lane_kernel import WIDTHS, Lanes, _compiled, lane_functions, usual_width
-from poppet.engine.members import Batch, Ends
+from poppet.engine.lane_kernel import WIDTHS, Lanes, _compile, lane_functions, usual_width
+from poppet.engine.members import Batch, RunEnds
 from poppet.engine.printers import llvm_lanes
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO, Kind, print_function
 from poppet.engine.problem import Outcome
@@ -46,7 +46,7 @@ def in_lanes(expressions: list[Any], width: int, *columns: np.ndarray) -> np.nda
     """Values of expressions in A and B for rows of numbers, (n_expressions, n_rows), `width` rows at a time."""
     kind, names = Kind(width), [A, B][: len(columns)]
     function = ca.Function("f", names, [ca.densify(ca.vertcat(*expressions))])
-    code = _compiled(kind, [print_function(function, "f", kind)], ("f",))
+    code = _compile(kind, [print_function(function, "f", kind)], ("f",))
     call = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * (len(columns) + 1))(code.addresses["f"])
     given, found, out = aligned(len(columns), width), aligned(len(expressions), width), []
     for k in range(0, len(columns[0]), width):
@@ -130,7 +130,7 @@ def varied(circuit: Circuit, runs: int, *, part: float = 0.02, run: Run | None =
     return Batch(problem, places, problem.p[places] * factors, held)
 
 
-def all_rows(rows: Rows) -> np.ndarray:
+def all_rows(rows: BatchRows) -> np.ndarray:
     return rows.values.copy()
 
 
@@ -263,7 +263,7 @@ def test_inputs_that_move_for_a_while_leave_the_digits_to_a_lane_alone():
     order = np.random.default_rng(4).permutation(20)
     one, other = (run_batch(each, reduce=all_rows) for each in (batch, replace(batch, values=batch.values[order])))
     assert np.array_equal(one.reduced[order], other.reduced)
-    worker = Lanes(batch, Ends.of(batch), lane_functions(batch.problem.kernel, 4), 4)
+    worker = Lanes(batch, RunEnds.of(batch), lane_functions(batch.problem.kernel, 4), 4)
     job = LaneJob(*worker._job.tolist())
     assert job.jacobian_held == job.jacobian
 

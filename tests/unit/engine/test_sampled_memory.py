@@ -295,7 +295,7 @@ def test_an_emptied_store_stalls_between_instants(sample_time):
     circuit = Circuit(
         parts, {"control.wanted": Steps([0.0], [100.0])}, connections={"pull.mass_flow_rate": "control.output"}
     )
-    run = solve(circuit.problem(Run(duration="1 s")), hands_over=False)
+    run = solve(circuit.problem(Run(duration="1 s")), repeats_stalled=False)
     assert run.outcome is Outcome.STALLED
     assert run.time[-1] == pytest.approx(1.19e-3 / 0.1, abs=2e-3)
 
@@ -307,10 +307,10 @@ def test_a_stalled_run_is_handed_over_with_its_memory_as_at_the_start(monkeypatc
 
     circuit = fed_chamber(2e-8, 0.1, Steps([0.0], [3e5]))
     whole = circuit.simulate(1.0, 0.1)
-    kernel = simulate.kernel_run
-    monkeypatch.setattr(simulate, "kernel_run", lambda *given: replace(kernel(*given), outcome=Outcome.STALLED))
+    kernel = simulate.run_kernel
+    monkeypatch.setattr(simulate, "run_kernel", lambda *given: replace(kernel(*given), outcome=Outcome.STALLED))
     again = circuit.simulate(1.0, 0.1)
-    assert any("handed over to cvodes" in note for note in again.notes)
+    assert any("repeated with cvodes" in note for note in again.notes)
     np.testing.assert_allclose(again["tank.pressure"], whole["tank.pressure"], rtol=1e-6)
     assert np.array_equal(again["control.count"], whole["control.count"])
 
@@ -321,15 +321,15 @@ def test_a_stalled_run_is_first_repeated_with_a_tighter_tolerance(monkeypatch):
     from poppet.engine import solve as simulate
 
     circuit = fed_chamber(2e-8, 0.1, Steps([0.0], [3e5]))
-    kernel = simulate.kernel_run
+    kernel = simulate.run_kernel
 
     def stalling(problem, progress):
         run = kernel(problem, progress)
         return run if problem.relative_tolerance < 2e-8 else replace(run, outcome=Outcome.STALLED)
 
-    monkeypatch.setattr(simulate, "kernel_run", stalling)
+    monkeypatch.setattr(simulate, "run_kernel", stalling)
     run = circuit.simulate(1.0, 0.1)
-    assert any("stalled after 1 s; the run was repeated with the relative tolerance 1e-08." in n for n in run.notes)
+    assert any("stalled after 1 s; the run was repeated with a relative tolerance of 1e-08." in n for n in run.notes)
 
 
 def test_a_run_leaves_the_memory_of_its_problem_alone():
@@ -433,15 +433,15 @@ def test_the_last_resort_has_an_end(monkeypatch):
     allowed = []
 
     def stalling(problem, *given):
-        run = simulate.kernel_run(problem)
+        run = simulate.run_kernel(problem)
         if given[:1]:
             allowed.append((given[0], problem.most_attempts))
         return replace(run, outcome=Outcome.STALLED)
 
     problem = fed_chamber(2e-8, 0.1, Steps([0.0], [3e5])).problem(Run(duration="1 s"))
-    monkeypatch.setattr(solvers, "solve_otherwise", stalling)
-    kernel = simulate.kernel_run
-    monkeypatch.setattr(simulate, "kernel_run", lambda *given: replace(kernel(*given), outcome=Outcome.STALLED))
+    monkeypatch.setattr(solvers, "solve_with_reference", stalling)
+    kernel = simulate.run_kernel
+    monkeypatch.setattr(simulate, "run_kernel", lambda *given: replace(kernel(*given), outcome=Outcome.STALLED))
     run = solve(replace(problem, most_attempts=100_000))
     assert allowed == [("cvodes", 100_000), ("radau", 2_000)]
     assert run.notes[-1].code == "run.no_way_on"

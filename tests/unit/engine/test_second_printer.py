@@ -11,7 +11,7 @@ import pytest
 from c_compiler import shared_library
 from poppet import Circuit, load
 from poppet.engine.printers.c import print_function, used_prelude
-from poppet.engine.printers.instructions import SIGNATURES, traced_functions
+from poppet.engine.printers.instructions import SIGNATURES, trace_functions
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
 CIRCUITS = {"main stage": "fill_staircase", "regulator": "pressure_regulator", "sampled": "pressure_control"}
@@ -24,7 +24,7 @@ def circuit(request: pytest.FixtureRequest) -> Circuit:
 
 @pytest.fixture(scope="module")
 def library(circuit: Circuit, tmp_path_factory: pytest.TempPathFactory) -> ctypes.CDLL:
-    functions = traced_functions(circuit.model)
+    functions = trace_functions(circuit.model)
     text = "\n\n".join(print_function(f, name) for name, f in functions.items())
     sources = {"model.c": "\n\n".join(["#include <math.h>", used_prelude(text), text, ""])}
     return shared_library(sources, tmp_path_factory.mktemp("c"))
@@ -49,7 +49,7 @@ def random_arguments(circuit: Circuit, seed: int) -> list[np.ndarray]:
 
 @pytest.mark.parametrize("name", ["rates", "outputs", "update"])
 def test_plain_c_gives_the_kernels_numbers(circuit, library, name):
-    function = traced_functions(circuit.model).get(name)
+    function = trace_functions(circuit.model).get(name)
     if function is None:
         assert name == "update"
         assert not circuit.model.memory

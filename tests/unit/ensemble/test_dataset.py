@@ -104,7 +104,7 @@ def test_requirements_may_change_without_a_run(tmp_path, whole, monkeypatch):
 
 def test_indices_may_change_and_are_made_anew(tmp_path):
     """Shards of other indices have as many rows as those that are wanted, and other numbers."""
-    folder, given = tmp_path / "set", {"runs": 20, "numbers": NUMBERS, "metrics": METRICS}
+    folder, given = tmp_path / "set", {"runs": 20, "parameters": NUMBERS, "metrics": METRICS}
     tank("").ensemble(folder, indices=512, **given)
     runs = hashes(folder / "runs")
     for indices in (256, 1024, 0):
@@ -160,7 +160,7 @@ def test_a_manifest_says_what_the_shards_are(tmp_path, whole):
         (["circuit"], {"tank.wall_conductance": "2 W/K"}, {}),
         (["sampling"], {}, {"seed": 2}),
         (["sampling"], {}, {"runs": 2501}),
-        (["numbers"], {}, {"numbers": NUMBERS}),
+        (["numbers"], {}, {"parameters": NUMBERS}),
         (["metrics"], {}, {"metrics": METRICS, "requirements": {}}),
         (["kept"], {}, {"keep": "bands"}),
     ],
@@ -233,7 +233,7 @@ def test_failed_runs_are_rows_without_metrics(monkeypatch):
     problem = circuit.problem(circuit.run)
     few = replace(problem, most_attempts=solve(problem).attempts)
     monkeypatch.setattr(type(circuit), "problem", lambda self, run: few)
-    found = circuit.ensemble(runs=40, numbers=NUMBERS, metrics=METRICS, requirements={"any": "end < 9 bar"})
+    found = circuit.ensemble(runs=40, parameters=NUMBERS, metrics=METRICS, requirements={"any": "end < 9 bar"})
     rows = found.dataset.columns("runs")
     lost = rows["outcome"] == "run.too_many"
     assert 0 < lost.sum() < 40
@@ -251,7 +251,7 @@ def nothing(time: np.ndarray, pressure: np.ndarray) -> float:
 
 def test_runs_without_a_value_are_said():
     metrics = METRICS | {"own": {"of": "tank.pressure", "metric": nothing}}
-    found = tank("").ensemble(runs=64, numbers=NUMBERS, metrics=metrics, requirements={"one": "own > 0"})
+    found = tank("").ensemble(runs=64, parameters=NUMBERS, metrics=metrics, requirements={"one": "own > 0"})
     without = int(np.count_nonzero(np.isnan(found.to_pandas()["own"])))
     assert 0 < without < 64
     said = [(note.code, note.facts["metric"], note.facts["count"]) for note in found.remarks()]
@@ -261,7 +261,7 @@ def test_runs_without_a_value_are_said():
 
 def test_stopped_runs_are_measured_up_to_their_stop(tmp_path):
     circuit = tank("").with_values({"run.stop_when": "tank.pressure < 1.2 bar"})
-    found = circuit.ensemble(runs=20, numbers=NUMBERS, metrics=METRICS)
+    found = circuit.ensemble(runs=20, parameters=NUMBERS, metrics=METRICS)
     rows = found.dataset.columns("runs")
     # Stopped as it was asked to: the last row is the stop itself.
     assert set(rows["outcome"]) == {"run.stopped"}
@@ -276,7 +276,7 @@ def test_numbers_that_others_follow_from(tmp_path):
     """With the ambient pressure move gauge pressures, open ends and walls."""
     circuit = tank("").with_values({"tank.initial_pressure": "2 bar g"})
     given = {"ambient.pressure": {"distribution": "uniform", "low": "0.8 bar", "high": "1.05 bar"}}
-    rows = circuit.ensemble(runs=5, numbers=given, metrics=METRICS).dataset.columns("runs")
+    rows = circuit.ensemble(runs=5, parameters=given, metrics=METRICS).dataset.columns("runs")
     for k in range(5):
         single = circuit.with_values({"ambient.pressure": float(rows["ambient.pressure"][k])}).simulate()
         assert rows["end"][k] == pytest.approx(single["tank.pressure"][-1], rel=1e-12)
@@ -286,7 +286,7 @@ def test_a_delay_moves_breakpoints(tmp_path):
     circuit = load(Path(__file__).parents[3] / "examples" / "datasheet_valve.toml")
     given = {"valve.switching_time": {"distribution": "uniform", "relative_range": 0.2}}
     metrics = {"end": {"of": "chamber.pressure", "metric": "mean"}}
-    rows = circuit.ensemble(runs=3, numbers=given, metrics=metrics).dataset.columns("runs")
+    rows = circuit.ensemble(runs=3, parameters=given, metrics=metrics).dataset.columns("runs")
     assert len(set(rows["end"])) == 3
     for k in range(3):
         single = circuit.with_values({"valve.switching_time": float(rows["valve.switching_time"][k])}).simulate()

@@ -51,11 +51,13 @@ def test_draws_pass_a_chi_square(name):
 
 def read(numbers, **fields):
     circuit = tank("")
-    return read_plan(circuit, {"runs": 10, "numbers": numbers, "metrics": METRICS, **fields}, {}, circuit.origin.folder)
+    return read_plan(
+        circuit, {"runs": 10, "parameters": numbers, "metrics": METRICS, **fields}, {}, circuit.origin.folder
+    )
 
 
 def test_values_that_are_impossible_are_refused_with_their_probability():
-    with refused("ensemble.impossible", "ensemble.numbers.tank.volume", kind=OutOfRangeError) as caught:
+    with refused("ensemble.impossible", "ensemble.parameters.tank.volume", kind=OutOfRangeError) as caught:
         read({"tank.volume": {"distribution": "normal", "relative_sigma": 0.25}})
     assert caught.value.facts["probability"] == pytest.approx(stats.norm.cdf(-4.0), rel=1e-6)
     plan = read({"tank.volume": {"distribution": "normal", "relative_sigma": 0.25, "low": "1 l"}})
@@ -72,7 +74,7 @@ def test_what_is_relative_is_a_part_of_the_mean_that_is_given():
 
 
 def test_a_ratio_must_stay_below_one():
-    with refused("ensemble.impossible", "ensemble.numbers.hole.critical_ratio") as caught:
+    with refused("ensemble.impossible", "ensemble.parameters.hole.critical_ratio") as caught:
         read({"hole.critical_ratio": {"distribution": "uniform", "low": 0.2, "high": 1.2}})
     assert caught.value.facts["probability"] == pytest.approx(0.2, rel=1e-3)
 
@@ -81,10 +83,10 @@ def test_spreads_of_gauge_pressures_are_parts_of_what_was_written():
     circuit = tank("").with_values({"tank.initial_pressure": "2 bar g"})
     fields = {"runs": 1, "metrics": METRICS}
     given = {"tank.initial_pressure": {"distribution": "uniform", "relative_range": 0.1}}
-    plan = read_plan(circuit, {**fields, "numbers": given}, {}, circuit.origin.folder)
+    plan = read_plan(circuit, {**fields, "parameters": given}, {}, circuit.origin.folder)
     assert plan.alone["tank.initial_pressure"].numbers == {"low": pytest.approx(2.8e5), "high": pytest.approx(3.2e5)}
     given = {"tank.initial_pressure": {"distribution": "normal", "mean": "2.5 bar g", "sigma": "0.1 bar"}}
-    plan = read_plan(circuit, {**fields, "numbers": given}, {}, circuit.origin.folder)
+    plan = read_plan(circuit, {**fields, "parameters": given}, {}, circuit.origin.folder)
     assert plan.alone["tank.initial_pressure"].numbers == {"mean": pytest.approx(3.5e5), "sigma": pytest.approx(1e4)}
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from circuits_of_ensembles import tank
-from poppet.ensemble.metrics import WAYS, read_metric
+from poppet.ensemble.metrics import METRIC_KINDS, read_metric
 from poppet.ensemble.requirements import read_requirement
 from refusals import refused
 
@@ -69,7 +69,7 @@ def test_means_and_integrals():
     assert value(flow, of="hole.mass_flow_rate", metric="integral") == pytest.approx(1.185e-2, rel=1e-12)
 
 
-@pytest.mark.parametrize("kind", WAYS)
+@pytest.mark.parametrize("kind", METRIC_KINDS)
 def test_bits_do_not_depend_on_the_neighbours(kind):
     own = metric(metric=kind, **({"value": "2 bar"} if kind == "time_to" else {}))
     rows = np.random.default_rng(1).uniform(1e5, 5e5, (37, 501))

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from circuits_of_ensembles import METRICS, NUMBERS, TABLES, TANK, tank
-from poppet import load
+from poppet import ensemble, load
 from poppet.core.errors import InputErrors
 from poppet.ensemble import plan_of
 from poppet.identify.result import Estimate, Result
@@ -16,7 +16,7 @@ from refusals import refused
 
 
 def plan(**fields):
-    return plan_of(tank(""), **{"runs": 10, "numbers": NUMBERS, "metrics": METRICS, **fields})
+    return plan_of(tank(""), **{"runs": 10, "parameters": NUMBERS, "metrics": METRICS, **fields})
 
 
 def test_tables_of_a_file_are_read():
@@ -42,7 +42,7 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
         plan_of(load(path))
     assert [(each.code, each.address) for each in caught.value.problems] == [
         ("ensemble.count", "ensemble.runs"),
-        ("ensemble.number", "ensemble.numbers.tank.volum"),
+        ("ensemble.number", "ensemble.parameters.tank.volum"),
         ("ensemble.metric", "ensemble.metrics.end.metric"),
         ("quantity.other_quantity", "ensemble.metrics.empty.value"),
         ("ensemble.unknown_metric", "requirements.fast"),
@@ -69,13 +69,13 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
         ("ensemble.beyond", {"metrics": {"end": METRICS["end"] | {"until": "1.1 s"}}}),
         ("ensemble.no_rows", {"metrics": {"end": METRICS["end"] | {"from": "1.1 s"}}}),
         ("ensemble.no_rows", {"metrics": {"end": METRICS["end"] | {"from": "0.501 s", "until": "0.502 s"}}}),
-        ("ensemble.no_numbers", {"numbers": {}}),
-        ("ensemble.number", {"numbers": {"tank.pressure": NUMBERS["tank.volume"]}}),
+        ("ensemble.no_numbers", {"parameters": {}}),
+        ("ensemble.number", {"parameters": {"tank.pressure": NUMBERS["tank.volume"]}}),
         ("ensemble.output", {"curves": ["tank.volum"], "keep": "bands"}),
         ("ensemble.runs_follow", {"sampling": "grid", "levels": 4}),
         ("ensemble.no_file", {"sampling": "file"}),
         ("ensemble.not_of_file", {"file": "numbers.csv"}),
-        ("ensemble.no_fit", {"numbers": {"from_fit": 3}}),
+        ("ensemble.no_fit", {"parameters": {"from_fit": 3}}),
     ],
 )
 def test_what_is_refused(code, fields):
@@ -85,20 +85,20 @@ def test_what_is_refused(code, fields):
 
 def test_numbers_without_a_say_are_refused():
     driven = tank('[signals."hole.opening"]\nkind = "constant"\nvalue = 0.5\n')
-    with refused("ensemble.driven", "ensemble.numbers.hole.opening"):
-        plan_of(driven, runs=3, metrics=METRICS, numbers={"hole.opening": {"distribution": "uniform", "low": 0.1,
+    with refused("ensemble.driven", "ensemble.parameters.hole.opening"):
+        plan_of(driven, runs=3, metrics=METRICS, parameters={"hole.opening": {"distribution": "uniform", "low": 0.1,
                 "high": 0.9}})  # fmt: skip
 
 
 def test_no_runs_are_given():
     with refused("ensemble.no_runs", "ensemble.runs"):
-        plan_of(tank(""), numbers=NUMBERS, metrics=METRICS)
+        plan_of(tank(""), parameters=NUMBERS, metrics=METRICS)
 
 
 def test_a_grid_has_all_combinations():
     found = plan(runs=9, sampling="grid", levels=3)
     assert len({tuple(row) for row in found.sample(0, 9)}) == 9
-    assert plan_of(tank(""), numbers=NUMBERS, metrics=METRICS, sampling="grid").runs == 25
+    assert plan_of(tank(""), parameters=NUMBERS, metrics=METRICS, sampling="grid").runs == 25
 
 
 def table(folder: Path, text: str):
@@ -116,7 +116,7 @@ def test_numbers_of_a_file(tmp_path):
         table(tmp_path, "tank.volum [l]\n1\n2\n")
     with refused("ensemble.column_twice", "ensemble.file: tank.volume"):
         table(tmp_path, "tank.volume [l],tank.volume [m^3]\n1,2\n2,3\n")
-    for code, fields in (("file_and_numbers", {"numbers": NUMBERS}), ("indices_of_file", {"indices": 64})):
+    for code, fields in (("file_and_numbers", {"parameters": NUMBERS}), ("indices_of_file", {"indices": 64})):
         (tmp_path / "numbers.csv").write_text("tank.volume [l]\n1\n2\n", encoding="utf-8")
         with refused(f"ensemble.{code}"):
             plan_of(tank("", tmp_path), metrics=METRICS, sampling="file", file="numbers.csv", **fields)
@@ -127,7 +127,7 @@ def test_numbers_of_a_file(tmp_path):
 
 def test_another_way_wants_no_table(tmp_path):
     circuit = tank('[ensemble]\nsampling = "file"\nfile = "numbers.csv"\n', tmp_path)
-    given = {"runs": 8, "numbers": {"tank.volume": {"distribution": "uniform", "relative_range": 0.1}}}
+    given = {"runs": 8, "parameters": {"tank.volume": {"distribution": "uniform", "relative_range": 0.1}}}
     assert plan_of(circuit, sampling="latin", metrics=METRICS, **given).table is None
     with refused("ensemble.not_of_file"):
         plan_of(tank("", tmp_path), sampling="latin", file="numbers.csv", metrics=METRICS, **given)
@@ -144,7 +144,7 @@ def fit(**changes):
 
 def test_the_joint_distribution_of_a_fit(tmp_path):
     fit().save(tmp_path / "result.toml")
-    found = plan_of(tank("", tmp_path), runs=20_000, numbers={"from_fit": "result.toml"}, metrics=METRICS, seed=2)
+    found = plan_of(tank("", tmp_path), runs=20_000, parameters={"from_fit": "result.toml"}, metrics=METRICS, seed=2)
     drawn = found.sample(0, 20_000)
     assert drawn.mean(axis=0) == pytest.approx([2e-3, 2e-8], rel=1e-3)
     assert drawn.std(axis=0) == pytest.approx([2e-5, 4e-10], rel=0.02)
@@ -154,10 +154,47 @@ def test_the_joint_distribution_of_a_fit(tmp_path):
 
 def test_numbers_of_a_fit_that_say_nothing_are_refused_or_given():
     doubtful = fit(**{"tank.volume": Estimate(2e-3, "m^3", np.inf, 0.0, 1.0, "not determined")})
-    with refused("ensemble.undetermined", "ensemble.numbers.from_fit", name="tank.volume"):
-        plan(numbers={"from_fit": doubtful})
-    found = plan(numbers={"from_fit": doubtful, "tank.volume": NUMBERS["tank.volume"]})
+    with refused("ensemble.undetermined", "ensemble.parameters.from_fit", name="tank.volume"):
+        plan(parameters={"from_fit": doubtful})
+    found = plan(parameters={"from_fit": doubtful, "tank.volume": NUMBERS["tank.volume"]})
     assert (tuple(found.alone), found.joint) == (("tank.volume",), ("hole.sonic_conductance",))
     wide = fit(**{"tank.volume": Estimate(2e-3, "m^3", 1e-3, 0.0, 1.0, "weak")})
-    with refused("ensemble.impossible", "ensemble.numbers.from_fit", name="tank.volume"):
-        plan(numbers={"from_fit": wide})
+    with refused("ensemble.impossible", "ensemble.parameters.from_fit", name="tank.volume"):
+        plan(parameters={"from_fit": wide})
+
+
+def test_the_old_names_of_parameters_work():
+    circuit = tank(TABLES.replace("[ensemble.parameters]", "[ensemble.numbers]"))
+    plan = plan_of(circuit)
+    assert plan.addresses == plan_of(tank(TABLES)).addresses
+    assert [note.code for note in plan.notes] == ["ensemble.old_numbers"]
+    assert [note.code for note in circuit.ensemble(runs=2).remarks()] == ["ensemble.old_numbers"]
+    with pytest.warns(DeprecationWarning, match="parameters"):
+        renamed = plan_of(circuit, numbers=NUMBERS)
+    assert renamed.alone == plan_of(circuit, parameters=NUMBERS).alone
+    assert renamed.notes == ()
+
+
+def test_old_and_new_names_together_are_an_error():
+    both = TABLES.replace("[ensemble.parameters]", '[ensemble.numbers]\nfrom_fit = "a.toml"\n[ensemble.parameters]')
+    with refused("ensemble.numbers_and_parameters", "ensemble.numbers"):
+        plan_of(tank(both))
+    with refused("ensemble.numbers_and_parameters"):
+        plan_of(tank(), numbers=NUMBERS, parameters=NUMBERS)
+
+
+def test_errors_in_the_old_table_have_its_address():
+    text = TABLES.replace("[ensemble.parameters]", "[ensemble.numbers]").replace('"tank.volume"', '"tank.volum"')
+    with refused("ensemble.number", "ensemble.numbers.tank.volum"):
+        plan_of(tank(text))
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [("Plan", "EnsemblePlan"), ("Index", "SobolIndex"), ("Range", "TornadoRange"), ("Case", "WorstCase")],
+)
+def test_old_class_names_work(old, new):
+    with pytest.warns(DeprecationWarning, match=new):
+        assert getattr(ensemble, old) is getattr(ensemble, new)
+    with pytest.raises(AttributeError, match="Nothing"):
+        ensemble.Nothing  # noqa: B018

@@ -7,7 +7,7 @@ import pytest
 from scipy import stats
 from scipy.stats import qmc
 
-from poppet.ensemble.sampling import permuted, points
+from poppet.ensemble.sampling import permute, points
 
 WAYS = ("random", "latin", "sobol")
 
@@ -59,7 +59,7 @@ def test_latin_hypercube_has_one_point_in_each_stratum():
 def test_permutations_differ_by_their_keys():
     runs = np.arange(1000, dtype=np.uint64)
     keys = np.random.default_rng(0).integers(0, 2**63, (4, 4), dtype=np.uint64)
-    found = [permuted(runs, 1000, key) for key in keys]
+    found = [permute(runs, 1000, key) for key in keys]
     assert all(sorted(each.tolist()) == list(range(1000)) for each in found)
     assert all(abs(np.corrcoef(found[k], found[k + 1])[0, 1]) < 0.1 for k in range(3))
 

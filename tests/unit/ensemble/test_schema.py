@@ -13,7 +13,7 @@ from poppet.core.errors import InputError
 from poppet.ensemble import plan_of
 from poppet.ensemble.distributions import FORMS
 from poppet.ensemble.ensemble_schema import file_schema
-from poppet.ensemble.metrics import WAYS
+from poppet.ensemble.metrics import METRIC_KINDS
 
 EXAMPLE = (Path(__file__).parents[3] / "examples/ensemble.toml").read_text(encoding="utf-8")
 
@@ -24,7 +24,7 @@ def validator() -> Any:
     return jsonschema.Draft202012Validator(file_schema())
 
 
-TEXTS = {  # what stands in the example, and by what it is replaced
+TEXTS = {  # text of the example to invalid replacements
     "runs = 500": ["runs = 0", 'runs = "500"', "runs = true", "rnus = 500"],
     "seed = 1": ["seed = -1", "seed = 1.5"],
     '"sobol"': ['"sobel"'],
@@ -46,6 +46,7 @@ TEXTS = {  # what stands in the example, and by what it is replaced
         'metric = "max", band = 0.1',
         'value = "3.9 bar"',
     ],
+    "[ensemble.parameters]": ["[ensemble.numbers]\n[ensemble.parameters]"],
     'quiet = "overshoot < 4.2 %"': ['quiet = "overshoot 4.2 %"', "quiet = 4.2", 'quiet = "< 4.2 %"'],
     '"tank.volume" = {': ["volume = {"],
     "overshoot = {": ['"over shoot" = {', "balance = {"],
@@ -92,9 +93,13 @@ def test_what_the_reader_takes(validator, good, other):
 def test_every_distribution_and_metric_is_known_with_what_it_means():
     known = file_schema()["$defs"]
     assert known["distribution"]["properties"]["distribution"]["enum"] == list(FORMS)
-    assert known["metric"]["properties"]["metric"]["anyOf"][0]["enum"] == list(WAYS)
-    for name, way in WAYS.items():
+    assert known["metric"]["properties"]["metric"]["anyOf"][0]["enum"] == list(METRIC_KINDS)
+    for name, way in METRIC_KINDS.items():
         own = known[f"metric_{name}"]["properties"]
         assert set(own) == {"metric", "of", "unit", "from", "until", *way.fields}
         assert own["metric"]["description"] == way.meaning
         assert all(field["description"] for field in own.values())
+
+
+def test_the_old_name_of_parameters_is_valid(validator):
+    assert validator.is_valid(tomllib.loads(EXAMPLE.replace("[ensemble.parameters]", "[ensemble.numbers]")))

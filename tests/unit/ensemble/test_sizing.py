@@ -32,7 +32,7 @@ duration = "20 s"
 [ensemble]
 runs = 400
 sampling = "sobol"
-[ensemble.numbers]
+[ensemble.parameters]
 "tank.volume" = { distribution = "normal", relative_sigma = 0.02 }
 [ensemble.metrics]
 fill = { of = "tank.pressure", metric = "time_to", value = "2 bar" }
@@ -74,7 +74,7 @@ def test_what_is_sought_is_the_median_of_its_draws() -> None:
     """Whatever the circuit says: of 20 l with 2 % a share needs the same margin as of 10 l with 2 %."""
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
     numbers = {"tank.volume": {"distribution": "normal", "mean": "20 l", "relative_sigma": 0.02}}
-    given = {"share": 0.95, "largest": True, "runs": 200, "between": ("20 l", "60 l"), "numbers": numbers}
+    given = {"share": 0.95, "largest": True, "runs": 200, "between": ("20 l", "60 l"), "parameters": numbers}
     found = size(circuit, "tank.volume", **given)
     assert found.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
 
@@ -219,7 +219,7 @@ duration = "20 s"
 output_step = "0.1 s"
 [ensemble]
 runs = 6
-[ensemble.numbers]
+[ensemble.parameters]
 "cylinder.bore" = { distribution = "normal", relative_sigma = 0.02 }
 [ensemble.metrics]
 way = { of = "slide.position", metric = "final" }
@@ -231,7 +231,7 @@ lifts = "way > 50 mm"
 def test_what_is_drawn_about_zero_has_no_relative_spread() -> None:
     numbers = {"slide.load_force": {"distribution": "normal", "mean": "0 N", "sigma": "1 N"}}
     with refused("size.about_zero", "slide.load_force"):
-        size(loads(LIFT), "slide.load_force", share=0.5, between=("1 N", "50 N"), numbers=numbers)
+        size(loads(LIFT), "slide.load_force", share=0.5, between=("1 N", "50 N"), parameters=numbers)
 
 
 def test_the_bore_of_a_cylinder_is_found() -> None:
@@ -253,5 +253,5 @@ def test_a_number_that_a_part_tells_its_members_is_not_theirs() -> None:
     """The piston alone with another bore than its chambers would make force of nothing."""
     with refused("ensemble.number", "cylinder.piston.bore"):
         size(loads(LIFT), "cylinder.piston.bore", between=("15 mm", "40 mm"))
-    with refused("free.unknown_number", "free.cylinder.piston.bore"):
+    with refused("names.unknown", "free.cylinder.piston.bore"):
         read_free("cylinder.piston.bore", {}, loads(LIFT))

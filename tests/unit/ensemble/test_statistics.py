@@ -115,7 +115,7 @@ output_step = "0.5 s"
 [ensemble]
 runs = 100
 indices = 512
-[ensemble.numbers]
+[ensemble.parameters]
 "tank.volume" = { distribution = "uniform", relative_range = 0.01 }
 "tank.initial_pressure" = { distribution = "uniform", relative_range = 0.02 }
 "hole.critical_ratio" = { distribution = "uniform", relative_range = 0.5 }
@@ -150,7 +150,7 @@ def test_joint_numbers_are_one_factor(tmp_path):
     }
     table = {"tank.volume": {"hole.sonic_conductance": 0.8}}
     fit = Result("fit", "bench", estimates, correlation=table)
-    plan = plan_of(tank(""), runs=8, indices=8, metrics=METRICS, numbers={
+    plan = plan_of(tank(""), runs=8, indices=8, metrics=METRICS, parameters={
         "from_fit": fit, "hole.critical_ratio": {"distribution": "uniform", "relative_range": 0.1}})  # fmt: skip
     assert plan.factors == {"hole.critical_ratio": (0,), "from_fit": (1, 2)}
     design = design_of(plan, "indices")

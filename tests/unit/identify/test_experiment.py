@@ -277,7 +277,7 @@ def test_a_channel_that_the_circuit_lacks_is_refused():
     measurement = Measurement("run", (Channel("tank.presure", TIME, FLOW, "Pa"),), duration=60.0)
     with pytest.raises(InputError) as error:
         Experiment(Circuit(PARTS).instance, measurement, FREE)
-    assert (error.value.code, error.value.address) == ("fit.no_output", "recordings.run.tank.presure")
+    assert (error.value.code, error.value.address) == ("names.unknown", "recordings.run.tank.presure")
     assert error.value.facts["near"].names[0] == "tank.pressure"
 
 
@@ -289,7 +289,7 @@ def test_what_a_free_number_cannot_be():
             read_free(address, table, circuit)
         return [(e.code, e.address) for e in error.value.problems]
 
-    assert refused({}, "tank.volum") == [("free.unknown_number", "free.tank.volum")]
+    assert refused({}, "tank.volum") == [("names.unknown", "free.tank.volum")]
     assert refused({"strt": 1.0}) == [("fields.unknown", "free.tank.volume.strt")]
     assert refused({"start": "9 l", "max": "8 l"}) == [("free.bounds", "free.tank.volume")]
     assert refused({"prior": {"mean": "8 l"}}) == [("fields.missing", "free.tank.volume.prior.sd")]

@@ -248,7 +248,7 @@ def test_the_result_is_complete(measured: Recording, tmp_path: Path) -> None:
     assert tank().with_values(again.values()).parameters[VALVE] == pytest.approx(result[VALVE].value)
     with pytest.raises(InputError) as error:
         result["valve.sonic_conductanc"]
-    assert code_of(error) == "result.no_parameter"
+    assert code_of(error) == "names.unknown"
 
 
 def test_offsets_validation_and_search_options(measured: Recording) -> None:
@@ -281,10 +281,10 @@ def test_offsets_validation_and_search_options(measured: Recording) -> None:
 @pytest.mark.parametrize(
     ("arguments", "code"),
     [
-        ({"free": ["valve.sonic_conductanc"]}, "free.unknown_number"),
+        ({"free": ["valve.sonic_conductanc"]}, "names.unknown"),
         ({"free": {VALVE: "3 bar"}}, "quantity.other_quantity"),
         ({"free": []}, "fit.nothing_free"),
-        ({"outputs": ["tank.presure"]}, "fit.no_output"),
+        ({"outputs": ["tank.presure"]}, "names.unknown"),
         ({"outputs": ["valve.opening"]}, "fit.input_selected"),
         ({"bounds": {"tank.volume": (0.0, 1.0)}}, "fit.not_free"),
         ({"bounds": {VALVE: 3e-8}}, "fit.no_pair"),
@@ -293,11 +293,11 @@ def test_offsets_validation_and_search_options(measured: Recording) -> None:
         ({"noise": {"tank.temperature": "1 K"}}, "fit.not_recorded"),
         ({"noise": {"tank.pressure": "1 K"}}, "quantity.other_quantity"),
         ({"offsets": {"tank.pressure": "-1 kPa"}}, "fields.out_of_range"),
-        ({"start": {"tank.initial_presure": "free"}}, "free.unknown_number"),
+        ({"start": {"tank.initial_presure": "free"}}, "names.unknown"),
         ({"start": {"tank.initial_temperature": "first"}}, "measured.no_first_sample"),
-        ({"validation": ["other"]}, "fit.unknown_recording"),
-        ({"loss": "cubic"}, "search.loss"),
-        ({"profile": ["tank.volume"]}, "fit.profile"),
+        ({"validation": ["other"]}, "fields.not_an_option"),
+        ({"loss": "cubic"}, "fields.not_an_option"),
+        ({"profile": ["tank.volume"]}, "names.unknown"),
     ],
 )
 def test_wrong_arguments_are_rejected_with_a_hint(measured: Recording, arguments: dict, code: str) -> None:

@@ -221,7 +221,7 @@ def test_common_uncertainty_widens_the_band_without_moving_the_curve(printed):
 def test_scatter_beyond_the_stated_uncertainty_widens_and_is_said(printed):
     optimistic = [replace(p, u_sonic_conductance=p.u_sonic_conductance / 10.0) for p in PRINTED]
     result = identify_characteristic(optimistic)
-    assert any("further from" in text for text in result.findings)
+    assert any("times their uncertainties" in text for text in result.findings)
     wide, narrow = (r.parameters["sonic_conductance.k8"].standard_error for r in (result, printed))
     assert wide > 0.5 * narrow
 
@@ -231,10 +231,10 @@ def test_blind_tests_gaps_repeats_and_reach_are_said():
              for k, p in enumerate(PRINTED) if k not in (8, 9, 10)]  # fmt: skip
     tests.append(replace(tests[5], sonic_conductance=1.1 * tests[5].sonic_conductance, name="again"))
     said = " ".join(identify_characteristic(tests, degree_conductance=5, domain=(0.0, 1e-3)).findings)
-    assert "1 of 13 tests say nothing about b (t3)" in said
-    assert "No test lies between" in said
+    assert "1 of 13 tests do not determine b (t3)" in said
+    assert "No test is between" in said
     assert "(t5 and again)" in said
-    assert "The domain reaches to 0 mm, the tests only to 0.05 mm" in said
+    assert "The domain extends to 0 mm, but the tests only to 0.05 mm" in said
 
 
 # Recordings --------------------------------------------------------------------------------------------------------
@@ -262,7 +262,7 @@ def test_numbers_among_recordings_are_said_to_count_as_numbers_only():
     tests = [recording(x, k) for k, x in enumerate((0.2e-3, 0.5e-3, 0.8e-3))]
     number = StrokePoint(1e-3, 1.5e-8, 0.4, 1.5e-10, 0.01, name="flow bench")
     mixed = identify_characteristic([*tests, number], degree_conductance=1, degree_ratio=0, joint=False)
-    said = [sentence for sentence in mixed.findings if "1 of 4 tests enter through C and b" in sentence]
+    said = [sentence for sentence in mixed.findings if "1 of 4 tests contribute only C and b" in sentence]
     assert len(said) == 1
     assert "(flow bench)" in said[0]
     alone = identify_characteristic(tests, degree_conductance=1, degree_ratio=0, joint=False)
@@ -365,7 +365,7 @@ def test_impossible_points(field, value):
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"form": "splne"}, "characteristic.form"),
+        ({"form": "splne"}, "fields.not_an_option"),
         ({"degree_conductance": -1}, "characteristic.degree"),
         ({"degree_ratio": 2.5}, "characteristic.degree"),
         ({"domain": (1e-3, 0.0)}, "characteristic.empty_domain"),

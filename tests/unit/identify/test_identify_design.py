@@ -154,9 +154,9 @@ def test_mistakes_are_told_at_once(tmp_path: Path) -> None:
     text = f'selct = 2\n{FREE}[sensors]\n"tank.presure" = {{ noise = "300 Pa" }}\n"tank.pressure" = {{ lag = "1 s" }}\n'
     with refused("fields.unknown", "selct"):
         designed(tmp_path, text)
-    with refused("design.no_output", "sensors.tank.presure") as caught:
+    with refused("names.unknown", "sensors.tank.presure") as caught:
         designed(tmp_path, text.replace("selct", "select"))
-    assert [e.code for e in caught.value.problems] == ["design.no_output", "fields.missing"]
+    assert [e.code for e in caught.value.problems] == ["names.unknown", "fields.missing"]
 
 
 @pytest.mark.parametrize(
@@ -168,7 +168,7 @@ def test_mistakes_are_told_at_once(tmp_path: Path) -> None:
         (f"{SENSORS}", "fields.missing"),
         (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", drift = 1 }}\n', "fields.unknown"),
         (f'{FREE}{SENSORS}[vary]\n"tank.volume" = "2 l"\n', "design.no_list"),
-        (f'{FREE}{SENSORS}[vary]\n"tank.volme" = ["2 l"]\n', "address.unknown"),
+        (f'{FREE}{SENSORS}[vary]\n"tank.volme" = ["2 l"]\n', "names.unknown"),
         (f'{FREE}{SENSORS}[tests.a]\nsensors = ["tank.temperature"]\n', "design.no_sensor"),
         (f'{FREE}{SENSORS}[tests.a]\nstart = {{ "tank.initial_pressure" = "2 bar" }}\n', "design.start"),
         (f'{FREE}{SENSORS}[tests.a]\nduration = "-1 s"\n', "fields.out_of_range"),

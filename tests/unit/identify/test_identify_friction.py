@@ -705,7 +705,7 @@ def test_records_that_cannot_be_are_refused(columns, code):
 def test_one_direction_with_a_free_zero_is_refused():
     with refused("friction.one_way", "offset"):
         identify_friction(steady({COULOMB: 20.0}, both=False), offset="free")
-    with refused("friction.unknown_law", "law"):
+    with refused("fields.not_an_option", "law"):
         identify_friction(steady({COULOMB: 20.0}), law="karnopp")
     with refused("friction.no_law", "force"):
         identify_friction(FrictionRecord(force=[1.0, 2.0, 3.0], velocity=[0.1, 0.2, 0.3], pressure=[1e5, 1e5, 2e5]))

@@ -10,12 +10,12 @@ import pytest
 
 from poppet import Circuit, InverseMuscle, Muscle, Orifice, Reservoir, loads
 from poppet.identify import MusclePoints, Result, identify_fit, identify_muscle, read_muscle_file
-from poppet.identify.muscle.points import joined
+from poppet.identify.muscle.points import join_tables
 from poppet.identify.parameter_file import with_numbers
 from poppet.identify.result import read_result
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.parts import Guide
-from poppet.parts.muscle_law import NEEDED
+from poppet.parts.muscle_law import REQUIRED
 from refusals import refused
 
 LENGTH, DIAMETER = 0.3, 0.02
@@ -84,7 +84,7 @@ def test_a_circuit_takes_law_size_and_limits_along(law, part, tmp_path):
     rms = read_result(tmp_path / "mine.toml").residuals["points.force"].rms
     assert np.sqrt(np.mean(misses**2)) == pytest.approx(rms, rel=1e-6, abs=1e-6)
     if part == "flexor":
-        others = {"sarosi", "force_table"} - {NEEDED[law]}
+        others = {"sarosi", "force_table"} - {REQUIRED[law]}
         assert not others & {address.split(".")[1] for address in circuit.numbers() if address.startswith("flexor.")}
         assert found.limits.highest_pressure.absolute(1e5) == pytest.approx(7.5e5)
         assert found.limits.lowest_contraction.value == pytest.approx(0.01)
@@ -247,13 +247,13 @@ def test_a_search_that_ends_at_its_limit_is_told():
 def test_points_that_count_twice_are_refused():
     points = mapped(SAROSI, noise=3.0)
     with refused("force_map.same_twice", "file"):
-        joined([points, points])
+        join_tables([points, points])
 
 
 def test_too_few_points_are_refused():
     with refused("force_map.too_few"):
         identify_muscle(MusclePoints([2e5, 2e5, 3e5], [0.0, 0.1, 0.1], [500.0, 90.0, 200.0], LENGTH, DIAMETER))
-    with refused("force_map.unknown_law", "law"):
+    with refused("fields.not_an_option", "law"):
         identify_muscle(mapped(SAROSI), law="hill")
 
 

@@ -247,7 +247,7 @@ def test_empty_cells_and_repeated_stamps_are_counted() -> None:
     run["tank.pressure"][9] = np.nan
     findings = identify_tank(TankTest(recordings={"a": run}, volume="20 l")).findings
     assert any("1 of 601 samples have an empty cell" in sentence for sentence in findings)
-    assert any("1 repeated time stamps were merged" in sentence for sentence in findings)
+    assert any("1 samples with repeated times were merged" in sentence for sentence in findings)
 
 
 def test_a_misspelt_file_names_its_lines(tmp_path: Path) -> None:

@@ -57,9 +57,9 @@ def test_note_names_definition_and_atmosphere():
 
 
 def test_unknown_definition_offers_the_near_one():
-    with refused("iso6358.definition", "definition"):
+    with refused("fields.not_an_option", "definition"):
         flow_coefficient_cv_from_conductance(1e-8, 0.3, definition="pneumatik")  # type: ignore[arg-type]
-    with refused("iso6358.definition", "definition"):
+    with refused("fields.not_an_option", "definition"):
         conductance_from_flow_coefficient_kv(1.0, definition="liquid")  # type: ignore[arg-type]
 
 

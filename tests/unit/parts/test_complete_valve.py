@@ -90,10 +90,10 @@ def test_mistakes_of_all_members_come_at_once():
             pilot={"volume": -1.0, "volmue": 1.0}, electronics={"inner": {"sample_time": 0.0}}, main_stage={"mode": "x"}
         )
     text = str(caught.value)
-    assert "pilot.volmue is not a field of this part. Did you mean volume?" in text
+    assert "pilot.volmue is not a valid field. Did you mean volume?" in text
     assert "pilot.volume = -1 m^3 is out of range" in text
     assert "electronics.inner.sample_time = 0 s is out of range" in text
-    assert "main_stage.mode is not a field of this part" in text
+    assert "main_stage.mode is not a valid field" in text
 
 
 def test_a_missing_port_is_one_mistake():
@@ -467,7 +467,7 @@ def test_a_signal_of_the_setpoint_may_act_later():
 def test_a_target_above_the_supply_is_said():
     whole = circuit({"valve.setpoint": Steps([0.0, 1.0], [3e5, 6e5])}).with_values({"supply.pressure": "5 bar"})
     notes = whole.simulate(4.0, 0.01).notes
-    assert "valve: the target of 6 bar at t = 1 s is out of reach: the supply has 5 bar." in notes
+    assert "valve: the target of 6 bar at t = 1 s cannot be reached: the supply pressure is 5 bar." in notes
     assert any(note.startswith("valve: the target of 6 bar was not reached by t = 4 s") for note in notes)
 
 
@@ -478,7 +478,7 @@ def test_a_target_that_is_reached_is_not_mentioned():
 def test_an_unstable_tuning_is_reported():
     wild = {"outer": {"gain": 20.0}, "inner": {"gain": 1e-3}}
     notes = circuit({"valve.setpoint": Steps([0.0], [3e5])}, "0.1 l", electronics=wild).simulate(2.0, 1e-3).notes
-    assert any("is not held at t = 2 s: the outlet swings by" in note for note in notes)
+    assert any("is not maintained at t = 2 s: the outlet keeps oscillating by" in note for note in notes)
 
 
 # --- Connections ---
@@ -500,7 +500,7 @@ def mistake(made: Callable[[], object]) -> InputError:
 @pytest.mark.parametrize(
     ("connections", "code", "address"),
     [
-        ({"hole.openin": "valve.fill_duty"}, "wiring.no_input", "connections.hole.openin"),
+        ({"hole.openin": "valve.fill_duty"}, "names.unknown", "connections.hole.openin"),
         ({"hole.opening": "valv.fill_duty"}, "wiring.no_output", "connections.hole.opening"),
         ({"hole.opening": 3}, "wiring.no_output", "connections.hole.opening"),
     ],
@@ -512,7 +512,7 @@ def test_connections_that_end_nowhere(connections, code, address):
 
 def test_an_output_that_no_part_has_shows_when_the_circuit_is_traced():
     found = mistake(lambda: joined({"hole.opening": "valve.fil_duty"}).model)
-    assert (found.code, found.address) == ("wiring.unknown_output", "connections.hole.opening")
+    assert (found.code, found.address) == ("fields.not_an_option", "connections.hole.opening")
     assert "valve.fill_duty" in found.facts["near"].names
 
 
@@ -579,7 +579,7 @@ def test_a_forgotten_set_is_one_mistake():
 def test_an_address_one_level_too_high_is_led_to_its_place():
     with pytest.raises(InputError) as caught:
         circuit().with_values({"valve.outer.gain": 2.0})
-    assert caught.value.code == "address.unknown"
+    assert caught.value.code == "names.unknown"
     assert "valve.electronics.outer.gain" in caught.value.facts["near"].names
 
 

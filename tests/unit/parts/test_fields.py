@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import inspect
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,10 +12,11 @@ import pytest
 
 from poppet.core.errors import InputErrors, OutOfRangeError, UnitError
 from poppet.core.provenance import Number, Source
-from poppet.parts import Chamber, CheckValve, MainStage, Orifice, Reservoir
+from poppet.parts import KINDS, Chamber, CheckValve, MainStage, Orifice, Reservoir
 from poppet.parts.fields import (
     NumberSpec,
     complete,
+    declared,
     default_number,
     flatten,
     group,
@@ -72,7 +74,7 @@ def test_table_carries_its_source():
     [
         ({"valu": "7 bar"}, "fields.source_form"),
         ({"source": "measured"}, "fields.source_form"),
-        ({"value": "7 bar", "source": "guessed"}, "fields.source_kind"),
+        ({"value": "7 bar", "source": "guessed"}, "fields.not_an_option"),
         ({"value": "7 bar", "sorce": "measured"}, "fields.source_form"),
     ],
 )
@@ -160,7 +162,7 @@ def test_missing_fields_say_how_to_give_them():
         complete(Outer(), {})
     assert [str(problem) for problem in caught.value.problems] == [
         "size is missing: the size has no default. Specify it in m.",
-        "to is missing: the store it feeds must name a part. Name a reservoir or chamber.",
+        "to is missing: the store it feeds must be the name of a part. Specify a reservoir or chamber.",
         "spring.rate is missing: the rate has no default. Specify it in N/m.",
     ]
 
@@ -216,3 +218,23 @@ class TestLibraryNumbersOfACopy:
         before = self.stage.numbers()
         dataclasses.replace(self.stage, mode="regulator")
         assert self.stage.numbers() == before
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_docstrings_have_the_declared_parameters(kind):
+    part = KINDS[kind]
+    lines = inspect.getdoc(part).splitlines()
+    start = lines.index("Parameters") + 2
+    names = [line.partition(" : ")[0] for line in lines[start:] if " : " in line and not line.startswith(" ")]
+    assert names == [attribute for _, attribute, _ in declared(part)]
+    assert lines.count("Parameters") == 1
+
+
+def test_a_docstring_has_types_defaults_units_and_meanings():
+    text = inspect.getdoc(Chamber)
+    assert "thermal : {'energy', 'isothermal', 'polytropic', 'isentrope'}, default 'energy'\n    Thermal law." in text
+    assert "volume : number\n    Volume [m^3]." in text
+    assert "wall_conductance : number, default 0.0\n    Wall conductance h A [W/K]." in text
+    assert "polytropic_exponent : number, optional\n" in text
+    assert text.index("Parameters\n---") < text.index("Notes\n---") < text.index("References\n---")
+    assert "upper_spring : mapping\n    Upper spring k1, h1; includes the membrane: rate, preload." in MainStage.__doc__

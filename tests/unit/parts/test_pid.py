@@ -214,9 +214,9 @@ def test_it_holds_a_tank():
         ({"gain": 1e-5, "sample_time": "-1 ms"}, "fields.out_of_range"),
         ({"gain": 1e-5, "setpoint_weight": 0.5}, "pid.lasting_error"),
         ({"gain": 1e-5, "schedule": SCHEDULE}, "pid.said_twice"),
-        ({"schedule": {"pressure": [1e5, 2e5], "gain": [1, 2]}}, "schedule.missing"),
+        ({"schedule": {"pressure": [1e5, 2e5], "gain": [1, 2]}}, "fields.missing"),
         ({"schedule": SCHEDULE | {"gain": [1.0]}}, "schedule.unequal_lengths"),
-        ({"schedule": SCHEDULE | {"gains": [1.0]}}, "schedule.unknown"),
+        ({"schedule": SCHEDULE | {"gains": [1.0]}}, "fields.unknown"),
         ({"schedule": SCHEDULE | {"gain": 3.0}}, "schedule.not_a_list"),
         ({"schedule": SCHEDULE | {"integral_time": [0.1, 0.0, 0.2]}}, "fields.out_of_range"),
         ({"schedule": 4}, "schedule.not_a_table"),
@@ -239,7 +239,7 @@ def test_numbers_of_a_schedule_have_addresses():
     changed = circuit.with_values({"c.schedule.gain_2": "3 1/bar"})
     assert changed.parameters["c.schedule.gain_2"] == pytest.approx(3e-5)
     assert changed.structure == circuit.structure
-    with refused("address.unknown", "c.schedule.gain_9"):
+    with refused("names.unknown", "c.schedule.gain_9"):
         circuit.with_values({"c.schedule.gain_9": 1.0})
 
 

@@ -173,11 +173,11 @@ def test_a_schedule_is_one_of_the_quantity():
     values = part.schedule.parameters(1e5)
     assert part.schedule.at(0.0, values)["gain"] == pytest.approx(3.0)
     assert GainSchedule.read(part.schedule, "angle", "torque") is part.schedule
-    with refused("schedule.unknown", "schedule.pressure"):
+    with refused("fields.unknown", "schedule.pressure"):
         PID(quantity="angle", schedule=table | {"pressure": [1.0, 2.0]}, **numbers)
-    with refused("schedule.unknown", "schedule.vent_factor"):
+    with refused("fields.unknown", "schedule.vent_factor"):
         PID(quantity="angle", schedule=table | {"vent_factor": [1.0, 2.0]}, **numbers)
-    with refused("schedule.missing", "schedule.force"):
+    with refused("fields.missing", "schedule.force"):
         PID(quantity="force", schedule=part.schedule, **numbers)
 
 

@@ -143,8 +143,8 @@ def test_wrong_wiring_is_told_at_once():
     assert {(each.code, each.address) for each in caught.value.problems} == {
         ("wiring.joined_twice", "parts.twice"),
         ("wiring.joined_twice", "parts.back"),
-        ("wiring.unknown_store", "parts.lost.b"),
-        ("wiring.unknown_store", "parts.lost.exhaust_b"),
+        ("fields.not_an_option", "parts.lost.b"),
+        ("fields.not_an_option", "parts.lost.exhaust_b"),
     }
 
 

@@ -165,11 +165,11 @@ def test_what_names_no_tube_or_no_port_is_refused() -> None:
         between(hose, valve=Orifice(from_="supply", to="tank", **NARROW))
     with refused("tube.not_met", "parts.hose.from", store="hose.2", tube="hose"):
         between(hose, valve=Orifice(from_="supply", to="hose.2", **NARROW))
-    with refused("tube.no_port", "parts.hose.from", end="vlave.to"):
+    with refused("fields.not_an_option", "parts.hose.from", value="vlave.to"):
         between(Tube(from_="vlave.to", to="tank", **SIZE), spare=Orifice(from_="hose.1", to="tank", **NARROW))
     with refused("wiring.several_stores", "parts.valve.to"):
         between(Tube(from_="supply", to="tank", **SIZE))
-    with refused("wiring.unknown_store", "parts.branch.from"):
+    with refused("fields.not_an_option", "parts.branch.from"):
         between(hose, branch=Orifice(from_="hose.9", to="tank", **NARROW))
 
 

@@ -45,7 +45,7 @@ def test_the_same_dataset_gives_the_same_page(page, tmp_path):
 
 
 def test_a_page_of_little(tmp_path):
-    found = tank("").ensemble(runs=3, numbers=NUMBERS, metrics=METRICS)
+    found = tank("").ensemble(runs=3, parameters=NUMBERS, metrics=METRICS)
     headings = re.findall(r"<h2>(.*?)</h2>", ensemble_page(found))
     assert headings == ["Metrics", "Influence of the parameters", "Runs", "Parameters"]
 
@@ -53,7 +53,7 @@ def test_a_page_of_little(tmp_path):
 def test_failed_runs_are_said(tmp_path):
     """A level that no run passes is never reached, and a figure of no values is still a figure."""
     never = {"late": {"of": "tank.pressure", "metric": "time_to", "value": "9 bar"}}
-    found = tank("").ensemble(runs=5, numbers=NUMBERS, metrics=never, requirements={"soon": "late < 1 s"})
+    found = tank("").ensemble(runs=5, parameters=NUMBERS, metrics=never, requirements={"soon": "late < 1 s"})
     text = ensemble_page(found)
     assert [each.good for each in found.yields()] == [0]
     assert ">never<" in text

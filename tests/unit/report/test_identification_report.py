@@ -379,8 +379,8 @@ def test_the_worst_verdict_colours_the_summary():
 def test_a_result_that_was_read_has_a_page_without_figures_of_the_fit():
     page = Page(identification_page(result(series={}, correlation={})))
     assert page.count("svg") == 1
-    assert "nothing to object" not in page.text
-    assert "nothing to object" in Page(identification_page(Result("tank", "empty", {}))).text
+    assert "found no problems" not in page.text
+    assert "found no problems" in Page(identification_page(Result("tank", "empty", {}))).text
 
 
 # --- figures ---

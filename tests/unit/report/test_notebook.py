@@ -108,7 +108,7 @@ def ensemble() -> Ensemble:
     found = (
         circuit()
         .with_values({"run.duration": "1 s"})
-        .ensemble(runs=5, numbers=volume, metrics=end, requirements={"soft": "end < 9 bar"})
+        .ensemble(runs=5, parameters=volume, metrics=end, requirements={"soft": "end < 9 bar"})
     )
     assert isinstance(found, Ensemble)
     return found

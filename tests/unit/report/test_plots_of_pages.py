@@ -13,7 +13,7 @@ import pytest
 from browser import Browser, found
 from pages import column, lines, needs_nothing_else, plots
 from poppet.report.html_page import document, head, picture
-from poppet.report.plots.reading import DIGITS, MOST_POINTS, plot_data
+from poppet.report.plots.reading import DIGITS, MAX_POINTS, plot_data
 from poppet.report.plots.scripts import data_element
 from poppet.report.tables import Table, numeric
 from poppet.timeseries.plotting.figures import axes_in, new_figure, style
@@ -97,12 +97,12 @@ def test_of_many_samples_the_extremes_are_kept():
     data = drawn(lambda axes: axes.plot(np.arange(20_000.0), values, label="peak"))
     ((x, y),) = lines(data).values()
     assert data["panels"][0]["lines"][0]["of"] == 20_000
-    assert x.size <= MOST_POINTS
+    assert x.size <= MAX_POINTS
     assert x[np.argmax(y)] == 12_345
 
 
 def test_a_thinned_picture_carries_its_whole_line():
-    time = np.linspace(0.0, 1.0, 3 * MOST_POINTS)
+    time = np.linspace(0.0, 1.0, 3 * MAX_POINTS)
     run = Recording.from_series(time, {"a.pressure [Pa]": 1e5 * (2.0 + np.sin(500.0 * time))})
     (plot,) = plots(page_of(plot_recordings({"": run})))
     assert plot["panels"][0]["lines"][0]["of"] == time.size

@@ -138,7 +138,7 @@ def test_mass_flow_of_another_gas_has_no_axis_of_air():
 def test_constant_series_are_left_out_and_named():
     figure = run_figure()
     assert legend_texts(panel(figure, "pressure").get_legend()) == ["tank", "valve: pilot"]
-    assert "Constant, not drawn: supply.pressure 7 bar, bleed.opening 1." in notes(figure)
+    assert "Constant and therefore not drawn: supply.pressure 7 bar, bleed.opening 1." in notes(figure)
 
 
 def test_constant_series_are_drawn_when_they_are_selected_or_all_there_is():

@@ -84,7 +84,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 
 
 def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
-    """A row for every sine of a record."""
+    """Return a row for each sine of a record."""
     x, y = evaluation.scale.percents(record)
     parts = sines(record.time, x)
     if not parts:
@@ -94,7 +94,7 @@ def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
 
 
 def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
-    """Bode plots and bandwidths of rows, one plot for each amplitude, mean and volume."""
+    """Add Bode plots and bandwidths, one plot for each amplitude, mean and volume."""
     series: dict[str, list[Row]] = {}
     for row in rows:
         series.setdefault(_series(row, rows), []).append(row)

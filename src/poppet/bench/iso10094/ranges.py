@@ -84,7 +84,7 @@ def _setpoint(raw: Any, ambient: float) -> tuple[float, str]:
 
 
 def listed(raw: str, unit: str, name: str) -> tuple[float, ...]:
-    """Positive values of a list, `"1 l, 5 l"`.
+    """Return the positive values of a list, `"1 l, 5 l"`.
 
     Examples
     --------

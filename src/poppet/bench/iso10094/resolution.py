@@ -27,7 +27,7 @@ FEWEST = 5
 
 
 def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, middle: float) -> Trial:
-    """A small staircase up, then down, then up again."""
+    """Return a small staircase up, then down, then up again."""
     settling = 20.0 * hold
     directions = np.concatenate([np.ones(STAIRS), -np.ones(STAIRS), np.ones(STAIRS)])
     levels = middle + stair * np.concatenate(([0.0], np.cumsum(directions)))

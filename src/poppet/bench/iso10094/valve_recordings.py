@@ -145,7 +145,10 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
 
 
 def _is_staircase(record: Record, scale: Scale) -> bool:
-    """True where the outlet rests while the setpoint does: its steps are commands, not those of a converter."""
+    """Return True if the outlet is constant while the setpoint is constant.
+
+    The steps of the setpoint are then commands and not the resolution of a converter.
+    """
     x, y = scale.percents(record)
     held = stairs(x)
     ends = np.array([[np.mean(y[part][-third:]), np.mean(y[part][third:-third])] for part, third in _thirds(held)])
@@ -160,7 +163,7 @@ def _thirds(held: list[slice]) -> list[tuple[slice, int]]:
 
 
 def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> list[InputError]:
-    """What cannot be in the table of a recording, and what is missing in it."""
+    """Return the errors of the table of a recording: invalid and missing fields."""
     problems = [InputError("recordings.unused", f"{where}.{key}") for key in UNUSED if key in table]
     name, is_held = own.get("test"), "setpoint" in own
     if name is None:
@@ -192,7 +195,7 @@ def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> l
 def _joined(
     name: str, measurement: Measurement, own: Mapping[str, Any], where: str, ambient: float, scale: Scale
 ) -> Record:
-    """All channels on the clock of the outlet pressure, while all of them were recorded."""
+    """Combine all channels on the clock of the outlet pressure, within their common time."""
     channels = {channel.address: channel for channel in measurement.channels}
     begin = max(float(channel.time[0]) for channel in channels.values())
     end = min(float(channel.time[-1]) for channel in channels.values())

@@ -82,19 +82,19 @@ class LimitsPlan:
         return values[f"{path}.low"], values[f"{path}.high"]
 
     def asked(self, pressure: float) -> float:
-        """Setpoint for a pressure."""
+        """Return the setpoint for a pressure."""
         if self._kind == "pressure":
             return pressure
         return SCALES[self._kind][1] + (pressure - self.ends[0]) * self.per_pascal
 
     def rig(self, volume: float, changes: Changes | None = None, *, bands: bool = True) -> SineRig:
-        """The settled circuit at the mean pressure with another outlet volume, as it is or without bands."""
+        """Return the settled circuit at the mean pressure with another outlet volume, by default with bands."""
         case = self.case(volume, changes)
         instance = (case if bands else without_bands(case)).instance
         return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
     def case(self, volume: float, changes: Changes | None = None) -> Circuit:
-        """The circuit at the mean pressure with another outlet volume."""
+        """Return the circuit at the mean pressure with another outlet volume."""
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
         ambient = self.circuit.surroundings.pressure
@@ -117,7 +117,7 @@ def limits_plan(
     amplitudes: Sequence[Any] | None = None, springs: Sequence[float] | None = None,
     dampings: Sequence[float] | None = None,
 ) -> LimitsPlan:  # fmt: skip
-    """Complete what was asked for."""
+    """Return a complete plan from partial settings."""
     name = _valve(circuit, valve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):
@@ -173,7 +173,7 @@ def _read(
 
 
 def _spread(low: float, high: float) -> list[float]:
-    """A default range, rounded to two digits: a grid that people can read."""
+    """Return a default range with values of two digits."""
     return [float(f"{value:.2g}") for value in np.geomspace(low, high, POINTS)]
 
 
@@ -200,7 +200,10 @@ CONTROLLER = "controller"
 
 
 def ideal(plan: LimitsPlan, part: str) -> Changes:
-    """What makes a part ideal; of the conductance also the curve of the supply seat, over the whole stroke."""
+    """Return the changes that make a part ideal.
+
+    For the conductance, they include the curve of the supply seat over the whole stroke.
+    """
     changes = _scaled(plan, PARTS[part])
     if part == "sonic conductance":
         curve = plan.circuit.parts[plan.valve].members["main_stage"].curve  # type: ignore[attr-defined]

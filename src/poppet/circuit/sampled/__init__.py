@@ -1,1 +1,1 @@
-"""Circuits with sampled memory for small changes: rest, kinks, and the discrete linear model over one sample."""
+"""Sampled circuits: steady state, kinks, and the discrete linear model over one sample."""

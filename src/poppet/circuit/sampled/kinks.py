@@ -1,4 +1,4 @@
-"""Kinks close to a rest: where the derivatives of rates or of the memory jump."""
+"""Kinks near a steady state: jumps of the derivatives of rates or discrete states."""
 
 from __future__ import annotations
 
@@ -11,88 +11,71 @@ from poppet.core.codes import Note
 Array = NDArray[np.float64]
 
 DISTANCES = np.logspace(-9, -2, 15)
-"""Distances that are looked at, per size of a variable."""
+"""Search distances, per size of a variable."""
 JUMP = 0.5
-"""Change of a derivative, per its size, that makes a kink."""
+"""Relative change of a derivative at a kink."""
 BISECTIONS = 10
 
 
-def kinks(point: SampledPoint, v: Array) -> tuple[Note, ...]:
-    """Notes on the nearest kink of each equation."""
-    here = _slopes(point, v)
+def kink_notes(point: SampledPoint, v: Array) -> tuple[Note, ...]:
+    """Return notes on the nearest kink of each equation."""
+    search = _KinkSearch(point, v)
+    # The linear model changes all states, and the discrete states that are not constant.
+    _, by_v, by_u = point.instant(v, point.every_clock)
+    is_variable = np.any(by_v, axis=1) | np.any(by_u, axis=1)
     nearest: dict[int, tuple[float, int, float]] = {}
-    for column in _moving(point, v):
-        for sign in (1.0, -1.0):
-            # Both ways: on a kink the derivative is that of one side, and only the other one tells.
-            for row, distance in _first(point, v, here, column, sign):
+    for column in range(v.size):
+        # In both directions: on a kink, the derivative is that of one side.
+        for sign in (1.0, -1.0) if column < point.n or is_variable[column - point.n] else ():
+            for row, distance in search.distances(column, sign).items():
                 if row not in nearest or distance < nearest[row][0]:
                     nearest[row] = distance, column, sign
-    # One kink shows in many equations; a reader wants to hear of it once.
-    together: dict[tuple[str, int, float], list[int]] = {}
+    # One kink can affect many equations, but needs one note.
+    groups: dict[tuple[str, int, float], list[int]] = {}
     for row in sorted(nearest):
         distance, column, sign = nearest[row]
-        together.setdefault((f"{distance:.3g}", column, sign), []).append(row)
-    return tuple(_kink(point, rows, nearest[rows[0]][0], column, sign) for (_, column, sign), rows in together.items())
+        groups.setdefault((f"{distance:.3g}", column, sign), []).append(row)
+    notes = []
+    for (_, column, sign), rows in groups.items():
+        distance = nearest[rows[0]][0]
+        equations = [Note("linear.rate_of" if row < point.n else "linear.value_of", point.names[row]) for row in rows]
+        code = "linear.kink_here" if distance == 0.0 else "linear.kink_ahead"
+        size = distance * point.size[column]
+        facts = {"what": equations, "count": len(rows), "upward": sign > 0.0, "size": size, "unit": point.units[column]}
+        notes.append(Note(code, point.names[column], **facts))
+    return tuple(notes)
 
 
-def _slopes(point: SampledPoint, v: Array) -> Array:
-    """Derivatives of the rates and of the memory after an instant of all clocks, in sizes."""
-    _, jacobian = point.scaled(v)
-    return jacobian
+class _KinkSearch:
+    """Search for kinks near a point."""
 
+    def __init__(self, point: SampledPoint, v: Array) -> None:
+        self.point, self.v = point, v
+        _, self.jacobian = point.scaled(v)
 
-def _moving(point: SampledPoint, v: Array) -> list[int]:
-    """Variables that the linear model moves: the states, and of the memory what is not held where it is."""
-    _, by_v, by_u = point.instant(v, point.every_clock)
-    held = ~(np.any(by_v, axis=1) | np.any(by_u, axis=1))
-    return [k for k in range(v.size) if k < point.n or not held[k - point.n]]
+    def jumps(self, column: int, distance: float) -> NDArray[np.bool_]:
+        """Return the rows whose derivative by a variable differs at a distance."""
+        v = self.v.copy()
+        v[column] += distance * self.point.size[column]
+        derivatives, reference = self.point.scaled(v)[1][:, column], self.jacobian[:, column]
+        # Relative to the larger derivative: a derivative that is zero on one side counts as a jump.
+        scale = np.maximum(np.abs(derivatives), np.abs(reference))
+        result: NDArray[np.bool_] = np.abs(derivatives - reference) > JUMP * scale
+        return result & np.isfinite(derivatives)
 
+    def distances(self, column: int, sign: float) -> dict[int, float]:
+        """Return the rows with a kink in one direction and its distance, per size."""
+        result: dict[int, float] = {}
+        low = 0.0
+        for high in DISTANCES.tolist():
+            for row in np.flatnonzero(self.jumps(column, sign * high)).tolist():
+                if row not in result:
+                    result[row] = self._bisect(column, sign, row, low, high) if low > 0.0 else 0.0
+            low = high
+        return result
 
-def _moved(point: SampledPoint, v: Array, column: int, distance: float) -> Array:
-    moved = v.copy()
-    moved[column] += distance * point.size[column]
-    return moved
-
-
-def _jumped(point: SampledPoint, v: Array, here: Array, column: int, distance: float) -> NDArray[np.bool_]:
-    """Rows whose derivative by a variable is another one a distance away."""
-    there = _slopes(point, _moved(point, v, column, distance))[:, column]
-    # Relative to the larger one: a derivative that vanishes on one side counts as a jump.
-    largest = np.maximum(np.abs(there), np.abs(here[:, column]))
-    result: NDArray[np.bool_] = np.abs(there - here[:, column]) > JUMP * largest
-    return result & np.isfinite(there)
-
-
-def _first(point: SampledPoint, v: Array, here: Array, column: int, sign: float) -> list[tuple[int, float]]:
-    """Rows with a kink in one direction, and how far it is, per size."""
-    found: dict[int, float] = {}
-    low = 0.0
-    for distance in DISTANCES:
-        for row in np.flatnonzero(_jumped(point, v, here, column, sign * distance)):
-            if row not in found:
-                found[int(row)] = _bisected(point, v, here, column, sign, int(row), low, float(distance))
-        low = float(distance)
-    return list(found.items())
-
-
-def _bisected(
-    point: SampledPoint, v: Array, here: Array, column: int, sign: float, row: int, low: float, high: float
-) -> float:
-    if low == 0.0:
-        return 0.0
-    for _ in range(BISECTIONS):
-        middle = 0.5 * (low + high)
-        if _jumped(point, v, here, column, sign * middle)[row]:
-            high = middle
-        else:
-            low = middle
-    return high
-
-
-def _kink(point: SampledPoint, rows: list[int], distance: float, column: int, sign: float) -> Note:
-    what = [Note("linear.rate_of" if row < point.n else "linear.value_of", point.names[row]) for row in rows]
-    code = "linear.kink_here" if distance == 0.0 else "linear.kink_ahead"
-    return Note(
-        code, point.names[column], what=what, count=len(rows), upward=sign > 0.0,
-        size=distance * point.size[column], unit=point.units[column],
-    )  # fmt: skip
+    def _bisect(self, column: int, sign: float, row: int, low: float, high: float) -> float:
+        for _ in range(BISECTIONS):
+            middle = 0.5 * (low + high)
+            low, high = (low, middle) if self.jumps(column, sign * middle)[row] else (middle, high)
+        return high

@@ -1,4 +1,4 @@
-"""A circuit with memory and held inputs as a map: rates between instants, memory at them, and their derivatives."""
+"""Sampled circuit with constant inputs: rates between instants, discrete states at instants, derivatives."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.circuit.instance import Instance
-from poppet.circuit.newton import residual_of
-from poppet.circuit.sampled.clock import clock_of
-from poppet.engine.model_evaluation import Evaluation
+from poppet.circuit.newton import scaled_residual
+from poppet.circuit.sampled.clock import find_clock
+from poppet.engine.model_evaluation import ArrayFunction
 from poppet.parts.part import NEVER
 
 Array = NDArray[np.float64]
 
 SIZES = {"Pa": 1e5, "K": 300.0, "m": 1e-3}
-"""Usual size of a remembered value by its unit; 1 for others."""
+"""Typical size of a discrete state by its unit; 1 for other units."""
 
 
 @dataclass(frozen=True, eq=False)
 class IntersampleModel:
-    """Rates and outputs between instants with their derivatives by v = (x, w) and by the inputs u."""
+    """Rates and outputs between instants, with derivatives by v = (x, w) and inputs u."""
 
     rates: Array
     outputs: Array
@@ -32,9 +32,9 @@ class IntersampleModel:
 
 
 class SampledPoint:
-    """A circuit with memory whose inputs u are held.
+    """Sampled circuit with constant inputs u.
 
-    Its variables are v = (x, w): the states, and of the memory what is not a clock.
+    The variables are v = (x, w): the states, and the discrete states except clocks.
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -44,7 +44,7 @@ class SampledPoint:
         self.full_start, p = instance.start()
         self.n = len(self.model.states)
         self.memory_start: Array = p[self.numbers.size :].copy()
-        self.clock = clock_of(kernel, self.full_start, self._inputs, p)
+        self.clock = find_clock(kernel, self.full_start, u if u.size else np.zeros(1), p)
         self.places = np.flatnonzero(~self.clock.counts)
         self.names = (
             *(state.name for state in self.model.states), *(self.model.memory[k][0] for k in self.places)
@@ -54,85 +54,84 @@ class SampledPoint:
         self.positive = np.zeros(self.start.size, dtype=bool)
         self.positive[: self.n] = [state.positive for state in self.model.states]
         nominal = [s.nominal for s in self.model.states] + [SIZES.get(unit, 1.0) for unit in self.units[self.n :]]
-        # As in `linear._Point`: only what must stay positive has its size in its first value.
+        # As in `linear._LinearisationPoint`: only positive states have a typical initial value.
         self.size = np.where(self.positive, np.abs(self.start), np.array(nominal))
-        self._between, self._instant = map(Evaluation, self.model.sampled_functions)
-        # Derivatives by what the clocks hold are of no interest: nothing moves them.
+        self._between, self._instant = map(ArrayFunction, self.model.sampled_functions)
+        # Without derivatives by clocks, which nothing changes.
         self._columns = np.concatenate([np.arange(self.n), self.n + self.places])
         self.every_clock: Array = np.zeros(self.model.n_timers)
         self.every_clock[: self.model.n_timers] = self.clock.counts[: self.model.n_timers]
 
-    @property
-    def _inputs(self) -> Array:
-        return self.u if self.u.size else np.zeros(1)
-
     def p(self, v: Array) -> Array:
-        """Numbers and memory, with clocks that have ticked a few times."""
-        # A program may treat its very first sample otherwise: the clocks stand after some ticks.
+        """Return parameters and discrete states, with clocks after some ticks."""
+        # A controller can treat its first sample differently.
         memory = self.clock.memory.copy()
         memory[self.places] = v[self.n :]
         return np.concatenate([self.numbers, memory])
 
     def at_clock(self, v: Array) -> tuple[Array, Array]:
-        """State and (numbers, memory) from which a run begins at v, at the time `clock.start`."""
+        """Return state and p at the beginning of a run from v at `clock.start`."""
         return self._padded(v), self.p(v)
 
     def first(self) -> tuple[Array, Array]:
-        """State and (numbers, memory) from which a run begins at time zero."""
+        """Return state and p at the beginning of a run at time zero."""
         return self._padded(self.start), np.concatenate([self.numbers, self.memory_start])
 
     def remembered(self, v: Array) -> Array:
-        """The whole memory, its clocks as at the start of a run."""
+        """Return all discrete states, with clocks at the start of a run."""
         memory = self.memory_start.copy()
         memory[self.places] = v[self.n :]
         return memory
 
     def v(self, x: Array, memory: Array) -> Array:
-        """Variables from a state and a whole memory."""
+        """Return the variables of a state and all discrete states."""
         return np.concatenate([x[: self.n], memory[self.places]])
 
     def _padded(self, v: Array) -> Array:
         return np.concatenate([v[: self.n], np.zeros(self.model.n_quadratures)])
 
     def between(self, v: Array) -> IntersampleModel:
-        """Rates and outputs at v."""
+        """Return rates and outputs at v."""
         f, y, fv, fu, yv, yu = self._between(0.0, self._padded(v), self.u, self.p(v))
         return IntersampleModel(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
     def instant(self, v: Array, fired: Array) -> tuple[Array, Array, Array]:
-        """What w becomes at an instant, and its derivatives by v and u."""
+        """Return w after an instant, and its derivatives by v and u."""
         z, zv, zu = self._instant(0.0, self._padded(v), self.u, self.p(v), fired)
         return z[self.places, 0], zv[np.ix_(self.places, self._columns)], zu[self.places]
 
     def scaled(self, v: Array) -> tuple[Array, Array]:
-        """Rates of v per size [1/s], those of the memory being its change over a sample, and their Jacobian."""
+        """Return the rates of v per size [1/s] and their Jacobian.
+
+        The rate of a discrete state is its change over a sample, divided by the sample time.
+        """
         b = self.between(v)
         w, wv, _ = self.instant(v, self.every_clock)
         sample = self.clock.sample_time
         change = np.concatenate([b.rates, (w - v[self.n :]) / sample])
-        # The change over a sample is w+ - w, so its derivative by w loses one.
+        # The change over a sample is w+ - w.
         by_w = wv.copy()
         by_w[:, self.n :] -= np.eye(w.size)
         jacobian = np.vstack([b.rates_by_v, by_w / sample])
         return change / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
     def scaled_by_u(self, v: Array) -> Array:
-        """Derivatives of what `scaled` gives by the inputs."""
+        """Return the derivatives of the rates of `scaled` by the inputs."""
         _, _, by_u = self.instant(v, self.every_clock)
         return np.asarray(np.vstack([self.between(v).rates_by_u, by_u / self.clock.sample_time]) / self.size[:, None])
 
     def is_at_rest(self, v: Array) -> bool:
-        """True when nothing changes any more, neither between instants nor at any of them."""
-        residual, allowed = residual_of(self.scaled, v, self.size)
-        if not np.all(residual <= allowed) or not self.waits(v):
+        """Return True if neither states between instants nor discrete states at instants change."""
+        residual, limit = scaled_residual(self.scaled, v, self.size)
+        if not np.all(residual <= limit) or not self.waits(v):
             return False
-        grant = allowed[self.n :] * self.size[self.n :] * self.clock.sample_time
+        max_change = limit[self.n :] * self.size[self.n :] * self.clock.sample_time
         return all(
-            bool(np.all(np.abs(self.instant(v, fired)[0] - v[self.n :]) <= grant))
+            bool(np.all(np.abs(self.instant(v, fired)[0] - v[self.n :]) <= max_change))
             for fired in np.unique(self.clock.fired, axis=0)
         )
 
     def waits(self, v: Array) -> bool:
-        """True when no timer but the clocks is under way."""
+        """Return True if no timer except the clocks is running."""
         timers = self.places < self.model.n_timers
         return bool(np.all(v[self.n :][timers] >= NEVER))

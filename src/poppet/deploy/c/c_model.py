@@ -1,78 +1,119 @@
-"""The traced functions of a model as C, with the names of its states, numbers and outputs beside them."""
+"""C code of the functions of a model, with comments that name states, parameters and outputs."""
 
 from __future__ import annotations
 
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
 from typing import Any
 
-from poppet.deploy.export_files import plain
+from poppet.deploy.export_files import comment_text
 from poppet.deploy.export_model import ExportModel
 from poppet.engine.model import Model
-from poppet.engine.printers.c import print_function, print_step, used_prelude
-from poppet.engine.printers.instructions import SIGNATURES, traced_functions
+from poppet.engine.printers.c import DOUBLE, print_function, print_step, used_prelude
+from poppet.engine.printers.instructions import SIGNATURES, trace_functions
 
 
 @cache
-def integrator_text(name: str = "integrate") -> str:
-    """The adaptive integrator, ``int64_t integrate(const int64_t *fields)``, under some name."""
+def integrator_code(name: str = "integrate") -> str:
+    """Return the adaptive integrator, ``int64_t integrate(const int64_t *fields)``, with another name."""
     text = files("poppet.engine").joinpath("integrator.c").read_text(encoding="utf-8")
     head = "int64_t integrate(const int64_t *fields)"
     assert head in text
     return text.replace(head, f"{head};\n{head}").replace("integrate(const", f"{name}(const")
 
 
-def integrator_pieces(*heads: str) -> str:
-    """Some of its types and functions alone, by how they begin or end."""
-    pieces = integrator_text().split("\n\n")
-    return "\n\n".join(next(piece for piece in pieces if head in piece) for head in heads)
+def integrator_excerpt(*markers: str) -> str:
+    """Return the types and functions of the integrator that contain the markers."""
+    blocks = integrator_code().split("\n\n")
+    return "\n\n".join(next(block for block in blocks if marker in block) for marker in markers)
 
 
-def model_text(carried: ExportModel, prefix: str = "", head: str = "void") -> str:
-    """All functions of the model, and the step of the kernel: without a prefix under the names of the kernel."""
-    texts = [*_printed(carried, carried.functions, prefix, head)]
-    if carried.model.size:
-        texts.append(print_step(carried.model.size, len(carried.model.inputs), head, prefix))
-    return _with_prelude(texts)
+def model_code(export_model: ExportModel, prefix: str = "") -> str:
+    """Return all functions of the model and the integration step, with a prefix of their names."""
+    functions = _print_functions(export_model, export_model.functions, "void", prefix)
+    model = export_model.model
+    if model.size:
+        functions.append(print_step(model.size, len(model.inputs), "void", prefix))
+    return _with_prelude(functions)
 
 
-def lean_text(carried: ExportModel, functions: dict[str, Any]) -> str:
-    """Functions that are seen in their file alone."""
-    return _with_prelude(_printed(carried, functions, "", "static void", shares_inverses=True))
+def static_code(export_model: ExportModel, functions: dict[str, Any]) -> str:
+    """Return functions with file scope."""
+    return _with_prelude(_print_functions(export_model, functions, "static void", shares_inverses=True))
 
 
-def _printed(
-    carried: ExportModel, functions: dict[str, Any], prefix: str, head: str, *, shares_inverses: bool = False
+def _print_functions(
+    export_model: ExportModel, functions: dict[str, Any], head: str, prefix: str = "", *, shares_inverses: bool = False
 ) -> list[str]:
-    style: dict[str, Any] = {"labels": labels(carried), "head": head, "prefix": prefix}
-    return [print_function(f, name, shares_inverses=shares_inverses, **style) for name, f in functions.items()]
+    """Return the C code of functions; comments name the elements of their arguments and results."""
+    addresses = {
+        name: [comment_text(quantity.address) for quantity in getattr(export_model, name)]
+        for name in ("states", "parameters", "memory", "inputs", "outputs")
+    }
+    labels = {
+        "x": addresses["states"], "f": addresses["states"], "p": addresses["parameters"] + addresses["memory"],
+        "z": addresses["memory"], "u": addresses["inputs"], "y": addresses["outputs"],
+    }  # fmt: skip
+    return [
+        print_function(f, name, shares_inverses=shares_inverses, labels=labels, head=head, prefix=prefix)
+        for name, f in functions.items()
+    ]
 
 
-def _with_prelude(texts: list[str]) -> str:
-    body = "\n\n".join(texts)
-    return "\n\n".join(part for part in (used_prelude(body), body) if part)
+def _with_prelude(functions: list[str]) -> str:
+    code = "\n\n".join(functions)
+    return "\n\n".join(filter(None, (used_prelude(code), code)))
 
 
-def labels(carried: ExportModel) -> dict[str, list[str]]:
-    """What the elements of arguments and results are, for comments."""
-    states, numbers = [plain(s.address) for s in carried.states], [plain(n.address) for n in carried.numbers]
-    memory = [plain(z.address) for z in carried.memory]
-    found = {"x": states, "f": states, "p": numbers + memory, "z": memory}
-    return found | {"u": [plain(i.address) for i in carried.inputs], "y": [plain(y.address) for y in carried.outputs]}
-
-
-def without_integrals(model: Model) -> Model:
-    """The model without the integrals of its flows, on which nothing depends."""
+def fixed_step_functions(model: Model) -> dict[str, Any]:
+    """Return the functions for integration with a fixed step, without the quadratures of the flows."""
+    names: tuple[str, ...] = ("rates", "jacobian", "factor", "solve", "outputs", "start", "update")
     n, symbols, expressions = len(model.states), dict(model.symbols), dict(model.expressions)
     symbols["x"], expressions["rates"] = symbols["x"][:n], expressions["rates"][:n]
     expressions["start"] = expressions["start"][:n]
-    return replace(model, n_quadratures=0, symbols=symbols, expressions=expressions)
-
-
-def lean_functions(model: Model) -> dict[str, Any]:
-    """The functions that a fixed step needs, of the states alone."""
-    wanted = ("rates", "jacobian", "factor", "solve", "outputs", "start", "update")
-    functions = traced_functions(without_integrals(model))
-    names = wanted if model.states else ("outputs", "start", "update")
+    # No function depends on the quadratures.
+    functions = trace_functions(replace(model, n_quadratures=0, symbols=symbols, expressions=expressions))
+    names = names if model.states else ("outputs", "start", "update")
     return {name: functions[name] for name in names if name in functions and name in SIGNATURES}
+
+
+def fill_template(file: str, name: str, fields: Mapping[str, str]) -> str:
+    """Return a template with its fields, and the name of the model as prefix of its names."""
+    text = files("poppet.deploy.c").joinpath("texts", file).read_text(encoding="utf-8")
+    text = re.sub(r"\b(model|MODEL)_", lambda match: f"{name if match[1] == 'model' else name.upper()}_", text)
+    # The fields are inserted last and in one pass: texts of the circuit are not searched for fields.
+    return re.sub(r"@(\w+)@", lambda match: fields[match[1]], text)
+
+
+def number_list(numbers: Iterable[float]) -> str:
+    """Return a list of C literals with all digits."""
+    return ", ".join(DOUBLE.literal(float(number)) for number in numbers)
+
+
+def number_rows(rows: Iterable[Iterable[float]]) -> str:
+    """Return a table of numbers, one line per row."""
+    return ",\n".join(f"  {number_list(row)}" for row in rows) or "  0.0"
+
+
+def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
+    """Return the members of an enumeration with comments; the last member has no comma."""
+    lines = [
+        f"  {prefix}_{name} = {k}{'' if k == len(rows) - 1 else ','} /* {comment} */"
+        for k, (name, comment) in enumerate(rows)
+    ]
+    return "\n".join(lines) or f"  {prefix}_none = 0"
+
+
+def comment_rows(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
+    """Return identifiers with comments that have the address, the unit and the value."""
+    return [
+        (q.identifier, f"{comment_text(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
+        for q in quantities
+    ]
+
+
+def _unit(unit: str) -> str:
+    return comment_text(unit if unit not in ("", "1") else "-")

@@ -1,21 +1,40 @@
-"""The files of a circuit in C."""
+"""Export of a circuit as C: the model, the adaptive integrator, a fixed step for real time, a host program."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from poppet.core.errors import InputError
 from poppet.core.version import __version__
-from poppet.deploy.c.c_model import integrator_pieces, integrator_text, lean_functions, lean_text, model_text
-from poppet.deploy.comparison import GROWN, beside, grown, loosened, rounded, separate
-from poppet.deploy.export_files import c_string, plain
+from poppet.deploy.c.c_model import (
+    comment_rows,
+    enum_members,
+    fill_template,
+    fixed_step_functions,
+    integrator_code,
+    integrator_excerpt,
+    model_code,
+    number_list,
+    number_rows,
+    static_code,
+)
+from poppet.deploy.c.controller import c_controller
+from poppet.deploy.comparison import (
+    MARGIN,
+    change_effects,
+    rounding_changes,
+    run_reference,
+    tolerance_changes,
+    without_fused_operations,
+)
+from poppet.deploy.controller import select_parts
+from poppet.deploy.export_files import c_string, comment_text
 from poppet.deploy.export_model import ExportModel, build_export_model
+from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.job import Job
 from poppet.engine.printers.c import DOUBLE
 from poppet.engine.printers.instructions import SIGNATURES
@@ -23,15 +42,15 @@ from poppet.engine.printers.instructions import SIGNATURES
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
 
-ROWS = 20
-"""Rows of the test vector, behind that of the start."""
+N_ROWS = 20
+"""Rows of the test vector after the start."""
 FIXED_STEP = 0.05
-"""What a state may be off by its size in a run with a fixed step, of a length that suits no circuit in particular."""
-MOST_SUBSTEPS = 10_000
+"""Allowed error of a state, relative to its size, in a run with a fixed step of a length that no circuit determines."""
+MAX_SUBSTEPS = 10_000
 STEP = "th x us p f0 J drift w -> k x1"
 UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
-"""What a step without states does not look at."""
-WHY = {
+"""Arguments that a step without states does not use."""
+FIXED_REASONS = {
     "tied": "fixed: others follow from it",
     "delay": "fixed: a delay moves the signal",
     "derived": "fixed: it follows from others",
@@ -39,244 +58,230 @@ WHY = {
 }
 
 
+def export_c(
+    circuit: Circuit, source: CircuitSource, *, name: str | None = None, substeps: int | None = None,
+    part: str | None = None, precision: str | None = None,
+) -> Export:  # fmt: skip
+    """Export a circuit or its sampled controllers as C; the keyword arguments are the options of the target."""
+    if precision and not part:
+        raise InputError("deploy.precision")
+    if substeps is not None and part:
+        raise InputError("deploy.substeps_of_part")
+    if part:
+        parts = select_parts(circuit, part)
+        return Export(c_controller(circuit, parts, name=name or "", precision=precision or "double"))
+    return Export(c_project(circuit, name or source.name, substeps=1 if substeps is None else substeps))
+
+
 def c_project(circuit: Circuit, name: str = "", *, substeps: int = 1) -> dict[str, str]:
-    """Files of a circuit in C, by their names.
+    """Return the C files of a circuit by name.
 
     Parameters
     ----------
     circuit : Circuit
-        With a duration, over which its signals are carried and the test vector is made.
+        Circuit with a duration, over which the signals are exported and the test vector is computed.
     name : str, optional
-        Of the model; default its title.
+        Name of the model (default: title of the circuit).
     substeps : int, optional
-        In which each call of the fixed step is made at first, 1 to 10,000; the caller may change it.
+        Initial number of integration steps per fixed-step call, 1 to 10,000; the host program can change it.
 
     Returns
     -------
     dict
-        Header, constants, fixed step, adaptive run, integrator, a host that checks them, and a `CMakeLists.txt`.
+        Header, constants, fixed step, adaptive run, integrator, a host program that checks them, and a
+        `CMakeLists.txt`.
 
     Raises
     ------
     InputErrors
-        If it has no duration, more signals than constants can carry, or no such number of substeps.
+        If the circuit has no duration or too many signal segments, or if the number of substeps is invalid.
     SimulationError
-        If its run fails, so that there is nothing to check against.
+        If the run of the circuit fails: the test vector requires it.
     """
-    if not 1 <= substeps <= MOST_SUBSTEPS:
-        raise InputError("deploy.substeps", count=substeps, most=MOST_SUBSTEPS)
-    of = build_export_model(circuit, name)
-    about = f"{plain(of.title or of.name)}: exported by poppet {__version__}"
-    words = {"ABOUT": about, "NAME": of.name, **_data(of), **_sizes(of), **_vector(circuit, of)}
-    words["SUBSTEPS"] = f"{substeps}"
-    words |= {"FUNCTIONS": model_text(of, f"{of.name}_"), **_adaptive(of), "PROTOTYPES": _prototypes(of)}
+    if not 1 <= substeps <= MAX_SUBSTEPS:
+        raise InputError("deploy.substeps", count=substeps, most=MAX_SUBSTEPS)
+    export_model = build_export_model(circuit, name)
+    name = export_model.name
+    fields = {
+        "ABOUT": f"{comment_text(export_model.title or name)}: exported by poppet {__version__}",
+        "NAME": name,
+        "SUBSTEPS": f"{substeps}",
+        "FUNCTIONS": model_code(export_model, f"{name}_"),
+        **_tables(export_model), **_sizes(export_model), **_test_vector(circuit, export_model),
+        **_adaptive_run(export_model),
+    }  # fmt: skip
     return {
-        f"{of.name}.h": filled("header.h", of.name, words),
-        f"{of.name}_data.c": filled("data.c", of.name, words),
-        f"{of.name}_adaptive.c": filled("adaptive.c", of.name, words),
-        f"{of.name}_integrator.c": integrator_text(f"{of.name}_integrate"),
-        f"{of.name}_fixed.c": filled("fixed.c", of.name, words | _fixed(of)),
-        f"{of.name}_host.c": filled("host.c", of.name, words),
-        "CMakeLists.txt": filled("CMakeLists.txt", of.name, words),
+        f"{name}.h": fill_template("header.h", name, fields),
+        f"{name}_data.c": fill_template("data.c", name, fields),
+        f"{name}_adaptive.c": fill_template("adaptive.c", name, fields),
+        f"{name}_integrator.c": integrator_code(f"{name}_integrate"),
+        f"{name}_fixed.c": fill_template("fixed.c", name, fields | _fixed_step(export_model)),
+        f"{name}_host.c": fill_template("host.c", name, fields),
+        "CMakeLists.txt": fill_template("CMakeLists.txt", name, fields),
     }
-
-
-def filled(file: str, name: str, words: Mapping[str, str]) -> str:
-    """A text of this room with its words in place, and the name of the model before its names."""
-    text = files("poppet.deploy.c").joinpath("texts", file).read_text(encoding="utf-8")
-    text = re.sub(r"\b(model|MODEL)_", lambda m: f"{name if m[1] == 'model' else name.upper()}_", text)
-    # Words last, and once: nothing that a circuit brings is looked through for others.
-    return re.sub(r"@(\w+)@", lambda m: words[m[1]], text)
-
-
-def values(numbers: Iterable[float]) -> str:
-    """Numbers of a list of C, of which no digit is lost."""
-    return ", ".join(DOUBLE.literal(float(value)) for value in numbers)
 
 
 def _flags(flags: Iterable[bool]) -> str:
     return ", ".join(str(int(flag)) for flag in flags) or "0"
 
 
-def _rows(rows: Sequence[str], empty: str) -> str:
-    """Elements of a table, which C wants to have one at least."""
+def _table_rows(rows: Sequence[str], empty: str) -> str:
+    """Return the elements of a table; a C table has at least one."""
     return ",\n".join(f"  {row}" for row in rows) or f"  {empty}"
 
 
-def places(prefix: str, entries: Sequence[tuple[str, str]]) -> str:
-    """Members of an enumeration with a remark for each; none has a comma behind the last."""
-    lines = [
-        f"  {prefix}_{name} = {k}{'' if k == len(entries) - 1 else ','} /* {remark} */"
-        for k, (name, remark) in enumerate(entries)
-    ]
-    return "\n".join(lines) or f"  {prefix}_none = 0"
-
-
-def _unit(unit: str) -> str:
-    return plain(unit if unit not in ("", "1") else "-")
-
-
-def remarks(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
-    """Identifiers, and addresses with units as remarks."""
-    return [
-        (q.identifier, f"{plain(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
-        for q in quantities
-    ]
-
-
-def named_rows(rows: Iterable[Iterable[float]]) -> str:
-    """A table of numbers, a line for each row."""
-    return ",\n".join(f"  {values(row)}" for row in rows) or "  0.0"
-
-
-def _data(of: ExportModel) -> dict[str, str]:
-    problem, upper = of.problem, of.name.upper()
-    numbers = [
-        f"{{{c_string(n.address)}, {c_string(n.unit)}, {values([n.value, n.low, n.high])}, {int(n.is_free)}}}"
-        for n in of.numbers
+def _tables(export_model: ExportModel) -> dict[str, str]:
+    """Return the constants of the circuit: parameters, inputs, names and units, signals."""
+    problem, upper = export_model.problem, export_model.name.upper()
+    parameters = [
+        f"{{{c_string(q.address)}, {c_string(q.unit)}, {number_list([q.value, q.low, q.high])}, {int(q.is_free)}}}"
+        for q in export_model.parameters
     ]
     inputs = [
-        f"{{{c_string(i.address)}, {c_string(i.unit)}, {values([i.low, i.high])}, {i.number}, {int(i.is_driven)}}}"
-        for i in of.inputs
+        f"{{{c_string(q.address)}, {c_string(q.unit)}, {number_list([q.low, q.high])}, {q.parameter}, "
+        f"{int(q.is_driven)}}}"
+        for q in export_model.inputs
     ]
 
-    def quantities(each: Iterable[Any]) -> str:
-        return _rows([f"{{{c_string(q.address)}, {c_string(q.unit)}}}" for q in each], "{0, 0}")
+    def names_and_units(quantities: Iterable[Any]) -> str:
+        return _table_rows([f"{{{c_string(q.address)}, {c_string(q.unit)}}}" for q in quantities], "{0, 0}")
 
-    numbered = [
-        (
-            n.identifier,
-            "; ".join(filter(None, [f"{plain(n.address)} [{_unit(n.unit)}] {n.value:.6g}", WHY.get(n.fixed)])),
+    parameter_comments = [
+        (name, "; ".join(filter(None, [comment, FIXED_REASONS.get(q.fixed)])))
+        for q, (name, comment) in zip(
+            export_model.parameters, comment_rows(export_model.parameters, with_value=True), strict=True
         )
-        for n in of.numbers
     ]
     return {
-        "NUMBERS": _rows(numbers, '{"", "", 0.0, 0.0, 0.0, 0}'),
-        "INPUTS": _rows(inputs, '{"", "", 0.0, 0.0, -1, 0}'),
-        "STATES": quantities(of.states),
-        "MEMORY": quantities(of.memory),
-        "OUTPUTS": quantities(of.outputs),
-        "P": places(f"{upper}_P", numbered),
-        "U": places(f"{upper}_U", remarks(of.inputs)),
-        "X": places(f"{upper}_X", remarks(of.states)),
-        "Y": places(f"{upper}_Y", remarks(of.outputs)),
-        "STARTS": values(problem.starts),
+        "NUMBERS": _table_rows(parameters, '{"", "", 0.0, 0.0, 0.0, 0}'),
+        "INPUTS": _table_rows(inputs, '{"", "", 0.0, 0.0, -1, 0}'),
+        "STATES": names_and_units(export_model.states),
+        "MEMORY": names_and_units(export_model.memory),
+        "OUTPUTS": names_and_units(export_model.outputs),
+        "P": enum_members(f"{upper}_P", parameter_comments),
+        "U": enum_members(f"{upper}_U", comment_rows(export_model.inputs)),
+        "X": enum_members(f"{upper}_X", comment_rows(export_model.states)),
+        "Y": enum_members(f"{upper}_Y", comment_rows(export_model.outputs)),
+        "STARTS": number_list(problem.starts),
         "COURSES": ", ".join(str(int(course)) for course in problem.courses),
-        "COEFFICIENTS": named_rows(problem.coefficients.reshape(-1, 7)),
+        "COEFFICIENTS": number_rows(problem.coefficients.reshape(-1, 7)),
     }
 
 
-def _sizes(of: ExportModel) -> dict[str, str]:
-    model, kernel, problem = of.model, of.problem.kernel, of.problem
-    return {
-        "N_NUMBERS": f"{len(of.numbers)}",
-        "N_INPUTS": f"{len(of.inputs)}",
-        "ROOM": f"{max(1, len(of.inputs))}",
-        "N_STATES": f"{len(of.states)}",
-        "ROOM_X_FIXED": f"{max(1, len(of.states))}",
-        "N_X": f"{model.size}",
-        "N_MEMORY": f"{len(of.memory)}",
-        "N_TIMERS": f"{model.n_timers}",
-        "N_OUTPUTS": f"{len(of.outputs)}",
-        "N_SEGMENTS": f"{problem.starts.size}",
-        "N_COURSES": f"{len(problem.coefficients)}",
-        "SCRATCH": f"{kernel.memory_size + 1}",
-    }
+def _sizes(export_model: ExportModel) -> dict[str, str]:
+    """Return the sizes of the arrays."""
+    model, problem = export_model.model, export_model.problem
+    sizes = {
+        "N_NUMBERS": len(export_model.parameters), "N_INPUTS": len(export_model.inputs),
+        "ROOM": max(1, len(export_model.inputs)), "N_STATES": len(export_model.states),
+        "ROOM_X_FIXED": max(1, len(export_model.states)), "N_X": model.size, "N_MEMORY": len(export_model.memory),
+        "N_TIMERS": model.n_timers, "N_OUTPUTS": len(export_model.outputs), "N_SEGMENTS": problem.starts.size,
+        "N_COURSES": len(problem.coefficients), "SCRATCH": problem.kernel.memory_size + 1,
+    }  # fmt: skip
+    return {name: f"{size}" for name, size in sizes.items()}
 
 
-def _prototypes(of: ExportModel) -> str:
-    signatures = {name: SIGNATURES[name] for name in of.functions}
-    if of.model.size:
+def _prototypes(export_model: ExportModel) -> str:
+    signatures = {name: SIGNATURES[name] for name in export_model.functions}
+    if export_model.model.size:
         signatures |= {"step": STEP, "dense": "k -> d"}
     lines = []
     for name, signature in signatures.items():
-        given, _, made = signature.partition("->")
-        formal = [f"double *{a}" if a == "w" else f"const double *{a}" for a in given.split()]
-        lines.append(f"void {of.name}_{name}({', '.join([*formal, *(f'double *{a}' for a in made.split())])});")
+        inputs, _, outputs = signature.partition("->")
+        arguments = [f"double *{a}" if a == "w" else f"const double *{a}" for a in inputs.split()]
+        arguments += [f"double *{a}" for a in outputs.split()]
+        lines.append(f"void {export_model.name}_{name}({', '.join(arguments)});")
     return "\n".join(lines)
 
 
-def _adaptive(of: ExportModel) -> dict[str, str]:
-    kernel, problem, name = of.problem.kernel, of.problem, of.name
-    conditions = problem.stop_conditions
-    own = {key: str(value) for key, value in kernel.job.items() if key.startswith("n_")}
-    own |= {key: f"(int64_t)(intptr_t){name}_{key}" for key in ("jacobian", "step", "dense", "outputs", "update")}
-    if not of.model.size:
-        own |= dict.fromkeys(("jacobian", "step", "dense"), "0")
-    if not of.memory:
-        own["update"] = "0"
-    own |= {"n_segments": f"{name.upper()}_SEGMENTS", "n_courses": f"{name.upper()}_COURSES", "n_rows": "n_times"}
-    own |= {"n_conditions": f"{len(conditions)}", "n_script": "0", "script": "0", "memory": "address(m->scratch)"}
-    own |= {key: f"address({key})" for key in ("scales", "positive", "acting", "places", "weights", "table")}
-    own |= {"starts": f"address({name}_starts)", "courses": f"address({name}_courses)", "grid": "address(times)"}
-    own |= {key: f"address(m->{key})" for key in ("x", "p", "coefficients", "limits", "books", "watch", "counts")}
-    own |= {"jumps": f"address({name}_jumps)"}
-    lines = [f"  job[{k}] = {own[field]}; /* {field} */" for k, field in enumerate(Job._fields)]
+def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
+    """Return the prototypes, the job of the integrator and its constants."""
+    problem, name, model = export_model.problem, export_model.name, export_model.model
+    kernel, conditions, upper = problem.kernel, problem.stop_conditions, name.upper()
+    job = {key: str(value) for key, value in kernel.job.items() if key.startswith("n_")}
+    job |= {key: f"(int64_t)(intptr_t){name}_{key}" for key in ("jacobian", "step", "dense", "outputs", "update")}
+    if not model.size:
+        job |= dict.fromkeys(("jacobian", "step", "dense"), "0")
+    if not export_model.memory:
+        job["update"] = "0"
+    job |= {"n_segments": f"{upper}_SEGMENTS", "n_courses": f"{upper}_COURSES", "n_rows": "n_times"}
+    job |= {"n_conditions": f"{len(conditions)}", "n_script": "0", "script": "0", "memory": "address(m->scratch)"}
+    job |= {key: f"address({key})" for key in ("scales", "positive", "acting", "places", "weights", "table")}
+    job |= {key: f"address({name}_{key})" for key in ("starts", "courses", "jumps")}
+    job |= {key: f"address(m->{key})" for key in ("x", "p", "coefficients", "limits", "books", "watch", "counts")}
+    job |= {"grid": "address(times)"}
+    lines = [f"  job[{k}] = {job[field]}; /* {field} */" for k, field in enumerate(Job._fields)]
     return {
+        "PROTOTYPES": _prototypes(export_model),
         "JOB": "\n".join(lines),
         "N_FIELDS": f"{len(lines)}",
-        "SCALES": values(kernel.scales.ravel()) or "0.0",
+        "SCALES": number_list(kernel.scales.ravel()) or "0.0",
         "POSITIVE": _flags(kernel.positive),
-        # What is never zero has a size of its own.
-        "NOMINAL": values(0.0 if s.positive else s.nominal for s in of.model.states) or "0.0",
+        # The size of a positive state follows its value.
+        "NOMINAL": number_list(0.0 if state.positive else state.nominal for state in model.states) or "0.0",
         "ACTING": _flags(kernel.acting),
         "JUMPS": _flags(problem.jumps),
-        "PLACES": ", ".join(str(k) for c in conditions for k in c.places) or "-1",
-        "WEIGHTS": values(w for c in conditions for w in c.weights) or "0.0",
+        "PLACES": ", ".join(str(k) for condition in conditions for k in condition.places) or "-1",
+        "WEIGHTS": number_list(w for condition in conditions for w in condition.weights) or "0.0",
         "TOLERANCE": DOUBLE.literal(problem.relative_tolerance),
         "LONGEST": DOUBLE.literal(problem.maximum_step),
     }
 
 
-def _fixed(of: ExportModel) -> dict[str, str]:
-    functions = lean_functions(of.model)
-    found = {
-        "FUNCTIONS": lean_text(of, functions),
-        "PIECES": integrator_pieces(
+def _fixed_step(export_model: ExportModel) -> dict[str, str]:
+    """Return the functions of the fixed step."""
+    functions, name = fixed_step_functions(export_model.model), export_model.name
+    fields = {
+        "FUNCTIONS": static_code(export_model, functions),
+        "PIECES": integrator_excerpt(
             "} matrix;", "} Segment;", "static vector row_of(", "static double do_angle(", "static void do_inputs_at(",
             "static void do_input_slopes_at(", "static double do_rounding(",
         ),
-        "STEP": "\n".join(f"  (void){word};" for word in UNUSED) + "\n  return 0;",
+        "STEP": "\n".join(f"  (void){argument};" for argument in UNUSED) + "\n  return 0;",
         "UPDATE": "",
         "INSTANT": "",
     }  # fmt: skip
-    if of.states:
+    if export_model.states:
         sizes = {
             "JACOBIAN": f"{max(1, functions['jacobian'].nnz_out(1))}",
             "FACTOR": f"{functions['factor'].nnz_out(0)}",
         }
-        found["STEP"] = filled("step.c", of.name, sizes).rstrip()
-    if of.memory:
-        found["UPDATE"] = filled("update.c", of.name, {}).rstrip()
-        found["INSTANT"] = filled("instant.c", of.name, {}).rstrip()
-    return found
+        fields["STEP"] = fill_template("step.c", name, sizes).rstrip()
+    if export_model.memory:
+        fields["UPDATE"] = fill_template("update.c", name, {}).rstrip()
+        fields["INSTANT"] = fill_template("instant.c", name, {}).rstrip()
+    return fields
 
 
-def _vector(circuit: Circuit, of: ExportModel) -> dict[str, str]:
-    """Rows of the states for the host to check, and how far from them a run may be; other outputs may jump on a row."""
-    circuit.simulate()  # what fails says so here
-    grid = np.linspace(0.0, of.problem.grid[-1], ROWS + 1)
-    fused = replace(of.problem, grid=grid)
-    problem = separate(fused)
-    known = beside(problem, grid.size)
-    states = {state.address for state in of.states}
-    places = [k for k, output in enumerate(of.outputs) if output.address in states]
-    # A circuit whose run follows rounding may differ by what rounding becomes in it, and by no more elsewhere.
-    allowed = [
-        [[float(f"{each:.1e}") for each in row] for row in np.clip(GROWN * grown(known, changes), least, 1e300)[places]]
-        for least, changes in (
-            (max(1e-9, 10.0 * problem.relative_tolerance), [*rounded(problem), fused]),
-            (FIXED_STEP, loosened(problem, FIXED_STEP)),
+def _test_vector(circuit: Circuit, export_model: ExportModel) -> dict[str, str]:
+    """Return rows of states for the host program to check, with allowed differences; other outputs may jump."""
+    circuit.simulate()  # raises the error of a run that fails
+    grid = np.linspace(0.0, export_model.problem.grid[-1], N_ROWS + 1)
+    fused = replace(export_model.problem, grid=grid)
+    problem = without_fused_operations(fused)
+    reference = run_reference(problem, grid.size)
+    states = {state.address for state in export_model.states}
+    indices = [k for k, output in enumerate(export_model.outputs) if output.address in states]
+    # Near a switching event, rounding has a larger effect: the allowed difference increases with it, and only there.
+    adaptive, fixed = (
+        [
+            [float(f"{difference:.1e}") for difference in row]
+            for row in np.clip(MARGIN * change_effects(reference, changes), limit, 1e300)[indices]
+        ]
+        for limit, changes in (
+            (max(1e-9, 10.0 * problem.relative_tolerance), [*rounding_changes(problem), fused]),
+            (FIXED_STEP, tolerance_changes(problem, FIXED_STEP)),
         )
-    ]
-    sizes = np.where(known.sizes > 0.0, known.sizes, 1.0)
+    )
+    sizes = np.where(reference.sizes > 0.0, reference.sizes, 1.0)
+    n_rows = reference.values.shape[1]
     return {
-        "ROWS": f"{known.values.shape[1]}",
-        "COMPARED": f"{len(places)}",
-        "PLACES_OF_STATES": ", ".join(map(str, places)) or "0",
-        "TIMES": values(grid[: known.values.shape[1]]),
-        "SIZES": values(sizes[places]) or "1.0",
-        "KNOWN": named_rows(known.values[places]),
-        "ALLOWED_ADAPTIVE": named_rows(allowed[0]),
-        "ALLOWED_FIXED": named_rows(allowed[1]),
+        "ROWS": f"{n_rows}",
+        "COMPARED": f"{len(indices)}",
+        "PLACES_OF_STATES": ", ".join(map(str, indices)) or "0",
+        "TIMES": number_list(grid[:n_rows]),
+        "SIZES": number_list(sizes[indices]) or "1.0",
+        "KNOWN": number_rows(reference.values[indices]),
+        "ALLOWED_ADAPTIVE": number_rows(adaptive),
+        "ALLOWED_FIXED": number_rows(fixed),
     }

@@ -1,4 +1,4 @@
-"""Binaries of an FMU: the very kernel as an object for each platform, and C around it, linked into one library."""
+"""Binaries of an FMU: the kernel as object code for each platform, linked with C code to a library."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -20,7 +20,7 @@ from poppet.engine.printers.llvm_step import print_step
 
 
 class Platform(NamedTuple):
-    """Where an FMU runs."""
+    """Platform of a binary."""
 
     triple: str  # of LLVM
     target: str  # of Zig
@@ -30,7 +30,7 @@ class Platform(NamedTuple):
 
 
 PLATFORMS = {
-    # An old library of C, so that old systems can load what is linked against it.
+    # An old C library, so that old systems can load the binary.
     "linux64": Platform(
         "x86_64-unknown-linux-gnu", "x86_64-linux-gnu.2.17", "x86-64", ".so", ("linux64", "x86_64-linux")
     ),
@@ -43,18 +43,18 @@ PLATFORMS = {
 FLAGS = ("-shared", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-s")
 
 
-def kernel_text(carried: ExportModel, more: Mapping[str, Any]) -> str:
-    """LLVM IR of the functions of a model, `more` traced ones among them."""
-    functions = {name: f for name, f in carried.functions.items() if name != "energy"} | dict(more)
-    model = carried.model
+def kernel_code(export_model: ExportModel, added: Mapping[str, Any]) -> str:
+    """Return LLVM IR of the functions of a model and of added functions."""
+    functions = {name: f for name, f in export_model.functions.items() if name != "energy"} | dict(added)
+    model = export_model.model
     if not model.size:
         functions = {name: functions[name] for name in functions if name not in ("jacobian", "factor", "solve")}
     step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + step
 
 
-def kernel_object(text: str, platform: Platform) -> bytes:
-    """Object code of the functions of a model and of the integrator, none of which a host can see."""
+def compile_kernel_object(code: str, platform: Platform) -> bytes:
+    """Return object code of the functions of a model and of the integrator, with hidden symbols."""
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
@@ -62,9 +62,9 @@ def kernel_object(text: str, platform: Platform) -> bytes:
     machine = llvm.Target.from_triple(platform.triple).create_target_machine(
         cpu=platform.cpu, opt=2, reloc="pic", codemodel="default"
     )
-    module = llvm.parse_assembly(text)
+    module = llvm.parse_assembly(code)
     module.link_in(llvm.parse_assembly(INTEGRATOR.read()))
-    # Of the library of C there is a `step` too, and hosts may have anything: nobody else is to see these names.
+    # The C library has a `step` too, and importers have other names: hidden symbols cannot collide.
     for function in module.functions:
         if not function.is_declaration and function.linkage == llvm.Linkage.external:
             function.name, function.visibility = f"model_{function.name}", "hidden"
@@ -77,34 +77,31 @@ def kernel_object(text: str, platform: Platform) -> bytes:
 
 
 def has_zig() -> bool:
-    """True where the extra `fmu` is installed."""
+    """Return True if the extra `fmu` is installed."""
     return importlib.util.find_spec("ziglang") is not None
 
 
-def compilers(platform: str) -> list[list[str]]:
-    """Commands that link for a platform, the best one first."""
-    found = []
+def link_commands(platform: str) -> list[list[str]]:
+    """Return the commands that link for a platform, the preferred one first."""
+    commands = []
     if has_zig():
-        found.append([sys.executable, "-m", "ziglang", "cc", "-target", PLATFORMS[platform].target])
+        commands.append([sys.executable, "-m", "ziglang", "cc", "-target", PLATFORMS[platform].target])
     host = shutil.which("cc") or shutil.which("gcc") or shutil.which("clang")
     if platform == "linux64" and sys.platform == "linux" and os.uname().machine == "x86_64" and host:
-        found.append([host, "-fPIC"])
-    return found
+        commands.append([host, "-fPIC"])
+    return commands
 
 
-def linked(text: str, sources: Mapping[str, str], platform: str, main: str) -> bytes:
-    """The library of an FMU for a platform; `main` is the source that includes the others."""
-    place = PLATFORMS[platform]
-    command = compilers(platform)[0]
+def link_library(code: str, sources: Mapping[str, str], platform_name: str, main: str) -> bytes:
+    """Return the library of an FMU for a platform; the source `main` includes the others."""
+    platform = PLATFORMS[platform_name]
+    library = f"model{platform.suffix}"
+    command = [*link_commands(platform_name)[0], *FLAGS, "-I.", "-o", library, main, "kernel.o", "-lm"]
     with tempfile.TemporaryDirectory() as folder:
         for name, source in sources.items():
             Path(folder, name).write_text(source, encoding="utf-8")
-        Path(folder, "kernel.o").write_bytes(kernel_object(text, place))
-        _run([*command, *FLAGS, "-I.", "-o", f"model{place.suffix}", main, "kernel.o", "-lm"], folder)
-        return Path(folder, f"model{place.suffix}").read_bytes()
-
-
-def _run(command: Sequence[str], folder: str) -> None:
-    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
-    if done.returncode:
-        raise InputError("deploy.fmu.not_linked", command=command[0], said=done.stderr[-2000:])
+        Path(folder, "kernel.o").write_bytes(compile_kernel_object(code, platform))
+        result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if result.returncode:
+            raise InputError("deploy.fmu.not_linked", command=command[0], said=result.stderr[-2000:])
+        return Path(folder, library).read_bytes()

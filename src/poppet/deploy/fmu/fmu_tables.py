@@ -1,4 +1,4 @@
-"""`model.h` of an FMU: sizes, numbers, courses and limits of a circuit as constants of C."""
+"""Headers `model.h` and `names.h` of an FMU: sizes, parameters, signals and limits as constants of C."""
 
 from __future__ import annotations
 
@@ -20,35 +20,35 @@ DIRECTIONAL = "t x u p dx du dp -> df dy"
 
 
 def literal(value: float) -> str:
-    """A number in C90, of which no digit is lost."""
+    """Return a C90 literal with all digits."""
     if math.isinf(value):
         return "-HUGE_VAL" if value < 0.0 else "HUGE_VAL"
     return repr(float(value))
 
 
 def array(kind: str, name: str, values: Iterable[Any]) -> str:
-    """A constant array; an empty one has one element, for C has none."""
+    """Return a constant array; an empty array gets one element, because C has no empty arrays."""
     texts = [literal(v) if kind == "double" else str(int(v)) for v in values] or ["0"]
     lines = [", ".join(texts[k : k + PER_LINE]) for k in range(0, len(texts), PER_LINE)]
     return f"static const {kind} {name}[{len(texts)}] = {{\n  " + ",\n  ".join(lines) + "\n};"
 
 
 def prototypes(functions: Sequence[str]) -> list[str]:
-    """Of the functions of the model."""
+    """Return the prototypes of the functions of the model."""
     signatures = {**SIGNATURES, "directional": DIRECTIONAL}
     signatures |= {"step": "th x us p rates J drift scratch -> stages x1", "dense": "stages -> coefficients"}
-    found = []
+    lines = []
     for name in functions:
-        given, written = (side.split() for side in signatures[name].split("->"))
-        arguments = [*(f"const double *{a}" for a in given), *(f"double *{a}" for a in written)]
-        if name == "step":  # its scratch is written
+        inputs, outputs = (side.split() for side in signatures[name].split("->"))
+        arguments = [*(f"const double *{a}" for a in inputs), *(f"double *{a}" for a in outputs)]
+        if name == "step":  # it writes to its scratch memory
             arguments[7] = "double *scratch"
-        found.append(f"void model_{name}({', '.join(arguments)});")
-    return found
+        lines.append(f"void model_{name}({', '.join(arguments)});")
+    return lines
 
 
 def names_header(functions: Sequence[str], fmi: int) -> str:
-    """Text of `names.h`: functions of several models that are linked together differ by the prefix of their FMU."""
+    """Return the text of `names.h`, which adds the prefix of the FMU to the functions of the model."""
     prefix = f"FMI{fmi}_FUNCTION_PREFIX"
     lines = [
         "/* Names of the model where FMUs are linked together; written by poppet. */",
@@ -61,10 +61,10 @@ def names_header(functions: Sequence[str], fmi: int) -> str:
     return "\n".join(lines)
 
 
-def model_header(plan: FmuLayout, functions: Sequence[str], token: str) -> str:
-    """Text of `model.h`."""
-    carried, problem = plan.carried, plan.carried.problem
-    model, kernel = carried.model, carried.instance.kernel
+def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str:
+    """Return the text of `model.h`."""
+    export_model, problem = layout.export_model, layout.export_model.problem
+    model, kernel = export_model.model, export_model.instance.kernel
     sizes = {
         "N_STATES": len(model.states),
         "N_ALL": model.size,
@@ -73,18 +73,18 @@ def model_header(plan: FmuLayout, functions: Sequence[str], token: str) -> str:
         "N_MEMORY": len(model.memory),
         "N_TIMERS": model.n_timers,
         "N_OUTPUTS": len(model.outputs),
-        "N_INDICATORS": plan.n_indicators,
+        "N_INDICATORS": layout.n_indicators,
         "N_JACOBIAN": kernel.jacobian_size,
         "N_STEP_SCRATCH": scratch_size(model.size, kernel.factor_size),
         "N_SCRATCH": kernel.memory_size,
         "N_CONDITIONS": len(problem.stop_conditions),
         "N_SEGMENTS": problem.starts.size,
-        "N_GUIDED": len(plan.guided),
+        "N_GUIDED": len(layout.guided),
         "JOB_SIZE": len(Job._fields),
     }
     sizes |= {f"JOB_{name}": k for k, name in enumerate(Job._fields)}
-    start = [0.0 if told.slope_of and source >= PORT else item.value
-             for item, told, source in zip(carried.inputs, model.inputs, plan.sources, strict=True)]  # fmt: skip
+    start = [0.0 if info.slope_of and source >= PORT else item.value
+             for item, info, source in zip(export_model.inputs, model.inputs, layout.sources, strict=True)]  # fmt: skip
     conditions = problem.stop_conditions
     texts = [c_string(_reason(condition)) for condition in conditions] or ['""']
     lines = [
@@ -99,22 +99,22 @@ def model_header(plan: FmuLayout, functions: Sequence[str], token: str) -> str:
         f"#define MOST_ATTEMPTS {literal(problem.most_attempts)}\n",
         array("double", "START_P", problem.p),
         array("double", "START_U", start),
-        array("unsigned char", "NUMBER_ROLE", plan.roles),
-        array("double", "NUMBER_LOW", (number.low for number in carried.numbers)),
-        array("double", "NUMBER_HIGH", (number.high for number in carried.numbers)),
-        array("unsigned char", "INPUT_SOURCE", plan.sources),
-        array("int", "INPUT_NUMBER", (item.number for item in carried.inputs)),
-        array("double", "INPUT_LOW", (item.low for item in carried.inputs)),
-        array("double", "INPUT_HIGH", (item.high for item in carried.inputs)),
-        array("int", "GUIDED_NUMBER", (number for number, _ in plan.guided)),
-        array("int", "GUIDED_INPUT", (item for _, item in plan.guided)),
+        array("unsigned char", "NUMBER_ROLE", layout.roles),
+        array("double", "NUMBER_LOW", (parameter.low for parameter in export_model.parameters)),
+        array("double", "NUMBER_HIGH", (parameter.high for parameter in export_model.parameters)),
+        array("unsigned char", "INPUT_SOURCE", layout.sources),
+        array("int", "INPUT_NUMBER", (item.parameter for item in export_model.inputs)),
+        array("double", "INPUT_LOW", (item.low for item in export_model.inputs)),
+        array("double", "INPUT_HIGH", (item.high for item in export_model.inputs)),
+        array("int", "GUIDED_NUMBER", (parameter for parameter, _ in layout.guided)),
+        array("int", "GUIDED_INPUT", (item for _, item in layout.guided)),
         array("double", "SEGMENT_STARTS", problem.starts),
         array("int", "SEGMENT_COURSES", problem.courses),
         array("unsigned char", "SEGMENT_JUMPS", problem.jumps),
         array("double", "COURSES", problem.coefficients.ravel()),
-        array("int", "STATE_NUMBER", (plan.begun.get(k, -1) for k in range(len(model.states)))),
+        array("int", "STATE_NUMBER", (layout.initial_parameters.get(k, -1) for k in range(len(model.states)))),
         array("double", "STATE_SCALES", kernel.scales.ravel()),
-        array("double", "STATE_NOMINALS", nominal_sizes(plan)),
+        array("double", "STATE_NOMINALS", nominal_sizes(layout)),
         array("unsigned char", "STATE_POSITIVE", kernel.positive),
         array("unsigned char", "MEMORY_ACTING", kernel.acting),
         array("int64_t", "CONDITION_PLACES", (p for c in conditions for p in c.places)),
@@ -132,6 +132,6 @@ def model_header(plan: FmuLayout, functions: Sequence[str], token: str) -> str:
 
 
 def _reason(condition: StopCondition) -> str:
-    """What a host is told of a stop condition that is met: its text, or the stroke that leaves its domain."""
+    """Return the message of a stop condition: its text, or the stroke that leaves its domain."""
     reason = condition.reason
     return str(reason.facts.get("condition", f"{reason.address} leaves its domain"))

@@ -1,4 +1,4 @@
-"""One file of all that an FMU is: description, sources, binaries, the circuit's file; the same bytes every time."""
+"""FMU of a circuit: description, sources, binaries and the circuit file in a reproducible archive."""
 
 from __future__ import annotations
 
@@ -8,17 +8,18 @@ import uuid
 import zipfile
 from collections.abc import Mapping, Sequence
 from importlib.resources import files
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, collect
-from poppet.deploy.c.c_model import integrator_text, model_text
+from poppet.core.errors import ErrorCollector, NameSuggestion
+from poppet.deploy.c.c_model import integrator_code, model_code
 from poppet.deploy.export_model import ExportModel, build_export_model
-from poppet.deploy.fmu.binaries import PLATFORMS, compilers, kernel_text, linked
-from poppet.deploy.fmu.description import build_description, describe
-from poppet.deploy.fmu.fmu_layout import FmuLayout, plan_of
+from poppet.deploy.fmu.binaries import PLATFORMS, kernel_code, link_commands, link_library
+from poppet.deploy.fmu.description import build_description, describe_model
+from poppet.deploy.fmu.fmu_layout import FmuLayout, build_layout
 from poppet.deploy.fmu.fmu_tables import DIRECTIONAL, model_header, names_header
+from poppet.deploy.fmu.importers import circuit_resources
+from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.printers.c import print_function, used_prelude
 
@@ -30,110 +31,121 @@ HEADERS = {
     2: ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
     3: ("fmi3FunctionTypes.h", "fmi3Functions.h", "fmi3PlatformTypes.h"),
 }
-C_ENDS = "#ifdef __cplusplus\n}\n#endif\n"
-NOTHING: Mapping[str, bytes] = {}
+C_END = "#ifdef __cplusplus\n}\n#endif\n"
 
 
 class Fmu(NamedTuple):
-    """An FMU in memory."""
+    """FMU in memory."""
 
-    plan: FmuLayout
-    content: dict[str, bytes]  # path in the file to bytes
+    layout: FmuLayout
+    content: dict[str, bytes]  # path in the archive to bytes
     platforms: tuple[str, ...]  # with a binary
     notes: tuple[Note, ...] = ()
 
 
-def directional(model: Any) -> Any:
-    """The CasADi function of the derivatives of rates and outputs along a direction of x, u and p."""
+def directional_derivatives(model: Any) -> Any:
+    """Return the CasADi function of the derivatives of rates and outputs along a direction of x, u and p."""
     import casadi as ca
 
     s, e = model.symbols, model.expressions
     names = ("t", "x", "u", "p")
-    towards = [ca.SX.sym(f"d{name}", s[name].shape[0]) for name in names[1:]]
-    f, y = e["rates"], e["outputs"]
-    found = []
-    for expression in (f, y):
-        along = ca.SX.zeros(expression.shape[0])
-        for name, direction in zip(names[1:], towards, strict=True):
+    directions = [ca.SX.sym(f"d{name}", s[name].shape[0]) for name in names[1:]]
+    derivatives = []
+    for expression in (e["rates"], e["outputs"]):
+        derivative = ca.SX.zeros(expression.shape[0])
+        for name, direction in zip(names[1:], directions, strict=True):
             if s[name].shape[0]:
-                along += ca.jtimes(expression, s[name], direction)
-        found.append(ca.densify(along))
-    return ca.Function("directional", [*(s[name] for name in names), *towards], ca.cse(found))
+                derivative += ca.jtimes(expression, s[name], direction)
+        derivatives.append(ca.densify(derivative))
+    return ca.Function("directional", [*(s[name] for name in names), *directions], ca.cse(derivatives))
 
 
-def fmu_of(
-    circuit: Circuit,
-    name: str = "",
-    *,
-    fmi: int = 2,
-    platforms: Sequence[str] = ("linux64",),
-    inputs: Sequence[str] = (),
-    resources: Mapping[str, bytes] = NOTHING,
-) -> Fmu:
-    """A circuit as an FMU.
+def export_fmu(
+    circuit: Circuit, source: CircuitSource, *, fmi: str = "2", platform: str | None = None,
+    inputs: Sequence[str] = (), name: str | None = None,
+) -> Export:  # fmt: skip
+    """Export a circuit as an FMU; the keyword arguments are the options of the target."""
+    platforms = [entry.strip() for entry in (platform or "").split(",") if entry.strip()] or ["linux64"]
+    resources = circuit_resources(source.text, source.changes, source.result)
+    fmu = build_fmu(circuit, name or "", fmi=int(fmi), inputs=inputs, platforms=platforms, resources=resources)
+    names = {
+        kind: [v.name for v in fmu.layout.variables if v.causality == kind] for kind in ("input", "parameter", "output")
+    }
+    counts = ", ".join(f"{len(group)} {kind}{'s' * (len(group) != 1)}" for kind, group in names.items())
+    summary = f"{counts}; binaries: {', '.join(fmu.platforms) or 'none'}"
+    if names["input"]:
+        summary += f"\ninputs: {', '.join(names['input'])}"
+    return Export({f"{fmu.layout.export_model.name}.fmu": pack(fmu.content)}, summary, fmu.notes)
+
+
+def build_fmu(
+    circuit: Circuit, name: str = "", *, fmi: int = 2, platforms: Sequence[str] = ("linux64",),
+    inputs: Sequence[str] = (), resources: Mapping[str, bytes] | None = None,
+) -> Fmu:  # fmt: skip
+    """Return the FMU of a circuit.
 
     Parameters
     ----------
     circuit : Circuit
-        With a duration.
+        Circuit with a duration.
     name : str, optional
-        Of the model; default its title.
+        Name of the model (default: title of the circuit).
     fmi : int, optional
-        2 or 3.
+        Version of FMI: 2 or 3.
     platforms : sequence of str, optional
-        Of `linux64`, `win64`, `darwin64`, `aarch64-darwin`.
+        Platforms of the binaries: `linux64`, `win64`, `darwin64`, `aarch64-darwin`.
     inputs : sequence of str, optional
-        Addresses of inputs and numbers that the host is to drive, besides the inputs that have signals.
+        Addresses of inputs and parameters that the importer sets, in addition to the inputs with signals.
     resources : mapping of str to bytes, optional
-        Further files, by their paths in the FMU; see `poppet.deploy.fmu.origin`.
+        Further files by their paths in the FMU.
 
     Returns
     -------
     Fmu
-        With a note for each platform for which nothing here links.
+        FMU with a note for each platform without a compiler.
 
     Raises
     ------
     InputErrors
-        For a platform or an input that is unknown, and for what no target carries.
+        If a platform or an input is unknown, or if the circuit cannot be exported.
     """
-    unknown = [each for each in platforms if each not in PLATFORMS]
-    collect(
-        [InputError("deploy.fmu.platform", platform=each, near=NameSuggestion(each, PLATFORMS)) for each in unknown]
-    )
-    plan = plan_of(build_export_model(circuit, name), inputs)
-    directional_function = directional(plan.carried.model)
-    text = kernel_text(plan.carried, {"directional": directional_function})
-    functions = [name for name in (*plan.carried.functions, "directional", "step", "dense") if name != "energy"]
-    if not plan.carried.model.size:
-        functions = [each for each in functions if each not in ("jacobian", "factor", "solve", "step", "dense")]
-    identifier = plan.carried.name
-    sources = {each: _read("c", each) for each in ("core.h", "core.c", f"fmi{fmi}.c")}
-    sources |= {each: _read("headers", each) for each in HEADERS[fmi]}
+    with ErrorCollector() as errors:
+        for platform in platforms:
+            if platform not in PLATFORMS:
+                near = NameSuggestion(platform, PLATFORMS)
+                errors.add("fields.not_an_option", "platform", value=platform, meaning="platform", near=near)
+    layout = build_layout(build_export_model(circuit, name), inputs)
+    export_model = layout.export_model
+    identifier, derivatives = export_model.name, directional_derivatives(export_model.model)
+    kernel = kernel_code(export_model, {"directional": derivatives})
+    functions = [name for name in (*export_model.functions, "directional", "step", "dense") if name != "energy"]
+    if not export_model.model.size:
+        unused = ("jacobian", "factor", "solve", "step", "dense")
+        functions = [name for name in functions if name not in unused]
+    sources = {file: _read("c", file) for file in ("core.h", "core.c", f"fmi{fmi}.c")}
+    sources |= {file: _read("headers", file) for file in HEADERS[fmi]}
     sources["names.h"] = names_header(functions, fmi)
-    token = _token(model_header(plan, functions, ""), text, *sources.values())
-    sources["model.h"] = model_header(plan, functions, token)
-    content = {**resources, "modelDescription.xml": describe(plan, fmi, token, identifier).encode()}
-    content |= {f"sources/{each}": text.encode() for each, text in sources.items()}
-    content["sources/model.c"] = model_source(plan.carried, directional_function).encode()
+    # The GUID depends on the content of the model.
+    texts = (model_header(layout, functions, ""), kernel, *sources.values(), INTEGRATOR.read())
+    token = f"{{{uuid.UUID(hashlib.sha256(chr(0).join(texts).encode()).hexdigest()[:32])}}}"
+    sources["model.h"] = model_header(layout, functions, token)
+    content = {**(resources or {}), "modelDescription.xml": describe_model(layout, fmi, token, identifier).encode()}
+    content |= {f"sources/{file}": text.encode() for file, text in sources.items()}
+    content["sources/model.c"] = model_source(export_model, derivatives).encode()
     content["sources/LICENSE.txt"] = LICENSE.encode()
     if fmi == 3:
         build = build_description(identifier, (f"fmi{fmi}.c", "model.c"))
         content["sources/buildDescription.xml"] = build.encode()
-    linkable = tuple(platform for platform in platforms if compilers(platform))
+    linkable = tuple(platform for platform in platforms if link_commands(platform))
     for platform in linkable:
-        place = PLATFORMS[platform]
-        path = f"binaries/{place.folders[fmi - 2]}/{identifier}{place.suffix}"
-        content[path] = linked(text, sources, platform, f"fmi{fmi}.c")
-    notes = [Note("deploy.fmu.no_binary", platform=each) for each in platforms if each not in linkable]
-    return Fmu(plan, content, linkable, (*notes, *_delays(plan)))
-
-
-def _delays(plan: FmuLayout) -> list[Note]:
-    """Of inputs whose signal comes late: what a host sets does not."""
-    told = plan.carried.model.inputs
-    late = [item for item in told if item.delay and plan.carried.instance.parameters[item.delay]]
-    return [Note("deploy.fmu.no_delay", item.name, delay=item.delay) for item in late]
+        folders, suffix = PLATFORMS[platform].folders, PLATFORMS[platform].suffix
+        library = link_library(kernel, sources, platform, f"fmi{fmi}.c")
+        content[f"binaries/{folders[fmi - 2]}/{identifier}{suffix}"] = library
+    notes = [Note("deploy.fmu.no_binary", platform=platform) for platform in platforms if platform not in linkable]
+    # The importer sets inputs without delay.
+    delayed = [i for i in export_model.model.inputs if i.delay and export_model.instance.parameters[i.delay]]
+    notes += [Note("deploy.fmu.no_delay", item.name, delay=item.delay) for item in delayed]
+    return Fmu(layout, content, linkable, tuple(notes))
 
 
 LICENSE = """The files fmi2*.h and fmi3*.h are licensed by the Modelica Association Project FMI under the 2-Clause BSD
@@ -141,30 +153,24 @@ License, whose text stands in them. All other sources were written by poppet, an
 """
 
 
-def model_source(build_export_model: ExportModel, directional: Any) -> str:
-    """The functions of a model and the integrator in C, for hosts that compile."""
-    along = print_function(directional, "directional", DIRECTIONAL, prefix="model_")
-    own = model_text(build_export_model, "model_")
-    # What one of them uses of the mathematics stands before both.
-    both = "\n\n".join([own, along])
-    own = own.replace(used_prelude(own), "", 1).lstrip()
+def model_source(export_model: ExportModel, derivatives: Any) -> str:
+    """Return the functions of a model and the integrator in C, for importers that compile."""
+    directional = print_function(derivatives, "directional", DIRECTIONAL, prefix="model_")
+    functions = model_code(export_model, "model_")
+    # One prelude for both.
+    prelude = used_prelude("\n\n".join([functions, directional]))
+    functions = functions.replace(used_prelude(functions), "", 1).lstrip()
     head = "/* The model and the integrator; written by poppet. */\n#include <math.h>\n#include <stdint.h>\n\n"
     head += '#include "names.h"\n\n#ifdef __cplusplus\nextern "C" {\n#endif\n'
-    return "\n\n".join([head, used_prelude(both), own, along, integrator_text("model_integrate"), C_ENDS])
+    return "\n\n".join([head, prelude, functions, directional, integrator_code("model_integrate"), C_END])
 
 
 def _read(folder: str, name: str) -> str:
     return files("poppet.deploy.fmu").joinpath(folder, name).read_text(encoding="utf-8")
 
 
-def _token(*texts: str) -> str:
-    """A GUID of the model's content."""
-    digest = hashlib.sha256("\0".join([*texts, INTEGRATOR.read()]).encode()).hexdigest()
-    return f"{{{uuid.UUID(digest[:32])}}}"
-
-
-def packed(content: Mapping[str, bytes]) -> bytes:
-    """A ZIP archive whose bytes depend on nothing but its content."""
+def pack(content: Mapping[str, bytes]) -> bytes:
+    """Return a ZIP archive whose bytes depend on the content only."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for path in sorted(content, key=lambda path: (path != "modelDescription.xml", path)):
@@ -172,14 +178,3 @@ def packed(content: Mapping[str, bytes]) -> bytes:
             info.compress_type, info.create_system, info.external_attr = zipfile.ZIP_DEFLATED, 3, 0o644 << 16
             archive.writestr(info, content[path])
     return buffer.getvalue()
-
-
-def write_fmu(fmu: Fmu, path: Path) -> Path:
-    """Write an FMU aside, and rename it."""
-    aside = path.with_name(f".{path.name}.{uuid.uuid4().hex[:12]}")
-    try:
-        aside.write_bytes(packed(fmu.content))
-        aside.replace(path)
-    finally:
-        aside.unlink(missing_ok=True)
-    return path

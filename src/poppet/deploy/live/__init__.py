@@ -1,1 +1,1 @@
-"""A page in which the model itself runs, as WebAssembly."""
+"""Export as an HTML page that simulates the circuit in WebAssembly."""

@@ -1,4 +1,4 @@
-"""What a page shows of a circuit, as data: panels and bars of its outputs, its drawing, its numbers."""
+"""Content of a page as data: curves and bars of the outputs, the schematic, the sliders."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from poppet.core.number_format import USUAL, pretty
 from poppet.core.units import convert
 from poppet.deploy.export_model import ExportModel
 from poppet.deploy.live.page_inputs import Slider, affine
-from poppet.report.circuit.schematic import Room, draw_with_room
+from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import inline_svg
 from poppet.timeseries.plotting.figures import figure_bytes
 from poppet.timeseries.plotting.panels import STILL
@@ -20,11 +20,11 @@ if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
     from poppet.timeseries.recording import Recording
 
-_SHOWN = {"Pa": "p", "m": "x", "rad": "angle", "N": "F", "N m": "M", "kg/s": "qm"}
-"""Quantities that stand in the boxes of the drawing, by SI unit, the first ones first."""
-_MOST_SHOWN, _WIDE = 3, 1.3  # lines of a box, and how wide it is at least [in]
+_SYMBOLS = {"Pa": "p", "m": "x", "rad": "angle", "N": "F", "N m": "M", "kg/s": "qm"}
+"""Symbols of the quantities in the boxes of the schematic, by SI unit, in the order of preference."""
+_MAX_LINES, _MIN_WIDTH = 3, 1.3  # of a box; width [in]
 _MOVES = {"stroke": "poppet", "position": "piston", "piston_position": "piston"}
-_UNITS = {
+_INPUT_UNITS = {
     "Pa": ("Pa", "kPa", "MPa", "mbar", "bar", "psi", "bar g", "kPa g", "mbar g", "psi g"),
     "K": ("K", "degC", "degF"),
     "m": ("m", "cm", "mm", "um"),
@@ -39,111 +39,113 @@ _UNITS = {
     "1": ("1", "%"),
     "s": ("s", "ms", "min", "h"),
 }
-"""Units in which a column of measured values may be given, by SI unit."""
+"""Valid units of a column of measured values, by SI unit."""
 
 
-def content(of: ExportModel, circuit: Circuit, recording: Recording, sliders: Sequence[Slider]) -> dict[str, Any]:
-    """Everything besides the kernel and its arrays."""
+def page_content(
+    export_model: ExportModel, circuit: Circuit, recording: Recording, sliders: Sequence[Slider]
+) -> dict[str, Any]:
+    """Return the content of the page without the kernel and its arrays."""
     ambient = circuit.surroundings.pressure
     sheet = Sheet({"": recording}, None, None, "", inner=False)
-    places = {each.address: k for k, each in enumerate(of.outputs)}
+    index_of = {output.address: k for k, output in enumerate(export_model.outputs)}
     return {
-        "title": of.title,
+        "title": export_model.title,
         "time": [sheet.time_name, sheet.time_size],
         "sliders": [_slider(slider, ambient) for slider in sliders],
-        "outputs": [_output(each.address, each.unit, ambient) for each in of.outputs],
-        "panels": _panels(sheet, places, ambient),
-        "bands": _bands(sheet, places),
-        "left_out": [one.name for one in sheet.left_out],
-        "drawing": _drawing(of, circuit, ambient),
-        "units": {si: [[name, *affine(name, si, ambient)] for name in names] for si, names in _UNITS.items()},
-        "n_inputs": max(1, len(of.inputs)),
+        "outputs": [_output(output.address, output.unit, ambient) for output in export_model.outputs],
+        "panels": _panels(sheet, index_of),
+        "bands": _bands(sheet, index_of),
+        "left_out": [series.name for series in sheet.left_out],
+        "drawing": _drawing(export_model, circuit),
+        "units": {si: [[name, *affine(name, si, ambient)] for name in names] for si, names in _INPUT_UNITS.items()},
+        "n_inputs": max(1, len(export_model.inputs)),
     }
 
 
 def _slider(slider: Slider, ambient: float) -> dict[str, Any]:
     factor, shift = slider.scale(ambient)
-    found = asdict(slider)
+    fields = asdict(slider)
     for name in ("low", "high", "least", "most"):
-        # JSON has no infinite numbers.
-        found[name] = min(max(found[name], -1e300), 1e300)
-    return found | {"factor": factor, "shift": shift, "shown": pretty(slider.unit) if slider.unit != "1" else ""}
+        # JSON has no infinity.
+        fields[name] = min(max(fields[name], -1e300), 1e300)
+    return fields | {"factor": factor, "shift": shift, "shown": pretty(slider.unit) if slider.unit != "1" else ""}
 
 
 def _output(address: str, unit: str, ambient: float) -> dict[str, Any]:
-    shown = USUAL.get(unit, unit)
-    factor, shift = affine(unit, shown, ambient)
-    return {"address": address, "si": unit, "unit": shown, "factor": factor, "shift": shift}
+    display_unit = USUAL.get(unit, unit)
+    factor, shift = affine(unit, display_unit, ambient)
+    return {"address": address, "si": unit, "unit": display_unit, "factor": factor, "shift": shift}
 
 
-def _panels(sheet: Sheet, places: dict[str, int], ambient: float) -> list[dict[str, Any]]:
-    """Panels as `plots.js` takes them; the lines name their outputs."""
-    found = []
+def _panels(sheet: Sheet, index_of: dict[str, int]) -> list[dict[str, Any]]:
+    """Return the panels for `plots.js`; each line has the index of its output."""
+    panels = []
     for panel, colours in zip(sheet.panels, sheet.colours, strict=True):
         lines = [
-            {"output": places[one.name], "label": panel.labels[one.name], "colour": colours[one.name],
-             "step": one.is_staircase}
-            for one in panel.series
+            {"output": index_of[series.name], "label": panel.labels[series.name], "colour": colours[series.name],
+             "step": series.is_staircase}
+            for series in panel.series
         ]  # fmt: skip
         y: dict[str, Any] = {"label": " ".join((panel.quantity, axis_unit(panel))).strip()}
         if sheet._has_second_axis(panel):
             y["second"] = {"label": "l/min ANR", "factor": float(convert(1.0, panel.unit, "l/min ANR"))}
-        found.append({"y": y, "lines": lines})
-    return found
+        panels.append({"y": y, "lines": lines})
+    return panels
 
 
-def _bands(sheet: Sheet, places: dict[str, int]) -> list[dict[str, Any]]:
-    """Bars of codes: which output, what its codes mean, and the flow whose noise is no flow."""
-    found = []
+def _bands(sheet: Sheet, index_of: dict[str, int]) -> list[dict[str, Any]]:
+    """Return the bars of codes: the output, the meanings of the codes, and the flow with its noise level."""
+    bars = []
     for band in sheet.bands:
-        flow = places.get(f"{band.name.removesuffix('regime')}mass_flow_rate", -1) if "regime" in band.name else -1
+        flow = index_of.get(f"{band.name.removesuffix('regime')}mass_flow_rate", -1) if "regime" in band.name else -1
         looks = [[code, look.text, look.colour, look.is_hatched] for code, look in band.looks.items()]
-        found.append({"output": places[band.name], "label": band.label, "looks": looks, "flow": flow, "still": STILL})
-    return found
+        bars.append({"output": index_of[band.name], "label": band.label, "looks": looks, "flow": flow, "still": STILL})
+    return bars
 
 
-def _drawing(of: ExportModel, circuit: Circuit, ambient: float) -> dict[str, Any]:
-    """The picture of the circuit with room in its boxes, what is shown there, and what moves."""
-    inner = of.instance.inner
-    shown: dict[str, list[dict[str, Any]]] = {}
-    for unit, sign in _SHOWN.items():
-        for k, each in enumerate(of.outputs):
-            part, _, last = each.address.rpartition(".")
-            part = part.partition(".")[0]
-            if each.unit != unit or each.address in inner or part not in circuit.parts:
+def _drawing(export_model: ExportModel, circuit: Circuit) -> dict[str, Any]:
+    """Return the schematic with space in its boxes, the values in the boxes, and the moving bodies."""
+    inner = export_model.instance.inner
+    values_of: dict[str, list[dict[str, Any]]] = {}
+    for unit, symbol in _SYMBOLS.items():
+        for k, output in enumerate(export_model.outputs):
+            path, _, name = output.address.rpartition(".")
+            part = path.partition(".")[0]
+            if output.unit != unit or output.address in inner or part not in circuit.parts:
                 continue
-            shown.setdefault(part, []).append({"output": k, "sign": sign, "name": last.replace("_", " ")})
-    shown = {part: items[:_MOST_SHOWN] for part, items in shown.items()}
-    movers = {part: mover for part in shown if (mover := _mover(of, part))}
-    free = {part: len(items) + 2 * (part in movers) for part, items in shown.items()}
+            values_of.setdefault(part, []).append({"output": k, "sign": symbol, "name": name.replace("_", " ")})
+    values_of = {part: values[:_MAX_LINES] for part, values in values_of.items()}
+    movers = {part: mover for part in values_of if (mover := _mover(export_model, part))}
+    n_lines = {part: len(values) + 2 * (part in movers) for part, values in values_of.items()}
     # The page has the title.
-    figure, rooms = draw_with_room(replace(circuit, title="", like=circuit), free, _WIDE)
-    svg = inline_svg(figure_bytes(figure, "svg", "circuit").decode("utf-8"), "circuit", f"The circuit {of.title}")
-    by_part: dict[str, list[Room]] = {part: [room for room in rooms if room.part == part] for part in free}
-    values = []
-    for part, items in shown.items():
-        lines = by_part[part]
+    figure, empty_lines = draw_with_empty_lines(replace(circuit, title="", like=circuit), n_lines, _MIN_WIDTH)
+    title = f"The circuit {export_model.title}"
+    svg = inline_svg(figure_bytes(figure, "svg", "circuit").decode("utf-8"), "circuit", title)
+    lines_of: dict[str, list[EmptyLine]] = {
+        part: [line for line in empty_lines if line.part == part] for part in n_lines
+    }
+    placed_values = []
+    for part, values in values_of.items():
+        lines = lines_of[part]
         if part in movers:
-            first, second = lines[:2]
+            (first, second), lines = lines[:2], lines[2:]
             movers[part] |= {
                 "x": first.x,
                 "y": (first.y + second.y) / 2,
                 "width": first.width,
                 "height": 1.7 * first.height,
             }
-            lines = lines[2:]
-        values += [item | {"x": line.x, "y": line.y} for item, line in zip(items, lines, strict=True)]
-    return {"svg": svg, "values": values, "movers": list(movers.values())}
+        placed_values += [value | {"x": line.x, "y": line.y} for value, line in zip(values, lines, strict=True)]
+    return {"svg": svg, "values": placed_values, "movers": list(movers.values())}
 
 
-def _mover(of: ExportModel, part: str) -> dict[str, Any] | None:
-    """What moves in a part: its output, what it looks like, and its end stops where they are known."""
-    for k, each in enumerate(of.outputs):
-        owner, _, last = each.address.rpartition(".")
-        if owner != part:
-            continue
-        if last in _MOVES and each.unit in ("m", "rad"):
-            kind = "lever" if each.unit == "rad" else _MOVES[last]
-            stops = of.instance.domains.get(each.address, (None, None))[1]
+def _mover(export_model: ExportModel, part: str) -> dict[str, Any] | None:
+    """Return the moving body of a part: the index of its output, its symbol, and its end stops if they are defined."""
+    for k, output in enumerate(export_model.outputs):
+        path, _, name = output.address.rpartition(".")
+        if path == part and name in _MOVES and output.unit in ("m", "rad"):
+            kind = "lever" if output.unit == "rad" else _MOVES[name]
+            stops = export_model.instance.domains.get(output.address, (None, None))[1]
             return {"output": k, "kind": kind, "stops": list(stops) if stops else None}
     return None

@@ -1,9 +1,9 @@
-"""From a relocatable WebAssembly object of LLVM to a module that a browser takes.
+"""Linker from a relocatable WebAssembly object of LLVM to a module for a browser.
 
-One object holds everything, so that there is nothing to resolve between objects: its functions, types, globals and
-tables keep the numbers they have. What remains is to say where data and stack lie, to own the memory, the table and the
-stack pointer that an object asks its surroundings for, and to name what is called from outside. Formats are those of
-the WebAssembly core specification, section 5, and of the tool conventions, "WebAssembly Object File Linking".
+There is only one object, so no symbols of other objects are resolved: functions, types, globals and tables keep their
+indices. The linker sets the addresses of data and stack, defines the memory, the table and the stack pointer that the
+object imports, and exports functions. The formats are those of the WebAssembly core specification, section 5, and of
+the tool conventions, "WebAssembly Object File Linking".
 """
 
 from __future__ import annotations
@@ -15,41 +15,43 @@ from typing import NamedTuple
 _MAGIC = b"\0asm\1\0\0\0"
 _PAGE = 65536
 _CUSTOM, _TYPE, _IMPORT, _FUNCTION, _TABLE, _MEMORY, _GLOBAL, _EXPORT, _START, _ELEMENT, _CODE, _DATA = range(12)
-_COUNT = 12  # of data segments, stands before the code
+_COUNT = 12  # of data segments; precedes the code
 _ORDER = (_TYPE, _IMPORT, _FUNCTION, _TABLE, _MEMORY, _GLOBAL, _EXPORT, _ELEMENT, _COUNT, _CODE, _DATA)
 _OF_FUNCTION, _OF_TABLE, _OF_MEMORY, _OF_GLOBAL = range(4)
 _SYMBOLS, _SYMBOL_FUNCTION, _SYMBOL_DATA = 8, 0, 1
 _UNDEFINED, _EXPLICIT = 0x10, 0x40
-_NUMBERED = (0, 6, 7, 20)
-"""Relocations that name a function, a type, a global or a table: they hold its number already."""
-_ADDRESSES = {3: "leb", 4: "sleb", 5: "i32"}
-"""Relocations that hold an address of data, and how it is written."""
+_INDEX_RELOCATIONS = (0, 6, 7, 20)
+"""Relocations of the index of a function, type, global or table, which does not change."""
+_ADDRESS_RELOCATIONS = {3: "leb", 4: "sleb", 5: "i32"}
+"""Relocations of a data address, and its encoding."""
 
 
 class Module(NamedTuple):
-    """A linked module, and what its page has to know."""
+    """Linked module, with the facts that its page requires."""
 
     code: bytes
-    table: Mapping[str, int]  # place of each function that is called by its address
-    heap: int  # first byte that nobody uses, a multiple of 16
-    imports: tuple[str, ...]  # functions that the page has to give
+    table: Mapping[str, int]  # index of each function that is called by its index
+    heap: int  # first unused byte, a multiple of 16
+    imports: tuple[str, ...]  # functions that the page provides
 
 
 class LinkError(ValueError):
-    """An object holds what this linker does not know."""
+    """Error of an object with features that this linker does not support."""
 
 
 @dataclass
-class _Reader:
+class _ByteReader:
+    """Reader of the binary format."""
+
     data: bytes
-    at: int = 0
+    position: int = 0
 
     def byte(self) -> int:
-        self.at += 1
-        return self.data[self.at - 1]
+        self.position += 1
+        return self.data[self.position - 1]
 
     def number(self) -> int:
-        """An unsigned LEB128."""
+        """Read an unsigned LEB128."""
         value = shift = 0
         while True:
             byte = self.byte()
@@ -59,15 +61,15 @@ class _Reader:
                 return value
 
     def signed(self) -> int:
-        """A signed LEB128."""
-        start = self.at
+        """Read a signed LEB128."""
+        start = self.position
         value = self.number()
-        bits = 7 * (self.at - start)
+        bits = 7 * (self.position - start)
         return value - (1 << bits) if value >> (bits - 1) else value
 
     def bytes(self, length: int) -> bytes:
-        self.at += length
-        return self.data[self.at - length : self.at]
+        self.position += length
+        return self.data[self.position - length : self.position]
 
     def name(self) -> str:
         return self.bytes(self.number()).decode("utf-8")
@@ -81,102 +83,112 @@ class _Reader:
 
 @dataclass
 class _Object:
-    """An object, taken apart."""
+    """Sections of an object."""
 
     sections: dict[int, bytearray] = field(default_factory=dict)
-    places: list[int] = field(default_factory=list)  # kind of section by its place in the file
-    relocations: list[tuple[int, bytes]] = field(default_factory=list)  # kind of section, what changes in it
+    kinds: list[int] = field(default_factory=list)  # kinds of the sections in the order of the file
+    relocations: list[tuple[int, bytes]] = field(default_factory=list)  # kind of section, its relocations
     linking: bytes = b""
     functions: list[str] = field(default_factory=list)  # imported
-    kept: list[bytes] = field(default_factory=list)  # their imports as they stand
+    function_imports: list[bytes] = field(default_factory=list)  # their imports, encoded
     addresses: list[int] = field(default_factory=list)  # of data segments, in the object
     symbols: list[tuple[int, str, int]] = field(default_factory=list)  # kind, name, function or address
 
 
 def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: int) -> Module:
-    """Make a module of one object.
+    """Return the module of one object.
 
     Parameters
     ----------
     code : bytes
         Relocatable object.
     exports, tabled : sequence of str
-        Functions called by name, and by their place in the table, which begins at 1.
+        Functions that are called by name, and by their index in the table, which begins at 1.
     stack : int
-        Its size; it lies below the data, so that one that overflows traps [B].
+        Size of the stack [B]. It is below the data: an overflow causes a trap.
+
+    Returns
+    -------
+    Module
     """
-    found = _taken_apart(code)
+    wasm_object = _read_object(code)
     base = -(-stack // 16) * 16
-    for kind, text in found.relocations:
-        _relocate(found, kind, text, base)
-    own = {name: number for kind, name, number in found.symbols if kind == _SYMBOL_FUNCTION}
-    size = _move_data(found, base)
+    for kind, content in wasm_object.relocations:
+        _relocate(wasm_object, kind, content, base)
+    function_index = {name: number for kind, name, number in wasm_object.symbols if kind == _SYMBOL_FUNCTION}
+    size = _move_data(wasm_object, base)
     heap = -(-(base + size) // 16) * 16
-    sections = {kind: bytes(text) for kind, text in found.sections.items()}
-    sections[_IMPORT] = _vector(found.kept)
-    sections[_TABLE] = _vector([b"\x70\0" + _leb(1 + len(tabled))])
-    sections[_MEMORY] = _vector([b"\0" + _leb(-(-heap // _PAGE))])
-    sections[_GLOBAL] = _vector([b"\x7f\1\x41" + _sleb(base) + b"\x0b"])
-    outside = [_named(name) + bytes([_OF_FUNCTION]) + _leb(own[name]) for name in exports]
-    sections[_EXPORT] = _vector([_named("memory") + bytes([_OF_MEMORY, 0]), *outside])
-    sections[_ELEMENT] = _vector([b"\0\x41\1\x0b" + _vector([_leb(own[name]) for name in tabled])])
-    body = b"".join(bytes([kind]) + _leb(len(sections[kind])) + sections[kind] for kind in _ORDER if kind in sections)
-    return Module(_MAGIC + body, {name: k + 1 for k, name in enumerate(tabled)}, heap, tuple(found.functions))
+    sections = {kind: bytes(content) for kind, content in wasm_object.sections.items()}
+    sections[_IMPORT] = _encode_vector(wasm_object.function_imports)
+    sections[_TABLE] = _encode_vector([b"\x70\0" + _encode_unsigned(1 + len(tabled))])
+    sections[_MEMORY] = _encode_vector([b"\0" + _encode_unsigned(-(-heap // _PAGE))])
+    sections[_GLOBAL] = _encode_vector([b"\x7f\1\x41" + _encode_signed(base) + b"\x0b"])
+    export_entries = [
+        _encode_name(name) + bytes([_OF_FUNCTION]) + _encode_unsigned(function_index[name]) for name in exports
+    ]
+    sections[_EXPORT] = _encode_vector([_encode_name("memory") + bytes([_OF_MEMORY, 0]), *export_entries])
+    sections[_ELEMENT] = _encode_vector(
+        [b"\0\x41\1\x0b" + _encode_vector([_encode_unsigned(function_index[name]) for name in tabled])]
+    )
+    body = b"".join(
+        bytes([kind]) + _encode_unsigned(len(sections[kind])) + sections[kind] for kind in _ORDER if kind in sections
+    )
+    return Module(_MAGIC + body, {name: k + 1 for k, name in enumerate(tabled)}, heap, tuple(wasm_object.functions))
 
 
-def _taken_apart(code: bytes) -> _Object:
-    reader, found = _Reader(code, len(_MAGIC)), _Object()
+def _read_object(code: bytes) -> _Object:
+    reader, wasm_object = _ByteReader(code, len(_MAGIC)), _Object()
     if not code.startswith(_MAGIC):
-        raise LinkError("no WebAssembly")
-    while reader.at < len(code):
+        raise LinkError("not a WebAssembly file")
+    while reader.position < len(code):
         kind = reader.byte()
-        text = reader.bytes(reader.number())
-        found.places.append(kind)
+        content = reader.bytes(reader.number())
+        wasm_object.kinds.append(kind)
         if kind != _CUSTOM:
-            found.sections[kind] = bytearray(text)
+            wasm_object.sections[kind] = bytearray(content)
             continue
-        own = _Reader(text)
-        name = own.name()
+        custom_reader = _ByteReader(content)
+        name = custom_reader.name()
         if name == "linking":
-            found.linking = text[own.at :]
+            wasm_object.linking = content[custom_reader.position :]
         elif name.startswith("reloc."):
-            target = found.places[own.number()]
+            target = wasm_object.kinds[custom_reader.number()]
             if target != _CUSTOM:
-                found.relocations.append((target, text[own.at :]))
-    _read_imports(found)
-    found.addresses = [address for address, _ in _segments(found)]
-    _read_symbols(found)
-    return found
+                wasm_object.relocations.append((target, content[custom_reader.position :]))
+    _read_imports(wasm_object)
+    wasm_object.addresses = [address for address, _ in _iterate_segments(wasm_object)]
+    _read_symbols(wasm_object)
+    return wasm_object
 
 
-def _read_imports(found: _Object) -> None:
-    """Functions stay imports; of memory, table and stack pointer there may be one each, which the module will own."""
-    reader, others = _Reader(bytes(found.sections[_IMPORT])), []
+def _read_imports(wasm_object: _Object) -> None:
+    """Read the imports: functions, and memory, table and stack pointer, which the module will define."""
+    reader, other_imports = _ByteReader(bytes(wasm_object.sections[_IMPORT])), []
     for _ in range(reader.number()):
-        begin = reader.at
+        begin = reader.position
         reader.name()
         name, kind = reader.name(), reader.byte()
         if kind == _OF_FUNCTION:
             reader.number()
-            found.functions.append(name)
-            found.kept.append(reader.data[begin : reader.at])
+            wasm_object.functions.append(name)
+            wasm_object.function_imports.append(reader.data[begin : reader.position])
             continue
-        others.append(name)
+        other_imports.append(name)
         if kind == _OF_TABLE:
             reader.byte()
         if kind == _OF_GLOBAL:
             reader.bytes(2)
         else:
             reader.limits()
-    if not set(others) <= {"__linear_memory", "__indirect_function_table", "__stack_pointer"}:
-        raise LinkError(f"imports {others}")
-    if _GLOBAL in found.sections or _TABLE in found.sections or _ELEMENT in found.sections:
-        raise LinkError("globals, tables or elements of its own")
+    if not set(other_imports) <= {"__linear_memory", "__indirect_function_table", "__stack_pointer"}:
+        raise LinkError(f"imports {other_imports}")
+    if _GLOBAL in wasm_object.sections or _TABLE in wasm_object.sections or _ELEMENT in wasm_object.sections:
+        raise LinkError("defines globals, tables or elements")
 
 
-def _segments(found: _Object) -> Iterator[tuple[int, bytes]]:
-    """Address and content of each data segment."""
-    reader = _Reader(bytes(found.sections.get(_DATA, b"\0")))
+def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
+    """Yield address and content of each data segment."""
+    reader = _ByteReader(bytes(wasm_object.sections.get(_DATA, b"\0")))
     for _ in range(reader.number()):
         if reader.byte() != 0 or reader.byte() != 0x41:
             raise LinkError("a data segment without a constant address")
@@ -185,19 +197,19 @@ def _segments(found: _Object) -> Iterator[tuple[int, bytes]]:
         yield address, reader.bytes(reader.number())
 
 
-def _read_symbols(found: _Object) -> None:
-    reader = _Reader(found.linking)
+def _read_symbols(wasm_object: _Object) -> None:
+    reader = _ByteReader(wasm_object.linking)
     if reader.number() != 2:
-        raise LinkError("another version of the conventions")
-    while reader.at < len(found.linking):
+        raise LinkError("unsupported version of the conventions")
+    while reader.position < len(wasm_object.linking):
         kind = reader.byte()
-        end = reader.number() + reader.at
+        end = reader.number() + reader.position
         if kind == _SYMBOLS:
-            found.symbols = [_symbol(reader, found) for _ in range(reader.number())]
-        reader.at = end
+            wasm_object.symbols = [_read_symbol(reader, wasm_object) for _ in range(reader.number())]
+        reader.position = end
 
 
-def _symbol(reader: _Reader, found: _Object) -> tuple[int, str, int]:
+def _read_symbol(reader: _ByteReader, wasm_object: _Object) -> tuple[int, str, int]:
     kind, flags = reader.byte(), reader.number()
     if kind == _SYMBOL_DATA:
         name = reader.name()
@@ -205,60 +217,63 @@ def _symbol(reader: _Reader, found: _Object) -> tuple[int, str, int]:
             raise LinkError(f"data {name} is missing")
         segment, offset = reader.number(), reader.number()
         reader.number()
-        return kind, name, found.addresses[segment] + offset
+        return kind, name, wasm_object.addresses[segment] + offset
     number = reader.number()
-    # Of an import the name is that of the import, unless one is given.
+    # An import has its own name, unless the symbol has an explicit one.
     name = reader.name() if kind != 3 and (not flags & _UNDEFINED or flags & _EXPLICIT) else ""
     return kind, name, number
 
 
-def _relocate(found: _Object, section: int, text: bytes, base: int) -> None:
-    reader, target = _Reader(text), found.sections[section]
+def _relocate(wasm_object: _Object, section: int, relocations: bytes, base: int) -> None:
+    reader, target = _ByteReader(relocations), wasm_object.sections[section]
     for _ in range(reader.number()):
-        kind, at, symbol = reader.byte(), reader.number(), reader.number()
-        if kind in _NUMBERED:
+        kind, offset, symbol = reader.byte(), reader.number(), reader.number()
+        if kind in _INDEX_RELOCATIONS:
             continue
-        if kind not in _ADDRESSES:
+        if kind not in _ADDRESS_RELOCATIONS:
             raise LinkError(f"relocation {kind}")
-        value = base + found.symbols[symbol][2] + reader.signed()
-        form = _ADDRESSES[kind]
+        value = base + wasm_object.symbols[symbol][2] + reader.signed()
+        form = _ADDRESS_RELOCATIONS[kind]
         if form == "i32":
-            target[at : at + 4] = value.to_bytes(4, "little")
+            target[offset : offset + 4] = value.to_bytes(4, "little")
         else:
-            target[at : at + 5] = _padded(value)
+            target[offset : offset + 5] = _encode_padded(value)
 
 
-def _move_data(found: _Object, base: int) -> int:
-    """Write the data segments behind the stack; returns their size."""
-    segments = list(_segments(found))
+def _move_data(wasm_object: _Object, base: int) -> int:
+    """Move the data segments behind the stack and return their size."""
+    segments = list(_iterate_segments(wasm_object))
     if segments:
-        moved = [b"\0\x41" + _sleb(base + at) + b"\x0b" + _leb(len(text)) + text for at, text in segments]
-        found.sections[_DATA] = bytearray(_vector(moved))
-    return max((at + len(text) for at, text in segments), default=0)
+        encoded = [
+            b"\0\x41" + _encode_signed(base + address) + b"\x0b" + _encode_unsigned(len(content)) + content
+            for address, content in segments
+        ]
+        wasm_object.sections[_DATA] = bytearray(_encode_vector(encoded))
+    return max((address + len(content) for address, content in segments), default=0)
 
 
-def _leb(value: int) -> bytes:
-    text = bytearray()
+def _encode_unsigned(value: int) -> bytes:
+    encoded = bytearray()
     while value >= 0x80:
-        text.append(value & 0x7F | 0x80)
+        encoded.append(value & 0x7F | 0x80)
         value >>= 7
-    return bytes([*text, value])
+    return bytes([*encoded, value])
 
 
-def _sleb(value: int) -> bytes:
-    """A signed LEB128 of a number that is not negative."""
-    text = _leb(value)
-    return text if text[-1] < 0x40 else bytes([*text[:-1], text[-1] | 0x80, 0])
+def _encode_signed(value: int) -> bytes:
+    """Return a number that is not negative as a signed LEB128."""
+    encoded = _encode_unsigned(value)
+    return encoded if encoded[-1] < 0x40 else bytes([*encoded[:-1], encoded[-1] | 0x80, 0])
 
 
-def _padded(value: int) -> bytes:
-    """A LEB128 in five bytes, signed and unsigned alike below 2^31."""
+def _encode_padded(value: int) -> bytes:
+    """Return a LEB128 of five bytes; below 2^31 the signed and unsigned forms are equal."""
     return bytes([*((value >> 7 * k) & 0x7F | 0x80 for k in range(4)), (value >> 28) & 0x7F])
 
 
-def _vector(items: Sequence[bytes]) -> bytes:
-    return _leb(len(items)) + b"".join(items)
+def _encode_vector(items: Sequence[bytes]) -> bytes:
+    return _encode_unsigned(len(items)) + b"".join(items)
 
 
-def _named(text: str) -> bytes:
-    return _vector([bytes([byte]) for byte in text.encode("utf-8")])
+def _encode_name(text: str) -> bytes:
+    return _encode_vector([bytes([byte]) for byte in text.encode("utf-8")])

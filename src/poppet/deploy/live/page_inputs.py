@@ -1,200 +1,200 @@
-"""What a page lets its reader change: numbers and inputs with their ranges, in the units of whoever wrote them."""
+"""Parameters and inputs with a slider on a page, with their ranges and display units."""
 
 from __future__ import annotations
 
 import math
 import re
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.number_format import USUAL, readable_unit
 from poppet.core.provenance import Number
-from poppet.core.units import convert, quantity
+from poppet.core.units import Kind, convert, quantity
 from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter
 from poppet.timeseries.signals import Points, Steps
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import Circuit
 
-USUAL_CHOICE = 8
-"""Numbers and inputs that a page offers where none are named."""
-MOST_POINTS = 200
-"""Points of a course that a page shows as a table."""
+DEFAULT_COUNT = 8
+"""Number of sliders if none are requested."""
+MAX_POINTS = 200
+"""Maximum number of points of a signal that the page shows as a table."""
 _TEMPERATURES = ("K", "degC")
 _NUMBER = re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?\s*(.*)", re.DOTALL)
+_KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
 
 
 @dataclass(frozen=True)
 class Slider:
-    """A number or an input that may be changed, in SI; `unit` is what people read."""
+    """Parameter or input with a slider, in SI; `unit` is the display unit. The names of the fields are read by JS."""
 
     address: str
     value: float
     low: float  # of the slider
     high: float
-    least: float  # that the number may have
+    least: float  # of the parameter
     most: float
     si: str
     unit: str
     meaning: str
     source: str
     is_assumed: bool
-    number: int  # place in p, -1 for none
-    inputs: tuple[int, ...]  # inputs that take the number, or the one that it is
-    is_driven: bool  # an input that a signal drives until somebody holds it
-    # Where a reader may give it a course over time: that of the file as "steps" or "points", or none to begin with.
+    number: int  # index in p; -1 for an input without parameter
+    inputs: tuple[int, ...]  # indices of the inputs that take the parameter, or of the input itself
+    is_driven: bool  # an input that a signal drives until the user sets it
+    # Signal that the user can edit, with kind "steps" or "points"; no points if the file has no signal.
     course: dict[str, Any] | None = None
-    delay: float = 0.0  # by which its course comes later [s]
+    delay: float = 0.0  # of the signal [s]
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
-        """Factor and shift from SI to the unit."""
+        """Return factor and shift from SI to the display unit."""
         return affine(self.si, self.unit, ambient_pressure)
 
 
-def affine(unit: str, shown: str, ambient_pressure: float = 1e5) -> tuple[float, float]:
-    """Factor and shift of a value from one unit to another."""
-    at_zero, at_one = (float(convert(v, unit, shown, ambient_pressure=ambient_pressure)) for v in (0.0, 1.0))
+def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple[float, float]:
+    """Return factor and shift of the conversion from one unit to another."""
+    at_zero, at_one = (float(convert(v, unit, display_unit, ambient_pressure=ambient_pressure)) for v in (0.0, 1.0))
     return at_one - at_zero, at_zero
 
 
-def chosen(of: ExportModel, circuit: Circuit, texts: Sequence[str]) -> list[Slider]:
-    """The sliders of a page: those named, as `ADDRESS` or `ADDRESS=LOW..HIGH`, or a choice of the usual ones."""
+def select_sliders(export_model: ExportModel, circuit: Circuit, texts: Sequence[str]) -> list[Slider]:
+    """Return the requested sliders, `ADDRESS` or `ADDRESS=LOW..HIGH`, or a default selection."""
     if not texts:
-        return _usual(of, circuit)
-    found = []
+        return _default_sliders(export_model, circuit)
+    sliders = {}
     with ErrorCollector() as errors:
         for text in texts:
             address, _, span = (part.strip() for part in text.partition("="))
             with errors.collecting():
-                slider = _slider(of, circuit, address)
-                found.append(_within(slider, span, circuit) if span else slider)
-    return list({slider.address: slider for slider in found}.values())
+                slider = _slider(export_model, circuit, address)
+                sliders[slider.address] = _with_range(slider, span, circuit) if span else slider
+    return list(sliders.values())
 
 
-def _usual(of: ExportModel, circuit: Circuit) -> list[Slider]:
-    """Driven inputs, then what was written with a unit, then what was assumed; temperatures and starts are left out."""
-    written = circuit.numbers()
-    plain = [
-        each.address for each in of.numbers
-        if each.is_free and each.value and each.unit not in _TEMPERATURES and each.address in written
-        and not re.search(r"(^|[._])(initial|ambient|gas)_?", each.address) and each.unit != "1"
+def _default_sliders(export_model: ExportModel, circuit: Circuit) -> list[Slider]:
+    """Return sliders for driven inputs, given and assumed parameters, but not temperatures or start values."""
+    numbers = circuit.numbers()
+    candidates = [
+        p.address for p in export_model.parameters
+        if p.is_free and p.value and p.unit not in _TEMPERATURES and p.address in numbers
+        and not re.search(r"(^|[._])(initial|ambient|gas)_?", p.address) and p.unit != "1"
     ]  # fmt: skip
-    kinds = {address: written[address].source.kind for address in plain}
-    driven = [item.address for item in of.inputs if item.is_driven and item.slope_of < 0][:2]
-    driven = [address for address in driven if not _is_guided(of, address)]
+    kinds = {address: numbers[address].source.kind for address in candidates}
+    driven = [item.address for item in export_model.inputs if item.is_driven and item.slope_of < 0][:2]
     ordered = [
-        *driven,
-        *(a for a in plain if kinds[a] == "given"),
-        *(a for a in plain if kinds[a] == "assumed"),
-        *plain,
+        *(address for address in driven if not _is_guided(export_model, address)),
+        *(address for address in candidates if kinds[address] == "given"),
+        *(address for address in candidates if kinds[address] == "assumed"),
+        *candidates,
     ]
-    return [_slider(of, circuit, address) for address in list(dict.fromkeys(ordered))[:USUAL_CHOICE]]
+    return [_slider(export_model, circuit, address) for address in list(dict.fromkeys(ordered))[:DEFAULT_COUNT]]
 
 
-def _is_guided(of: ExportModel, address: str) -> bool:
-    """An input whose slope is another one: held, it would not move as the file says."""
-    return any(item.slope_of >= 0 and of.inputs[item.slope_of].address == address for item in of.inputs)
+def _is_guided(export_model: ExportModel, address: str) -> bool:
+    """Return True if the slope of the input is another input: a constant value would not move the body."""
+    inputs = export_model.inputs
+    return any(item.slope_of >= 0 and inputs[item.slope_of].address == address for item in inputs)
 
 
-def _slider(of: ExportModel, circuit: Circuit, address: str) -> Slider:
-    inputs = {item.address: item for item in of.inputs}
-    numbers = {each.address: each for each in of.numbers}
-    # An input that nothing drives is its number.
-    if address in inputs and (inputs[address].is_driven or inputs[address].number < 0):
-        if _is_guided(of, address) or inputs[address].slope_of >= 0:
+def _slider(export_model: ExportModel, circuit: Circuit, address: str) -> Slider:
+    inputs = {item.address: item for item in export_model.inputs}
+    parameters = {parameter.address: parameter for parameter in export_model.parameters}
+    # An input without a signal is its parameter.
+    if address in inputs and (inputs[address].is_driven or inputs[address].parameter < 0):
+        if _is_guided(export_model, address) or inputs[address].slope_of >= 0:
             raise InputError("deploy.live.guided", address)
-        return _of_input(of, inputs[address], list(inputs).index(address), circuit)
+        return _input_slider(export_model, inputs[address], list(inputs).index(address), circuit)
     if address in inputs:
-        address = of.numbers[inputs[address].number].address
-    if address not in numbers:
-        raise InputError("deploy.live.unknown", address, near=NameSuggestion(address, [*numbers, *inputs]))
-    if not numbers[address].is_free:
-        raise InputError(f"deploy.live.{numbers[address].fixed}", address)
-    return _of_number(of, numbers[address], circuit)
+        address = export_model.parameters[inputs[address].parameter].address
+    if address not in parameters:
+        near = NameSuggestion(address, [*parameters, *inputs])
+        raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", near=near)
+    if not parameters[address].is_free:
+        raise InputError(f"deploy.live.{parameters[address].fixed}", address)
+    return _parameter_slider(export_model, parameters[address], circuit)
 
 
-def _of_number(of: ExportModel, each: ExportParameter, circuit: Circuit) -> Slider:
-    own = circuit.numbers()[each.address]
-    place = of.model.parameters.index(each.address)
-    takes = tuple(k for k, item in enumerate(of.inputs) if item.number == place and not item.is_driven)
-    is_input = len(takes) == 1 and of.inputs[takes[0]].address == each.address and not _is_guided(of, each.address)
-    low, high = _range(each.value, each.low, each.high, each.unit)
-    source = "; ".join(filter(None, (own.source.kind, own.source.locator, own.source.note)))
+def _parameter_slider(export_model: ExportModel, parameter: ExportParameter, circuit: Circuit) -> Slider:
+    address, value, si = parameter.address, parameter.value, parameter.unit
+    number = circuit.numbers()[address]
+    index = export_model.model.parameters.index(address)
+    inputs = tuple(k for k, i in enumerate(export_model.inputs) if i.parameter == index and not i.is_driven)
+    is_input = (
+        len(inputs) == 1 and export_model.inputs[inputs[0]].address == address and not _is_guided(export_model, address)
+    )
+    low, high = _default_range(value, parameter.low, parameter.high, si)
+    source = "; ".join(filter(None, (number.source.kind, number.source.locator, number.source.note)))
     return Slider(
-        each.address, each.value, low, high, each.low, each.high, each.unit, _unit_of(own, each.value), each.meaning,
-        source, own.source.kind == "assumed", place, takes, is_driven=False,
-        **(_course(of, circuit, takes[0]) if is_input else {}),
+        address, value, low, high, parameter.low, parameter.high, si, _display_unit(number, value), parameter.meaning,
+        source, number.source.kind == "assumed", index, inputs, is_driven=False,
+        **(_signal(export_model, circuit, inputs[0]) if is_input else {}),
     )  # fmt: skip
 
 
-def _of_input(of: ExportModel, item: ExportInput, place: int, circuit: Circuit) -> Slider:
+def _input_slider(export_model: ExportModel, item: ExportInput, index: int, circuit: Circuit) -> Slider:
     signal = circuit.signals.get(item.address)
     low, high = signal.bounds() if signal else (item.value, item.value)
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
-        low, high = _range(item.value, item.low, item.high, item.unit)
+        low, high = _default_range(item.value, item.low, item.high, item.unit)
     else:
         low, high = max(item.low, low - 0.25 * (high - low)), min(item.high, high + 0.25 * (high - low))
     return Slider(
         item.address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
-        "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(place,),
-        is_driven=True, **_course(of, circuit, place),
+        "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(index,),
+        is_driven=True, **_signal(export_model, circuit, index),
     )  # fmt: skip
 
 
-def _course(of: ExportModel, circuit: Circuit, place: int) -> dict[str, Any]:
-    """The course of an input in the file, and its delay."""
-    item, signal = of.model.inputs[place], circuit.signals.get(of.inputs[place].address)
+def _signal(export_model: ExportModel, circuit: Circuit, index: int) -> dict[str, Any]:
+    """Return the signal of an input in the file, and its delay."""
+    item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}
-    if isinstance(signal, (Steps, Points)) and len(signal.times) <= MOST_POINTS:
+    if isinstance(signal, (Steps, Points)) and len(signal.times) <= MAX_POINTS:
         course |= {"times": list(map(float, signal.times)), "values": list(map(float, signal.values))}
         course["kind"] = "steps" if isinstance(signal, Steps) else "points"
-    return {"course": course, "delay": of.instance.parameters[item.delay] if item.delay else 0.0}
+    return {"course": course, "delay": export_model.instance.parameters[item.delay] if item.delay else 0.0}
 
 
-def _range(value: float, least: float, most: float, unit: str) -> tuple[float, float]:
-    """Where a slider ends by itself: half and twice a value, 30 K about a temperature, within what is allowed."""
+def _default_range(value: float, lower_limit: float, upper_limit: float, unit: str) -> tuple[float, float]:
+    """Return half and twice a value, or 30 K around a temperature, within the limits."""
     if unit in _TEMPERATURES:
         low, high = value - 30.0, value + 30.0
     elif value == 0.0:
-        low, high = (least if math.isfinite(least) else -1.0), (most if math.isfinite(most) else 1.0)
+        low = lower_limit if math.isfinite(lower_limit) else -1.0
+        high = upper_limit if math.isfinite(upper_limit) else 1.0
     else:
         low, high = sorted((0.5 * value, 2.0 * value))
-    # Ends that do not belong to what is allowed lie a hair inside.
+    # A limit may be excluded: keep a small distance.
     margin = 1e-3 * (high - low)
-    low = low if low > least else least + (0.0 if least == value else margin)
-    high = high if high < most else most - (0.0 if most == value else margin)
+    low = low if low > lower_limit else lower_limit + (0.0 if lower_limit == value else margin)
+    high = high if high < upper_limit else upper_limit - (0.0 if upper_limit == value else margin)
     return low, high
 
 
-def _unit_of(own: Number, value: float) -> str:
-    """The unit in which a number was written, else one that is easy to read."""
-    found = _NUMBER.fullmatch(own.text.strip())
-    if found and found[1]:
-        return found[1]
-    return "degC" if own.unit == "K" and own.reference == "absolute" else readable_unit(own.unit, value)
+def _display_unit(number: Number, value: float) -> str:
+    """Return the unit in which a number was written, or a practical unit."""
+    match = _NUMBER.fullmatch(number.text.strip())
+    if match and match[1]:
+        return match[1]
+    return "degC" if number.unit == "K" and number.reference == "absolute" else readable_unit(number.unit, value)
 
 
-def _within(slider: Slider, span: str, circuit: Circuit) -> Slider:
-    """A slider between two values, as in `50 l..400 l`."""
-    from dataclasses import replace
-
-    low, dots, high = span.partition("..")
+def _with_range(slider: Slider, span: str, circuit: Circuit) -> Slider:
+    """Return the slider with a range such as `50 l..400 l`."""
+    low_text, dots, high_text = span.partition("..")
     if not dots:
         raise InputError("deploy.live.range", slider.address, text=span)
     ends = []
-    for text in (low, high):
-        kind = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}.get(slider.si, "plain")
-        read = quantity(_typed(text.strip()), slider.si, kind=kind, name=slider.address)  # type: ignore[arg-type]
-        ends.append(read.value + (circuit.surroundings.pressure if read.reference == "gauge" else 0.0))
+    for text in (low_text.strip(), high_text.strip()):
+        try:
+            raw: float | str = float(text)
+        except ValueError:
+            raw = text
+        end = quantity(raw, slider.si, kind=_KINDS.get(slider.si, "plain"), name=slider.address)
+        ends.append(end.value + (circuit.surroundings.pressure if end.reference == "gauge" else 0.0))
     if not slider.least <= ends[0] < ends[1] <= slider.most:
         raise InputError("deploy.live.range", slider.address, text=span)
     return replace(slider, low=ends[0], high=ends[1])
-
-
-def _typed(text: str) -> float | str:
-    try:
-        return float(text)
-    except ValueError:
-        return text

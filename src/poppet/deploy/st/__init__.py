@@ -1,1 +1,1 @@
-"""Controllers as function blocks of structured text, and a small evaluator of it."""
+"""Export as structured text."""

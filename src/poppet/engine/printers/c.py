@@ -1,8 +1,8 @@
-"""Printer: the instructions of a traced function become C, which is C90, C99 and C++ alike.
+"""Printer of traced functions as C that is valid C90, C99 and C++.
 
-A printed function takes one pointer per input and per output and holds no state, as those of the LLVM printer do:
-``void rates(const double *t, const double *x, const double *u, const double *p, double *f)``. It allocates nothing and
-calls nothing but `math.h`. Long lists are cut into blocks that hand their live values on through an array.
+A printed function has one pointer per input and output, and no state:
+``void rates(const double *t, const double *x, const double *u, const double *p, double *f)``. It allocates no memory
+and calls only functions of `math.h`. Long functions are divided into blocks, which pass live values in an array.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from poppet.engine.printers.instructions import SIGNATURES, Block, Instruction, 
 from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIMES, STAGE_DRIFT, STAGE_TIME
 
 BLOCK_SIZE = 1500
-"""Instructions per block; compilers take longer than linearly for more."""
+"""Maximum number of instructions per block; the time of compilers increases faster than linearly."""
 _FORMS = {
     "assign": "{0}",
     "add": "{0} + {1}",
@@ -27,7 +27,7 @@ _FORMS = {
     "sq": "{0} * {0}",
     "twice": "{0} + {0}",
     "inv": "{one} / {0}",
-    # Not fmin and fmax, which C90 has not; so the kernel does it, also where something is no number.
+    # C90 has no fmin and fmax; these forms handle NaN like the kernel.
     "fmin": "{0} < {1} ? {0} : {1}",
     "fmax": "{0} > {1} ? {0} : {1}",
     "if_else_zero": "{0} != {zero} ? {1} : {zero}",
@@ -42,7 +42,7 @@ _FORMS = {
     "copysign": "with_sign({0}, {1})",
     "pow": "power({0}, {1})",
 }
-"""Expressions of operations; all others are functions of `math.h` of the same name."""
+"""Expressions of operations; all other operations are functions of `math.h` with the same name."""
 _FLAGS = ("lt", "le", "eq", "ne", "not", "and", "or")
 _OF_LIBRARY = ("sqrt", "fabs", "floor", "ceil", "exp", "log", "sin", "cos", "tan", "tanh", "atan", "atan2")
 
@@ -51,27 +51,27 @@ LARGEST_SINGLE = 3e38
 
 
 class Precision(NamedTuple):
-    """The type of numbers, and the ending of its constants and of its functions in `math.h`."""
+    """Type of numbers, with the suffix of its constants and of its functions in `math.h`."""
 
     real: str = "double"
     ending: str = ""
 
     def literal(self, value: float) -> str:
-        """A constant of which no digit is lost."""
+        """Return a constant with all its digits."""
         if math.isnan(value):
             return "(0.0 / 0.0)"
         if math.isinf(value) or (self.ending and abs(value) > LARGEST_SINGLE):
             return f"{'-' if value < 0.0 else ''}HUGE_VAL{self.ending.upper()}"
-        shown = repr(float(value)) if not self.ending else f"{value:.9g}"
-        shown = shown if any(c in shown for c in ".e") else f"{shown}.0"
-        return f"({shown}{self.ending})" if value < 0.0 else f"{shown}{self.ending}"
+        digits = repr(float(value)) if not self.ending else f"{value:.9g}"
+        digits = digits if any(c in digits for c in ".e") else f"{digits}.0"
+        return f"({digits}{self.ending})" if value < 0.0 else f"{digits}{self.ending}"
 
 
 DOUBLE, SINGLE = Precision(), Precision("float", "f")
 
 
 def prelude(precision: Precision = DOUBLE) -> str:
-    """Functions that the printed ones use, where they use them."""
+    """Return the helper functions of printed functions."""
     real, e = precision
     one, zero = precision.literal(1.0), precision.literal(0.0)
     return f"""/* The exponent of the flow law is a number like others, and nearly always 1/2. */
@@ -89,7 +89,7 @@ static {real} with_sign({real} x, {real} s) {{
 
 
 def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
-    """Of these functions those that a text calls: compilers warn about the others."""
+    """Return the helper functions that a text calls: compilers warn about unused functions."""
     first, second = prelude(precision).split("\n\n", 1)
     return "\n\n".join(
         f for f, name in ((first, "power("), (second.rstrip(), "with_sign(")) if name in text
@@ -108,47 +108,38 @@ def print_function(
     wide: Mapping[str, Collection[int]] | None = None,
     shares_inverses: bool = False,
 ) -> str:
-    """C of one traced function.
+    """Return the C code of one traced function.
 
-    `signature` names its arguments, as `SIGNATURES` does; `labels` says for each argument what its elements are. In
-    single precision the vectors of `wide` are of doubles all the same, and those elements of them stay so in what is
-    worked out of them: times, of which no digit may get lost. Other elements of these vectors do beside such ones.
-    With `shares_inverses` divisions by the same are products with one inverse, faster and different in the last digit.
+    `signature` contains the names of its arguments, as in `SIGNATURES`; `labels` contains comments for the elements of
+    each argument. In single precision, the vectors of `wide` are double precision. Values that are computed from the
+    listed elements, such as times, are also double precision; other elements are double precision only if combined with
+    these. With `shares_inverses`, divisions by the same value become products with one inverse, which is faster and
+    changes the last digit.
     """
-    given, _, made = (signature or SIGNATURES[name]).partition("->")
-    names, name = (given.split(), made.split()), prefix + name
+    arguments, _, results = (signature or SIGNATURES[name]).partition("->")
+    names, name = (arguments.split(), results.split()), prefix + name
     wide = wide or {}
 
     def vector(argument: str) -> str:
         return f"{'double' if argument in wide else precision.real} *{argument}"
 
     formal = [f"const {vector(a)}" for a in names[0]] + [vector(a) for a in names[1]]
-    cut = blocks(instructions(function), BLOCK_SIZE)
-    if len(cut) <= 1:
-        every = cut or [Block((), frozenset())]
-        return "\n".join(
-            [
-                f"{head} {name}({', '.join(formal)}) {{",
-                *_printed(every[0], names, _Style(labels or {}, precision, wide, shares_inverses)),
-                "}",
-            ]
-        )
+    style = _Style(labels or {}, precision, wide, shares_inverses)
+    parts = blocks(instructions(function), BLOCK_SIZE)
+    if len(parts) <= 1:
+        block = parts[0] if parts else Block((), frozenset())
+        return "\n".join([f"{head} {name}({', '.join(formal)}) {{", *_print_block(block, names, style), "}"])
     text: list[str] = []
-    for number, block in enumerate(cut):
-        arguments = ", ".join([*formal, f"{precision.real} *w"])
-        text += [
-            f"static void {name}_{number}({arguments}) {{",
-            *_printed(block, names, _Style(labels or {}, precision, wide, shares_inverses), "w"),
-            "}",
-            "",
-        ]
+    for k, block in enumerate(parts):
+        block_arguments = ", ".join([*formal, f"{precision.real} *w"])
+        text += [f"static void {name}_{k}({block_arguments}) {{", *_print_block(block, names, style, "w"), "}", ""]
     text += [f"{head} {name}({', '.join(formal)}) {{", f"  {precision.real} w[{function.sz_w()}];"]
     actual = ", ".join([*names[0], *names[1], "w"])
-    return "\n".join([*text, *(f"  {name}_{number}({actual});" for number in range(len(cut))), "}"])
+    return "\n".join([*text, *(f"  {name}_{k}({actual});" for k in range(len(parts))), "}"])
 
 
 class _Style(NamedTuple):
-    """How a function is printed."""
+    """Options of a printed function."""
 
     labels: Mapping[str, Sequence[str]]
     precision: Precision
@@ -156,139 +147,142 @@ class _Style(NamedTuple):
     shares_inverses: bool
 
 
-class _Value(NamedTuple):
-    """A value of a block: a name or a constant, and whether it is a double where others are not; beside those it is
-    what is `kept`, with all its digits."""
+class _Operand(NamedTuple):
+    """Value in a block: a name or a constant.
+
+    `is_wide` is True for a double in a function of single precision. `double_name` is the name in double precision.
+    """
 
     name: str
     constant: float = 0.0
     is_wide: bool = False
-    kept: str = ""
+    double_name: str = ""
 
-    def shown(self, precision: Precision) -> str:
-        name = self.kept if self.kept and not precision.ending else self.name
+    def text(self, precision: Precision) -> str:
+        name = self.double_name if self.double_name and not precision.ending else self.name
         return name or precision.literal(self.constant)
 
 
-def _printed(block: Block, names: tuple[list[str], list[str]], style: _Style, handed: str = "") -> list[str]:
-    """Lines of one block: a constant for every value, then what is written."""
-    live, own, is_single = _live(block), style.precision, bool(style.precision.ending)
+def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style, passed: str = "") -> list[str]:
+    """Return the lines of one block: a constant per value, then the stores; `passed` is the array of live values."""
+    live, precision, is_single = _live_instructions(block), style.precision, bool(style.precision.ending)
     lines: list[str] = []
     stores: list[str] = []
-    values: dict[int, _Value] = {}
+    values: dict[int, _Operand] = {}
     used: set[str] = set()
-    inverses: dict[int, _Value] = {}
+    inverses: dict[int, _Operand] = {}
     divisors = _divisors(block, live) if style.shares_inverses else {}
 
-    def value(slot: int) -> _Value:
+    def value(slot: int) -> _Operand:
         if slot not in values:
-            used.add(handed)
-            values[slot] = named(f"{handed}[{slot}]")
+            used.add(passed)
+            values[slot] = assign(f"{passed}[{slot}]")
         return values[slot]
 
-    def named(text: str, remark: str = "", is_wide: bool = False) -> _Value:
+    def assign(text: str, comment: str = "", is_wide: bool = False) -> _Operand:
         name = f"v{len(lines)}"
-        lines.append(f"  const {'double' if is_wide else own.real} {name} = {text};{remark}")
-        return _Value(name, is_wide=is_wide)
+        lines.append(f"  const {'double' if is_wide else precision.real} {name} = {text};{comment}")
+        return _Operand(name, is_wide=is_wide)
 
-    def remark(vector: str, element: int) -> str:
-        known = style.labels.get(vector, ())
-        return f" /* {known[element]} */" if element < len(known) else ""
+    def comment(vector: str, element: int) -> str:
+        labels = style.labels.get(vector, ())
+        return f" /* {labels[element]} */" if element < len(labels) else ""
 
-    for k, each in enumerate(block.instructions):
-        vector, element = each.place
-        if each.operation == "output":
+    for k, instruction in enumerate(block.instructions):
+        vector, element = instruction.place
+        if instruction.operation == "output":
             name = names[1][vector]
             used.add(name)
-            given = value(each.arguments[0])
-            cast = f"({own.real})" if given.is_wide and name not in style.wide else ""
-            stores.append(f"  {name}[{element}] = {cast}{given.shown(own)};{remark(name, element)}")
+            operand = value(instruction.arguments[0])
+            cast = f"({precision.real})" if operand.is_wide and name not in style.wide else ""
+            stores.append(f"  {name}[{element}] = {cast}{operand.text(precision)};{comment(name, element)}")
         elif k not in live:
             continue
-        elif each.operation == "input":
+        elif instruction.operation == "input":
             name = names[0][vector]
             used.add(name)
             is_wide = is_single and element in style.wide.get(name, ())
-            kept = f"{name}[{element}]"
+            element_name = f"{name}[{element}]"
             if is_single and name in style.wide and not is_wide:
-                values[each.result] = _Value(f"({own.real}){kept}", kept=kept)
+                values[instruction.result] = _Operand(f"({precision.real}){element_name}", double_name=element_name)
             else:
-                values[each.result] = named(kept, remark(name, element), is_wide)
-        elif each.operation == "const":
-            is_wide = is_single and abs(each.constant) > LARGEST_SINGLE
-            values[each.result] = _Value("", each.constant, is_wide)
+                values[instruction.result] = assign(element_name, comment(name, element), is_wide)
+        elif instruction.operation == "const":
+            is_wide = is_single and abs(instruction.constant) > LARGEST_SINGLE
+            values[instruction.result] = _Operand("", instruction.constant, is_wide)
         else:
-            arguments = [value(slot) for slot in each.arguments]
-            # A choice is what is chosen, and a comparison a flag.
-            deciding = arguments[1:] if each.operation == "if_else_zero" else arguments
-            is_wide = each.operation not in _FLAGS and any(argument.is_wide for argument in deciding)
+            arguments = [value(slot) for slot in instruction.arguments]
+            # The condition of a choice and the arguments of a comparison do not affect the type of the result.
+            deciding = arguments[1:] if instruction.operation == "if_else_zero" else arguments
+            is_wide = instruction.operation not in _FLAGS and any(argument.is_wide for argument in deciding)
             if k in divisors:
-                of = divisors[k]
-                if of not in inverses:
-                    inverses[of] = named(f"{own.literal(1.0)} / {arguments[-1].shown(own)}")
-                product = f"{arguments[0].shown(own)} * {inverses[of].name}"
-                values[each.result] = inverses[of] if each.operation == "inv" else named(product)
+                divisor = divisors[k]
+                if divisor not in inverses:
+                    inverses[divisor] = assign(f"{precision.literal(1.0)} / {arguments[-1].text(precision)}")
+                product = f"{arguments[0].text(precision)} * {inverses[divisor].name}"
+                values[instruction.result] = inverses[divisor] if instruction.operation == "inv" else assign(product)
                 continue
-            text = _expression(each, arguments, own, is_wide)
-            values[each.result] = named(text, is_wide=is_wide)
-    stores += [f"  {handed}[{slot}] = {values[slot].shown(own)};" for slot in sorted(block.handed_on)]
-    used |= {handed} if block.handed_on else set()
-    ignored = [f"  (void){name};" for name in (*names[0], *names[1], *([handed] if handed else [])) if name not in used]
+            values[instruction.result] = assign(
+                _expression(instruction, arguments, precision, is_wide), is_wide=is_wide
+            )
+    stores += [f"  {passed}[{slot}] = {values[slot].text(precision)};" for slot in sorted(block.live_out)]
+    used |= {passed} if block.live_out else set()
+    ignored = [f"  (void){name};" for name in (*names[0], *names[1], *([passed] if passed else [])) if name not in used]
     return [*lines, *ignored, *stores]
 
 
 def _divisors(block: Block, live: Collection[int]) -> dict[int, int]:
-    """Divisions whose divisor others have too: their places in the block, and where that comes from."""
-    made: dict[int, int] = {}
-    found: dict[int, int] = {}
-    for k, each in enumerate(block.instructions):
-        if each.operation in ("div", "inv") and k in live:
-            found[k] = made.get(each.arguments[-1], -1 - each.arguments[-1])
-        made[each.result] = k
-    count = Counter(found.values())
-    return {k: of for k, of in found.items() if count[of] > 1}
+    """Return the index of each division with a shared divisor, and the index of the instruction of the divisor."""
+    origin: dict[int, int] = {}
+    divisors: dict[int, int] = {}
+    for k, instruction in enumerate(block.instructions):
+        if instruction.operation in ("div", "inv") and k in live:
+            divisors[k] = origin.get(instruction.arguments[-1], -1 - instruction.arguments[-1])
+        origin[instruction.result] = k
+    count = Counter(divisors.values())
+    return {k: divisor for k, divisor in divisors.items() if count[divisor] > 1}
 
 
-def _live(block: Block) -> set[int]:
-    """Places in a block of what something needs: compilers warn about the rest."""
-    wanted, found = set(block.handed_on), set()
+def _live_instructions(block: Block) -> set[int]:
+    """Return the indices of instructions with used results: compilers warn about unused variables."""
+    needed, live = set(block.live_out), set()
     for k in reversed(range(len(block.instructions))):
-        each = block.instructions[k]
-        if each.operation == "output" or each.result in wanted:
-            found.add(k)
-            wanted.discard(each.result)
-            wanted.update(each.arguments)
-    return found
+        instruction = block.instructions[k]
+        if instruction.operation == "output" or instruction.result in needed:
+            live.add(k)
+            needed.discard(instruction.result)
+            needed.update(instruction.arguments)
+    return live
 
 
-def _expression(instruction: Instruction, arguments: Sequence[_Value], own: Precision, is_wide: bool) -> str:
-    result = DOUBLE if is_wide else own
-    # Beside a double a constant keeps its digits, also in a comparison.
-    among = DOUBLE if any(argument.is_wide for argument in arguments) else own
-    shown = [argument.shown(among) for argument in arguments]
+def _expression(instruction: Instruction, arguments: Sequence[_Operand], precision: Precision, is_wide: bool) -> str:
+    result = DOUBLE if is_wide else precision
+    # If one operand is double, constants are double as well, also in a comparison.
+    common = DOUBLE if any(argument.is_wide for argument in arguments) else precision
+    operands = [argument.text(common) for argument in arguments]
     form = _FORMS.get(instruction.operation)
     if form is not None:
-        return form.format(*shown, one=result.literal(1.0), zero=result.literal(0.0))
+        return form.format(*operands, one=result.literal(1.0), zero=result.literal(0.0))
     if instruction.operation not in _OF_LIBRARY:
         raise NotImplementedError(f"no form in C for the CasADi operation {instruction.operation}")
-    return f"{instruction.operation}{result.ending}({', '.join(shown)})"
+    return f"{instruction.operation}{result.ending}({', '.join(operands)})"
 
 
-# The step of the kernel
+# Step of the kernel
 
 
 def _weighted(weights: Sequence[float]) -> str:
-    """Sum of weights times stages at one state."""
+    """Return the sum of weights times stages at one state."""
     return " + ".join(f"{DOUBLE.literal(weight)} * k{j}[s]" for j, weight in enumerate(weights))
 
 
 def _with_drift(i: int, rates: str) -> str:
-    """Rates, and the drift of stage i times the step."""
+    """Return rates plus the drift of stage i times the step."""
     return rates if STAGE_DRIFT[i] == 0.0 else f"{rates} + {DOUBLE.literal(STAGE_DRIFT[i])} * h * drift[s]"
 
 
 def print_step(n_states: int, n_inputs: int, head: str = "void", prefix: str = "") -> str:
-    """C of `step` and `dense`, which `poppet.engine.printers.llvm_step` describes: one step of RODAS."""
+    """Return the C code of `step` and `dense` (see `poppet.engine.printers.llvm_step`): one step of RODAS."""
     n = n_states
     stages = [f"  double *k{i} = k + {i * n};" for i in range(6)]
     text = [

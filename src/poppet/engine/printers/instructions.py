@@ -1,15 +1,15 @@
-"""What printers read: the functions traced from a model, and each of them as a list of instructions, cut into blocks.
+"""Traced functions of a model as lists of instructions in blocks, for all printers.
 
-A traced function works on a vector w of doubles: an instruction reads some slots of it and writes one. The arguments of
-a function are vectors, of which sparse ones hold their nonzeros column by column. A printer turns the instructions into
-text of some language (`poppet.engine.printers.llvm`); nothing here knows of any.
+A traced function uses a vector w of doubles: an instruction reads some slots and writes one. The arguments of a
+function are vectors; sparse arguments contain their nonzeros in column order. A printer converts the instructions to
+text in one language, for example `poppet.engine.printers.llvm`; this module does not depend on a language.
 
 Examples
 --------
 >>> import casadi as ca
 >>> a, b = ca.SX.sym("a"), ca.SX.sym("b")
->>> for each in instructions(ca.Function("f", [a, b], [a * b + 2.0])):
-...     print(each.operation, each.result, each.arguments)
+>>> for instruction in instructions(ca.Function("f", [a, b], [a * b + 2.0])):
+...     print(instruction.operation, instruction.result, instruction.arguments)
 input 0 ()
 input 1 ()
 mul 0 (0, 1)
@@ -24,7 +24,7 @@ from collections.abc import Sequence
 from functools import cache
 from typing import Any, NamedTuple
 
-from poppet.engine.derivatives import rates_and_derivatives
+from poppet.engine.derivatives import differentiate_rates
 from poppet.engine.elimination import solver_functions
 from poppet.engine.model import Model
 
@@ -38,25 +38,26 @@ SIGNATURES = {
     "energy": "t x u p -> E",
     "update": "t x u p fired -> z",
 }
-"""Arguments and results of the traced functions: x' = f, y and the memory z as in `poppet.engine.model`; `slopes` are
-the time derivatives of u and `drift` that of f; LU are the factors of ``shift I - J``; E the energies of the stores."""
+"""Arguments and results of the traced functions: x' = f, outputs y and discrete states z of `poppet.engine.model`.
+
+`slopes` is the time derivative of u, and `drift` that of f. LU are the factors of ``shift I - J``, E the energies."""
 
 
-def traced_functions(model: Model) -> dict[str, Any]:
-    """The CasADi functions of a model, as `SIGNATURES` has them; `update` only with memory."""
+def trace_functions(model: Model) -> dict[str, Any]:
+    """Return the CasADi functions of `SIGNATURES` for a model; `update` only with discrete states."""
     import casadi as ca
 
     s, e = model.symbols, model.expressions
     t, x, u, p = s["t"], s["x"], s["u"], s["p"]
     slopes = ca.SX.sym("slopes", u.shape[0])
-    rates, matrix, drift = rates_and_derivatives(e["rates"], (t, x, u, p), slopes)
+    rates, matrix, drift = differentiate_rates(e["rates"], (t, x, u, p), slopes)
     factor, solve = solver_functions(matrix.sparsity())
     dense = ca.densify
-    # CasADi drops structural zeros of sparse outputs, so J alone is left sparse.
-    merged = ca.cse([dense(rates), matrix, dense(drift)])
+    # Only J is sparse: CasADi drops structural zeros of sparse outputs.
+    results = ca.cse([dense(rates), matrix, dense(drift)])
     functions = {
         "rates": ca.Function("rates", [t, x, u, p], ca.cse([dense(e["rates"])])),
-        "jacobian": ca.Function("jacobian", [t, x, u, slopes, p], merged),
+        "jacobian": ca.Function("jacobian", [t, x, u, slopes, p], results),
         "factor": factor,
         "solve": solve,
         "outputs": outputs_function(model),
@@ -70,7 +71,7 @@ def traced_functions(model: Model) -> dict[str, Any]:
 
 
 def outputs_function(model: Model) -> Any:
-    """The CasADi function `outputs` of a model."""
+    """Return the CasADi function `outputs` of a model."""
     import casadi as ca
 
     arguments = [model.symbols[name] for name in ("t", "x", "u", "p")]
@@ -78,18 +79,17 @@ def outputs_function(model: Model) -> Any:
 
 
 class Instruction(NamedTuple):
-    """One operation, ``w[result] = operation(w[arguments])``."""
+    """Operation ``w[result] = operation(w[arguments])``."""
 
-    # `input`, `const`, `output`, or an operation under CasADi's name, in lower case: `add`, `sqrt`, `if_else_zero`
-    operation: str
-    result: int  # slot of w that is written; -1 for an output
-    arguments: tuple[int, ...]  # slots that are read
+    operation: str  # `input`, `const`, `output`, or a CasADi operation in lower case: `add`, `sqrt`, `if_else_zero`
+    result: int  # written slot of w; -1 for an output
+    arguments: tuple[int, ...]  # read slots
     constant: float = 0.0  # value of a `const`
     place: tuple[int, int] = (0, 0)  # vector and element of an `input` or `output`
 
 
 class InstructionList(NamedTuple):
-    """A function as a printer wants it: its instructions, and the numbers of its arguments and results."""
+    """Instructions of a function, with its number of arguments and results."""
 
     instructions: Sequence[Instruction]
     n_in: int
@@ -97,59 +97,59 @@ class InstructionList(NamedTuple):
 
     @classmethod
     def of(cls, function: Any) -> InstructionList:
-        """A traced function."""
+        """Return the instructions of a traced function."""
         return cls(instructions(function), function.n_in(), function.n_out())
 
     @property
     def size(self) -> int:
-        """Elements of w."""
-        return 1 + max((each.result for each in self.instructions), default=-1)
+        """Length of w."""
+        return 1 + max((instruction.result for instruction in self.instructions), default=-1)
 
 
 class Block(NamedTuple):
-    """A stretch of instructions, and the slots written in it that a later block reads."""
+    """Sequence of instructions, with its written slots that later blocks read."""
 
     instructions: Sequence[Instruction]
-    handed_on: frozenset[int]
+    live_out: frozenset[int]
 
 
 @cache
 def _operations() -> dict[int, str]:
-    """CasADi's numbers of operations and their names."""
+    """Return the names of CasADi operations by their codes."""
     import casadi
 
     names = {getattr(casadi, name): name.removeprefix("OP_").lower() for name in dir(casadi) if name.startswith("OP_")}
-    return {**names, casadi.OP_CONSTPOW: "pow"}  # a constant exponent is nothing else
+    return {**names, casadi.OP_CONSTPOW: "pow"}  # power with a constant exponent
 
 
 def instructions(function: Any) -> list[Instruction]:
-    """The instructions of a traced function, in order."""
+    """Return the instructions of a traced function."""
     names = _operations()
-    found = []
+    result = []
     for k in range(function.n_instructions()):
         name = names[function.instruction_id(k)]
         inputs, outputs = function.instruction_input(k), function.instruction_output(k)
         if name == "const":
-            found.append(Instruction(name, outputs[0], (), constant=function.instruction_constant(k)))
+            result.append(Instruction(name, outputs[0], (), constant=function.instruction_constant(k)))
         elif name == "input":
-            found.append(Instruction(name, outputs[0], (), place=(inputs[0], inputs[1])))
+            result.append(Instruction(name, outputs[0], (), place=(inputs[0], inputs[1])))
         elif name == "output":
-            found.append(Instruction(name, -1, (inputs[0],), place=(outputs[0], outputs[1])))
+            result.append(Instruction(name, -1, (inputs[0],), place=(outputs[0], outputs[1])))
         else:
-            found.append(Instruction(name, outputs[0], tuple(inputs)))
-    return found
+            result.append(Instruction(name, outputs[0], tuple(inputs)))
+    return result
 
 
-def blocks(every: Sequence[Instruction], size: int) -> list[Block]:
-    """The same list in stretches of at most `size`, for compilers whose time grows faster than a function's length."""
-    found: list[Block] = []
+def blocks(function: Sequence[Instruction], size: int) -> list[Block]:
+    """Return the instructions in blocks of at most `size`: the time of compilers increases faster than linearly."""
+    result: list[Block] = []
     live: set[int] = set()
-    # Backwards: what is read below is what a block has to hand on.
-    for first in reversed(range(0, len(every), size)):
-        stretch = every[first : first + size]
-        written = {each.result for each in stretch}
-        found.append(Block(stretch, frozenset(written & live)))
-        for each in reversed(stretch):
-            live.discard(each.result)
-            live.update(each.arguments)
-    return found[::-1]
+    # In reverse order, to find the slots that later blocks read.
+    for first in reversed(range(0, len(function), size)):
+        block = function[first : first + size]
+        written = {instruction.result for instruction in block}
+        result.append(Block(block, frozenset(written & live)))
+        for instruction in reversed(block):
+            live.discard(instruction.result)
+            live.update(instruction.arguments)
+    return result[::-1]

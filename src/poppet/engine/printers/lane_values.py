@@ -1,12 +1,13 @@
-"""Traced functions, rewritten for lanes: what numbers alone decide is worked out once a run, and fewer divisions.
+"""Traced functions for lanes: parameter expressions are computed once per run, and divisions are shared.
 
-Vectors do not forgive divisions: eight of them take the time of a hundred multiplications. So
+Divisions of vectors are expensive: eight divisions take the time of a hundred multiplications. Therefore
 
-- a quotient is a product with an inverse, which all that divide by the same share; the inverse of a root is one
-  operation, and that of twice a number half of one;
-- what depends on nothing but the numbers in p is an element behind p, written by `derived` when a lane takes a run.
+- a quotient is a product with an inverse, which divisions by the same value share; the inverse of a root is one
+  operation, and the inverse of twice a number is half of its inverse;
+- an expression that depends only on parameters is an additional element of p, which `derived` computes at the start of
+  a run.
 
-None of this moves a result by more than rounding.
+The results change only by rounding.
 """
 
 from __future__ import annotations
@@ -18,160 +19,165 @@ from poppet.engine.model import Model
 from poppet.engine.printers.instructions import SIGNATURES, Instruction, InstructionList, instructions
 
 _Key = tuple[Any, ...]
-"""An operation and its arguments, `input`, name of the vector and element, or `const` and value."""
+"""Operation and arguments; or `input`, vector and element; or `const` and value."""
 
 
 class LaneListings(NamedTuple):
-    """Functions by name, and how many elements `derived` puts behind p."""
+    """Functions by name, and the number of elements that `derived` appends to p."""
 
     functions: dict[str, InstructionList]
     n_derived: int
 
 
 def lane_listings(functions: Mapping[str, Any], model: Model) -> LaneListings:
-    """`rates`, `jacobian`, and `jacobian_held` for inputs that hold still, all with `derived` behind p."""
+    """Return `rates`, `jacobian`, and `jacobian_held` for constant inputs, with the appended elements of p."""
     values, n_p = _Values(len(model.parameters)), len(model.parameters) + len(model.memory)
-    made = {
+    results_of = {
         "rates": values.read(functions["rates"], "rates"),
         "jacobian": values.read(functions["jacobian"], "jacobian"),
-        "jacobian_held": values.read(functions["jacobian"], "jacobian", nought=("slopes",)),
+        "jacobian_held": values.read(functions["jacobian"], "jacobian", zero=("slopes",)),
     }
-    behind: dict[int, int] = {}
-    listed = {name: values.listed(results, name.removesuffix("_held"), n_p, behind) for name, results in made.items()}
-    results = [((0, k), value) for value, k in behind.items()]
-    listed["derived"] = InstructionList(values.ordered(results, {"p": 0}, n_p, {}), 1, 1)
-    return LaneListings(listed, len(behind))
+    derived: dict[int, int] = {}
+    listings = {
+        name: values.list_function(results, name.removesuffix("_held"), n_p, derived)
+        for name, results in results_of.items()
+    }
+    results = [((0, k), value) for value, k in derived.items()]
+    listings["derived"] = InstructionList(values.order(results, {"p": 0}, n_p, {}), 1, 1)
+    return LaneListings(listings, len(derived))
 
 
 class _Values:
-    """Values of several functions, each of which is there once."""
+    """Unique values of several functions; each value is an index."""
 
     def __init__(self, n_numbers: int) -> None:
         self.n_numbers = n_numbers
         self.keys: list[_Key] = []
-        self.is_fixed: list[bool] = []  # whether it depends on nothing but numbers
-        self._places: dict[_Key, int] = {}
+        self.is_fixed: list[bool] = []  # True if the value depends only on parameters
+        self._indices: dict[_Key, int] = {}
 
-    def read(self, function: Any, name: str, nought: Sequence[str] = ()) -> list[tuple[tuple[int, int], int]]:
-        """Take a function whose arguments have the names of `SIGNATURES`; places of its results, and their values."""
-        given = SIGNATURES[name].partition("->")[0].split()
+    def read(self, function: Any, name: str, zero: Sequence[str] = ()) -> list[tuple[tuple[int, int], int]]:
+        """Add a function of `SIGNATURES`, and return vector, element and value of its results."""
+        vectors = SIGNATURES[name].partition("->")[0].split()
         slots: dict[int, int] = {}
-        found = []
-        for each in instructions(function):
-            if each.operation == "output":
-                found.append((each.place, slots[each.arguments[0]]))
-            elif each.operation == "const":
-                slots[each.result] = self.constant(each.constant)
-            elif each.operation == "input":
-                vector, element = given[each.place[0]], each.place[1]
-                is_nought = vector in nought
-                slots[each.result] = self.constant(0.0) if is_nought else self._known("input", vector, element)
+        results = []
+        for instruction in instructions(function):
+            if instruction.operation == "output":
+                results.append((instruction.place, slots[instruction.arguments[0]]))
+            elif instruction.operation == "const":
+                slots[instruction.result] = self.constant(instruction.constant)
+            elif instruction.operation == "input":
+                vector, element = vectors[instruction.place[0]], instruction.place[1]
+                slots[instruction.result] = (
+                    self.constant(0.0) if vector in zero else self._index("input", vector, element)
+                )
             else:
-                slots[each.result] = self.put(each.operation, *(slots[slot] for slot in each.arguments))
-        return found
+                slots[instruction.result] = self.put(
+                    instruction.operation, *(slots[slot] for slot in instruction.arguments)
+                )
+        return results
 
     def constant(self, value: float) -> int:
-        """A constant; -0.0 is another one than 0.0."""
-        return self._known("const", value, str(value))
+        """Add a constant; -0.0 and 0.0 differ."""
+        return self._index("const", value, str(value))
 
     def put(self, operation: str, *arguments: int) -> int:
-        """The value of an operation, in its simplest form."""
-        simpler = _RULES.get(operation)
-        found = simpler(self, *arguments) if simpler else None
-        return self._known(operation, *arguments) if found is None else found
+        """Add an operation in its simplest form."""
+        rule = _RULES.get(operation)
+        value = rule(self, *arguments) if rule else None
+        return self._index(operation, *arguments) if value is None else value
 
-    def _known(self, *key: Any) -> int:
-        if key not in self._places:
-            self._places[key] = len(self.keys)
+    def _index(self, *key: Any) -> int:
+        if key not in self._indices:
+            self._indices[key] = len(self.keys)
             self.keys.append(key)
             if key[0] == "input":
                 fixed = key[1] == "p" and key[2] < self.n_numbers
             else:
                 fixed = key[0] == "const" or all(self.is_fixed[a] for a in key[1:])
             self.is_fixed.append(fixed)
-        return self._places[key]
+        return self._indices[key]
 
     def is_of(self, value: int, operation: str) -> bool:
-        """Whether a value is the result of an operation."""
+        """Return True if a value is the result of an operation."""
         return bool(self.keys[value][0] == operation)
 
     def is_number(self, value: int, number: float) -> bool:
-        """Whether a value is this constant."""
+        """Return True if a value is this constant."""
         key = self.keys[value]
         return bool(key[0] == "const" and key[1] == number)
 
-    def listed(self, results: Any, name: str, n_p: int, behind: dict[int, int]) -> InstructionList:
-        """A function of some values, with those of numbers alone behind p, where `behind` says or comes to say."""
-        given, _, made = SIGNATURES[name].partition("->")
-        vectors = {vector: k for k, vector in enumerate(given.split())}
-        wanted = self._needed([value for _, value in results], stops=True)
-        for value in wanted:
+    def list_function(self, results: Any, name: str, n_p: int, derived: dict[int, int]) -> InstructionList:
+        """Return a function of its results, and add its parameter expressions to `derived`: value to element."""
+        arguments, _, outputs = SIGNATURES[name].partition("->")
+        vectors = {vector: k for k, vector in enumerate(arguments.split())}
+        for value in self._needed([value for _, value in results], stops=True):
             if self._is_derived(value):
-                behind.setdefault(value, len(behind))
-        return InstructionList(self.ordered(results, vectors, n_p, behind), len(vectors), len(made.split()))
+                derived.setdefault(value, len(derived))
+        return InstructionList(self.order(results, vectors, n_p, derived), len(vectors), len(outputs.split()))
 
     def _is_derived(self, value: int) -> bool:
         return self.is_fixed[value] and self.keys[value][0] not in ("input", "const")
 
     def _needed(self, results: Sequence[int], *, stops: bool) -> list[int]:
-        """Values that these need, in order; where it `stops`, none below one of numbers alone."""
-        wanted, found = set(results), []
+        """Return all values for the results, in order; with `stops`, without the operands of parameter expressions."""
+        needed, values = set(results), []
         for value in reversed(range(max(results, default=-1) + 1)):
-            if value not in wanted:
+            if value not in needed:
                 continue
-            found.append(value)
+            values.append(value)
             key = self.keys[value]
             if key[0] not in ("input", "const") and not (stops and self._is_derived(value)):
-                wanted.update(key[1:])
-        return found[::-1]
+                needed.update(key[1:])
+        return values[::-1]
 
-    def ordered(
-        self, results: Any, vectors: Mapping[str, int], n_p: int, behind: Mapping[int, int]
+    def order(
+        self, results: Any, vectors: Mapping[str, int], n_p: int, derived: Mapping[int, int]
     ) -> list[Instruction]:
-        """Instructions of some values, those of `behind` read from there."""
-        needed = self._needed([value for _, value in results], stops=bool(behind))
+        """Return the instructions of some results, which read the values of `derived` from p."""
+        needed = self._needed([value for _, value in results], stops=bool(derived))
         last: dict[int, int] = {}
         for value in needed:
-            if value not in behind and self.keys[value][0] not in ("input", "const"):
+            if value not in derived and self.keys[value][0] not in ("input", "const"):
                 last.update(dict.fromkeys(self.keys[value][1:], value))
         last.update({value: len(self.keys) for _, value in results})
         slots: dict[int, int] = {}
         free: list[int] = []
-        found, size = [], 0
+        listing, size = [], 0
         for value in needed:
             key = self.keys[value]
             arguments: tuple[int, ...] = ()
-            if value not in behind and key[0] not in ("input", "const"):
+            if value not in derived and key[0] not in ("input", "const"):
                 arguments = tuple(slots[a] for a in key[1:])
                 free += [slots[a] for a in dict.fromkeys(key[1:]) if last[a] == value]
             if free:
                 slots[value] = free.pop()
             else:
                 slots[value], size = size, size + 1
-            if value in behind:
-                found.append(Instruction("input", slots[value], (), place=(vectors["p"], n_p + behind[value])))
+            if value in derived:
+                listing.append(Instruction("input", slots[value], (), place=(vectors["p"], n_p + derived[value])))
             elif key[0] == "input":
-                found.append(Instruction("input", slots[value], (), place=(vectors[key[1]], key[2])))
+                listing.append(Instruction("input", slots[value], (), place=(vectors[key[1]], key[2])))
             else:
                 constant = key[1] if key[0] == "const" else 0.0
-                found.append(Instruction(key[0], slots[value], arguments, constant))
-        return found + [Instruction("output", -1, (slots[value],), place=place) for place, value in results]
+                listing.append(Instruction(key[0], slots[value], arguments, constant))
+        return listing + [Instruction("output", -1, (slots[value],), place=element) for element, value in results]
 
 
-# --- Rules: the value, or None where an operation is as simple as it gets ---
+# --- Rules: simpler value of an operation, or None ---
 
 
 def _product(values: _Values, a: int, b: int) -> int | None:
-    for one, other in ((a, b), (b, a)):
-        if values.is_number(one, 0.0):
-            return one
-        if values.is_number(one, 1.0):
-            return other
-        # Numbers first, for their product is one of them.
-        if values.is_fixed[one] and not values.is_fixed[other] and values.is_of(other, "mul"):
-            for first, second in ((c := values.keys[other][1:]), c[::-1]):
+    for left, right in ((a, b), (b, a)):
+        if values.is_number(left, 0.0):
+            return left
+        if values.is_number(left, 1.0):
+            return right
+        # Parameters first, because their product is a parameter expression.
+        if values.is_fixed[left] and not values.is_fixed[right] and values.is_of(right, "mul"):
+            for first, second in ((c := values.keys[right][1:]), c[::-1]):
                 if values.is_fixed[first]:
-                    return values.put("mul", values.put("mul", one, first), second)
+                    return values.put("mul", values.put("mul", left, first), second)
     return None if a <= b else values.put("mul", b, a)
 
 
@@ -187,7 +193,7 @@ def _difference(values: _Values, a: int, b: int) -> int | None:
     return values.put("neg", b) if values.is_number(a, 0.0) else None
 
 
-def _nought(values: _Values, *arguments: int) -> int | None:
+def _zero(values: _Values, *arguments: int) -> int | None:
     return arguments[-1] if values.is_number(arguments[-1], 0.0) else None
 
 
@@ -214,7 +220,7 @@ _RULES: dict[str, Any] = {
     "div": _quotient,
     "inv": lambda values, a: values.put("inverse", a),
     "inverse": _inverse,
-    "neg": _nought,
-    "twice": _nought,
-    "if_else_zero": _nought,
+    "neg": _zero,
+    "twice": _zero,
+    "if_else_zero": _zero,
 }

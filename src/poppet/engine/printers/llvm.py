@@ -1,8 +1,8 @@
-"""Printer: the instructions of a traced function become LLVM IR.
+"""Printer of traced functions as LLVM IR.
 
-A printed function takes one pointer to doubles per input and per output, `void name(in0, in1, ..., out0, out1, ...)`,
-and holds no state. Long lists are cut into blocks that hand their live values on through memory, so that compile time
-grows linearly with the number of instructions.
+A printed function has one pointer to doubles per input and output, `void name(in0, in1, ..., out0, out1, ...)`, and no
+state. Long functions are divided into blocks, which pass live values in memory, so the compilation time increases
+linearly with the number of instructions.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from typing import Any
 from poppet.engine.printers.instructions import Block, Instruction, InstructionList, blocks
 
 BLOCK_SIZE = 600
-"""Instructions per block. LLVM's time per block grows faster than its length; measured best near this size."""
+"""Instructions per block: measured optimum, because the time of LLVM per block increases faster than linearly."""
 
 _FLAG = "select {b} {r}, {d} {one}, {d} {zero}"
 _FORMS: dict[str, tuple[str, ...]] = {
@@ -40,8 +40,9 @@ _FORMS: dict[str, tuple[str, ...]] = {
         "select {b} {s}, {d} {r}, {d} {zero}",
     ),
 }
-"""Lines of an operation: {0}, {1} are its arguments, {r} the result of the line before, {s} of that before it; the rest
-are the words of a `Kind`."""
+"""Lines of an operation: {0} and {1} are its arguments, {r} and {s} the results of the last and the second last line.
+
+Other fields are the words of a `Kind`."""
 for _name in ("inverse", "inverse_root"):
     _FORMS[_name] = (f"call {{d}} @{_name}.v({{d}} {{0}})",)
 for _name, _relation in (("lt", "olt"), ("le", "ole"), ("eq", "oeq"), ("ne", "une")):
@@ -49,7 +50,7 @@ for _name, _relation in (("lt", "olt"), ("le", "ole"), ("eq", "oeq"), ("ne", "un
 for _name in ("sqrt", "fabs", "floor", "ceil"):
     _FORMS[_name] = (f"call {{d}} @llvm.{_name}.{{v}}({{d}} {{0}})",)
 OF_ONE, OF_TWO = ("exp", "log", "sin", "cos", "tan", "tanh", "atan"), ("atan2", "pow")
-"""Functions of the mathematics library."""
+"""Functions of the mathematics library with one and two arguments."""
 for _name in OF_ONE:
     _FORMS[_name] = (f"call {{d}} @{_name}{{o}}({{d}} {{0}})",)
 for _name, _callee in (("copysign", "llvm.copysign.{v}"), ("atan2", "atan2{o}"), ("pow", "power{o}")):
@@ -57,18 +58,18 @@ for _name, _callee in (("copysign", "llvm.copysign.{v}"), ("atan2", "atan2{o}"),
 
 
 class Kind:
-    """The kind of number that a text computes with: a double, or lanes of them side by side.
+    """Type of numbers in a text: a double, or a vector of lanes.
 
-    Text for lanes reads and writes elements of `width` doubles, aligned to their size. It calls functions of its own
-    (`poppet.engine.printers.llvm_lanes`), and divides by multiplication with an inverse, which those that divide by the
-    same have in common, as `poppet.engine.printers.lane_values` does in the functions that it rewrites.
+    Text for lanes reads and writes elements of `width` doubles, aligned to their size. It calls other functions
+    (`poppet.engine.printers.llvm_lanes`). Divisions are products with an inverse, which divisions by the same value
+    share, as in `poppet.engine.printers.lane_values`.
     """
 
     def __init__(self, width: int = 1) -> None:
         self.width = width
         lanes = f"<{width} x {{}}>" if width > 1 else "{}"
         self.number, self.flag = lanes.format("double"), lanes.format("i1")
-        # Wide elements spill to aligned places only where the frame has a pointer from the start.
+        # Wide elements are spilled to aligned memory only in a frame with a frame pointer.
         self.attributes = 'nounwind "frame-pointer"="all"' if width > 1 else "nounwind"
         self.suffix, self.own = (f"v{width}f64", ".v") if width > 1 else ("f64", "")
         self.words = {"d": self.number, "b": self.flag, "v": self.suffix, "o": self.own}
@@ -78,14 +79,14 @@ class Kind:
         return constant if self.width == 1 else f"<{', '.join([f'double {constant}'] * self.width)}>"
 
     def constant(self, value: float) -> str:
-        """A constant of which no digit is lost, the same in every lane."""
+        """Return a constant with all its digits, equal in all lanes."""
         return self._alike(literal(value))
 
 
 SCALAR = Kind()
 
-# The exponent of the flow law is a run-time number, nearly always 1/2; this keeps the usual case at the price of a
-# square root without a new compilation when somebody changes it.
+# The exponent of the flow law is a run-time parameter, nearly always 1/2. This function needs only a square root for
+# 1/2, and no compilation for another exponent.
 PRELUDE = """
 declare double @llvm.sqrt.f64(double)
 declare double @llvm.fabs.f64(double)
@@ -120,16 +121,16 @@ general:
   ret double %g
 }
 """
-"""Declarations shared by all printed functions of a module."""
+"""Declarations for all printed functions of a module."""
 
 
 def literal(value: float) -> str:
-    """A constant of which no digit is lost."""
+    """Return a constant with all its digits."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
 
 
 class Text:
-    """Lines of LLVM IR with fresh names."""
+    """Lines of LLVM IR with unique names."""
 
     def __init__(self, kind: Kind = SCALAR) -> None:
         self.kind = kind
@@ -138,46 +139,46 @@ class Text:
         self._inverses: dict[str, str] = {}
 
     def emit(self, text: str) -> str:
-        """A line whose result gets a name, which is given back."""
+        """Add a line and return the name of its result."""
         self.count += 1
         name = f"%v{self.count}"
         self.lines.append(f"  {name} = {text}")
         return name
 
     def at(self, pointer: str, offset: int | str) -> str:
-        """Address of an element."""
+        """Add the address of an element and return its name."""
         return self.emit(f"getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def load(self, pointer: str, offset: int | str) -> str:
-        """An element."""
+        """Load an element and return its name."""
         return self.emit(f"load {self.kind.number}, ptr {self.at(pointer, offset)}")
 
     def store(self, value: str, pointer: str, offset: int | str) -> None:
-        """Write an element."""
+        """Store an element."""
         self.lines.append(f"  store {self.kind.number} {value}, ptr {self.at(pointer, offset)}")
 
     def name(self, name: str, pointer: str, offset: int) -> None:
-        """Give the address of an element a name."""
+        """Add the address of an element under a given name."""
         self.lines.append(f"  {name} = getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def times(self, factor: float, value: str) -> str:
-        """A constant times a value."""
+        """Add the product of a constant and a value."""
         return self.emit(f"fmul contract {self.kind.number} {self.kind.constant(factor)}, {value}")
 
     def multiply_add(self, a: str | float, b: str, c: str) -> str:
-        """a b + c."""
+        """Add a b + c."""
         d, factor = self.kind.number, a if isinstance(a, str) else self.kind.constant(a)
         return self.emit(f"call {d} @llvm.fmuladd.{self.kind.suffix}({d} {factor}, {d} {b}, {d} {c})")
 
     def inverse(self, value: str) -> str:
-        """One by a value, in text for lanes that does not branch."""
+        """Add the inverse of a value, once per value, in text for lanes without branches."""
         if value not in self._inverses:
             self._inverses[value] = self.emit(f"call {self.kind.number} @inverse.v({self.kind.number} {value})")
         return self._inverses[value]
 
     @contextmanager
     def loop(self, n: int) -> Iterator[str]:
-        """A loop of n > 0 rounds; gives its index."""
+        """Add a loop of n > 0 iterations and yield its index."""
         self.loops += 1
         k, index = self.loops, f"%n{self.loops}"
         self.lines += [f"  br label %before{k}", f"before{k}:", f"  br label %loop{k}", f"loop{k}:"]
@@ -192,34 +193,32 @@ class Text:
 
 
 def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
-    """LLVM IR of one traced function, or of a `InstructionList` one."""
-    listed = function if isinstance(function, InstructionList) else InstructionList.of(function)
-    inputs = [f"%i{k}" for k in range(listed.n_in)]
-    outputs = [f"%o{k}" for k in range(listed.n_out)]
-    # noalias: inputs and outputs never overlap, so that loads may be moved over stores.
+    """Return LLVM IR of a traced function or an `InstructionList`."""
+    listing = function if isinstance(function, InstructionList) else InstructionList.of(function)
+    inputs = [f"%i{k}" for k in range(listing.n_in)]
+    outputs = [f"%o{k}" for k in range(listing.n_out)]
+    # noalias: inputs and outputs do not overlap, so LLVM can move loads across stores.
     formal = ", ".join(f"ptr noalias nocapture {a}" for a in [*inputs, *outputs])
-    cut = blocks(listed.instructions, BLOCK_SIZE)
-    # A function of one block needs no memory to hand values on, and no call.
-    if len(cut) <= 1:
-        lines = [line for block in cut for line in _printed(block, inputs, outputs, kind)]
+    parts = blocks(listing.instructions, BLOCK_SIZE)
+    # A function of one block needs no memory for live values, and no call.
+    if len(parts) <= 1:
+        lines = [line for block in parts for line in _print_block(block, inputs, outputs, kind)]
         return "\n".join([f"define void @{name}({formal}) {kind.attributes} {{", *lines, "  ret void", "}", ""])
     text: list[str] = []
-    for number, block in enumerate(cut):
-        head = (
-            f"define internal void @{name}.{number}({formal}, ptr noalias nocapture %w) noinline {kind.attributes} {{"
-        )
-        text += [head, *_printed(block, inputs, outputs, kind), "  ret void", "}", ""]
+    for k, block in enumerate(parts):
+        head = f"define internal void @{name}.{k}({formal}, ptr noalias nocapture %w) noinline {kind.attributes} {{"
+        text += [head, *_print_block(block, inputs, outputs, kind), "  ret void", "}", ""]
     actual = ", ".join(f"ptr {a}" for a in [*inputs, *outputs, "%w"])
     text += [
         f"define void @{name}({formal}) {kind.attributes} {{",
-        f"  %w = alloca {kind.number}, i64 {listed.size}",
+        f"  %w = alloca {kind.number}, i64 {listing.size}",
     ]
-    text += [f"  call void @{name}.{number}({actual})" for number in range(len(cut))]
+    text += [f"  call void @{name}.{k}({actual})" for k in range(len(parts))]
     return "\n".join([*text, "  ret void", "}", ""])
 
 
-def _printed(block: Block, inputs: Sequence[str], outputs: Sequence[str], kind: Kind) -> list[str]:
-    """Lines of one block: values of slots are loaded at first use, and those that are handed on stored at the end."""
+def _print_block(block: Block, inputs: Sequence[str], outputs: Sequence[str], kind: Kind) -> list[str]:
+    """Return the lines of one block, which loads slots at first use and stores live slots at its end."""
     text = Text(kind)
     names: dict[int, str] = {}
 
@@ -228,17 +227,17 @@ def _printed(block: Block, inputs: Sequence[str], outputs: Sequence[str], kind: 
             names[slot] = text.load("%w", slot)
         return names[slot]
 
-    for each in block.instructions:
-        vector, element = each.place
-        if each.operation == "output":
-            text.store(value(each.arguments[0]), outputs[vector], element)
-        elif each.operation == "input":
-            names[each.result] = text.load(inputs[vector], element)
-        elif each.operation == "const":
-            names[each.result] = kind.constant(each.constant)
+    for instruction in block.instructions:
+        vector, element = instruction.place
+        if instruction.operation == "output":
+            text.store(value(instruction.arguments[0]), outputs[vector], element)
+        elif instruction.operation == "input":
+            names[instruction.result] = text.load(inputs[vector], element)
+        elif instruction.operation == "const":
+            names[instruction.result] = kind.constant(instruction.constant)
         else:
-            names[each.result] = _operation(text, each, [value(slot) for slot in each.arguments])
-    for slot in sorted(block.handed_on):
+            names[instruction.result] = _operation(text, instruction, [value(slot) for slot in instruction.arguments])
+    for slot in sorted(block.live_out):
         text.store(names[slot], "%w", slot)
     return text.lines
 
@@ -252,7 +251,7 @@ def _operation(text: Text, instruction: Instruction, arguments: Sequence[str]) -
     form = _FORMS.get(instruction.operation)
     if form is None:
         raise NotImplementedError(f"no LLVM form for the CasADi operation {instruction.operation}")
-    before, result = "", arguments[0]  # `assign` has no lines: its result is its argument
+    previous, result = "", arguments[0]  # `assign` has no lines: its result is its argument
     for line in form:
-        before, result = result, text.emit(line.format(*arguments, r=result, s=before, **text.kind.words))
+        previous, result = result, text.emit(line.format(*arguments, r=result, s=previous, **text.kind.words))
     return result

@@ -1,7 +1,7 @@
-"""Printer: one step of the Rosenbrock method, and its interpolant, for a given number of states as LLVM IR.
+"""Printer of a step of the Rosenbrock method and its interpolant as LLVM IR.
 
-A step is printed next to the model's functions rather than written in the integrator: with the number of states known,
-its loops become a few vector instructions each.
+A step is printed with the functions of the model instead of being part of the integrator: with a constant number of
+states, each of its loops becomes a few vector instructions.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIM
 
 
 def _weighted(text: Text, index: str, weights: Sequence[float], start: str = "") -> str:
-    """Sum of weights times stages at one state, added to `start`; %k0, %k1 ... are the stages."""
+    """Add the sum of weights times stages at one state and `start`; %k0, %k1 ... are the stages."""
     total = start
     for j, weight in enumerate(weights):
         stage = text.load(f"%k{j}", index)
@@ -22,18 +22,18 @@ def _weighted(text: Text, index: str, weights: Sequence[float], start: str = "")
 
 
 def _with_drift(text: Text, i: int, index: str, rates: str) -> str:
-    """Rates, and the drift of stage i times the step."""
+    """Add rates plus the drift of stage i times the step."""
     if STAGE_DRIFT[i] == 0.0:
         return rates
     return text.multiply_add(text.times(STAGE_DRIFT[i], "%h"), text.load("%ft", index), rates)
 
 
 def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCALAR) -> str:
-    """LLVM IR of `step` and `dense`.
+    """Return LLVM IR of `step` and `dense`.
 
-    `step`: time and length, state, inputs at `INPUT_TIMES`, numbers, rates, Jacobian and drift at the begin; scratch;
-    the six stages and the new state, both written. Stage 5 is the estimate of the error. Nothing depends on the
-    quadratures behind the controlled states, so that only the last stage asks where they are.
+    Arguments of `step` are time and length, state, inputs at `INPUT_TIMES`, p, rates, Jacobian and drift at the start,
+    and scratch memory; results are the six stages and the new state. Stage 5 is the error estimate. The rates do not
+    depend on the quadratures after the controlled states, so only the last stage computes their argument.
     """
     text, d = Text(kind), kind.number
     for i in range(6):
@@ -43,7 +43,7 @@ def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCA
     text.lines.append(f"  %t = load {d}, ptr %th")
     text.lines.append(f"  %h = load {d}, ptr {text.at('%th', 1)}")
     text.lines.append(f"  %g = fdiv {d} {kind.words['one']}, %h")
-    # Not `times`: fused into the subtractions of `factor`, this product would depend on what is inlined.
+    # Not `times`: a product that is fused into the subtractions of `factor` would depend on inlining.
     shift = text.emit(f"fmul {d} {kind.constant(1.0 / GAMMA)}, %g")
     text.lines += [f"  store {d} {shift}, ptr %w", "  call void @factor(ptr %j, ptr %w, ptr %lu)"]
     with text.loop(n_states) as index:
@@ -52,7 +52,7 @@ def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCA
     for i in range(1, 6):
         _print_stage(text, i, (n_states, n_controlled if i < 5 and n_controlled else n_states), n_inputs)
     with text.loop(n_states) as index:
-        # The last stage is the difference of both orders: stiffly accurate, the new state is its argument and it.
+        # The method is stiffly accurate: the new state is the argument of the last stage plus the last stage.
         text.store(text.emit(f"fadd {d} {text.load('%x1', index)}, {text.load('%k5', index)}"), "%x1", index)
     names = ("th", "x0", "us", "p", "f0", "j", "ft", "w", "k", "x1")
     head = [f"declare {d} @llvm.fmuladd.{kind.suffix}({d}, {d}, {d})"]
@@ -63,7 +63,10 @@ def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCA
 
 
 def _print_stage(text: Text, i: int, sizes: tuple[int, int], n_inputs: int) -> None:
-    """Argument, rates, right-hand side and linear system of stage i > 0; sizes of the system and of the argument."""
+    """Add argument, rates, right-hand side and linear system of stage i > 0.
+
+    `sizes` are the sizes of system and argument.
+    """
     n_states, n_argument = sizes
     with text.loop(n_argument) as index:
         text.store(_weighted(text, index, ARGUMENT[i], text.load("%x0", index)), "%x1", index)
@@ -79,7 +82,7 @@ def _print_stage(text: Text, i: int, sizes: tuple[int, int], n_inputs: int) -> N
 
 
 def _print_dense(n_states: int, kind: Kind) -> str:
-    """The two coefficients of the interpolant, one behind the other, from the stages."""
+    """Return LLVM IR of `dense`: the two coefficients of the interpolant from the stages."""
     text = Text(kind)
     for i in range(5):
         text.name(f"%k{i}", "%k", i * n_states)

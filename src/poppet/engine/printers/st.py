@@ -1,7 +1,7 @@
-"""Printer: the instructions of a traced function become statements of structured text (IEC 61131-3).
+"""Printer of traced functions as statements of structured text (IEC 61131-3).
 
-Numbers are `LREAL`, comparisons `BOOL`. A value that is used once stands in the statement that uses it; every other one
-has a variable, `v1`, `v2` and so on. Results are assigned at the end, so that a function may write over what it reads.
+Numbers are `LREAL`, comparisons `BOOL`. A value that is used once becomes part of the statement that uses it; other
+values become variables, `v1`, `v2` and so on. Results are assigned at the end: a function can overwrite its arguments.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import NamedTuple
 from poppet.engine.printers.instructions import Instruction
 
 LONGEST = 100
-"""Characters of a value that may stand inside of another one."""
+"""Maximum length of a value inside another value, in characters."""
 
 _FORMS = {
     "add": "{0} + {1}", "sub": "{0} - {1}", "mul": "{0} * {1}", "div": "{0} / {1}", "neg": "-{0}", "sq": "{0} * {0}",
@@ -26,7 +26,7 @@ _FORMS = {
 _FLAGS = {"lt": "{0} < {1}", "le": "{0} <= {1}", "eq": "{0} = {1}", "ne": "{0} <> {1}"}
 _LOGIC = {"and": "{0} AND {1}", "or": "{0} OR {1}", "not": "NOT {0}"}
 _TWICE = ("sq", "sign")
-"""Operations whose form names an argument twice."""
+"""Operations whose form contains an argument twice."""
 
 FUNCTIONS = {
     "poppet_floor": """\
@@ -64,41 +64,41 @@ END_IF;
 END_FUNCTION
 """,
 }
-"""What the standard has not, or not alike everywhere, by the name under which printed statements call it."""
+"""Functions that the standard lacks or that differ between implementations, by their names in printed statements."""
 
 
-class Unprintable(ValueError):
-    """An operation or a constant that structured text has not."""
+class UnsupportedOperationError(ValueError):
+    """Operation or constant that structured text does not support."""
 
 
 class Value(NamedTuple):
-    """A value by its text: an atom can stand anywhere, and any other text wants parentheses."""
+    """Text of a value; a text that is not an atom needs parentheses in an expression."""
 
     text: str
     is_flag: bool = False
     is_atom: bool = True
-    # of a choice, `SEL(condition, 0.0, value)`: both, and whether the condition is turned over
+    # of a choice, `SEL(condition, 0.0, value)`: condition, True if the condition is negated, value
     choice: tuple[str, bool, str] | None = None
-    turned: str = ""  # of a `not`: what it turns over
+    negated: str = ""  # argument of a `not`
 
     @property
-    def inner(self) -> str:
-        """The text where something stands beside it."""
+    def operand(self) -> str:
+        """Text as an operand of an expression."""
         return self.text if self.is_atom else f"({self.text})"
 
     @property
     def number(self) -> str:
-        """The text of it as a number, where something stands beside it."""
-        return f"SEL({self.text}, 0.0, 1.0)" if self.is_flag else self.inner
+        """Text as a numeric operand."""
+        return f"SEL({self.text}, 0.0, 1.0)" if self.is_flag else self.operand
 
     @property
     def flag(self) -> str:
-        """The text of it as a condition."""
-        return self.inner if self.is_flag else f"({self.inner} <> 0.0)"
+        """Text as a condition."""
+        return self.operand if self.is_flag else f"({self.operand} <> 0.0)"
 
 
 def literal(value: float) -> str:
-    """A constant of which no digit is lost.
+    """Return a constant with all its digits.
 
     Examples
     --------
@@ -106,23 +106,23 @@ def literal(value: float) -> str:
     ('0.001', '1.0E+300', '(-5.0)', '2.0E-05')
     """
     if not math.isfinite(value):
-        raise Unprintable(str(value))
+        raise UnsupportedOperationError(str(value))
     head, mark, tail = repr(abs(value)).upper().partition("E")
     text = f"{head if '.' in head else head + '.0'}{mark}{tail}"
     return f"(-{text})" if math.copysign(1.0, value) < 0.0 else text
 
 
 class Statements:
-    """Statements of one function, with the variables that they need.
+    """Statements and variables of one function.
 
     Parameters
     ----------
     inputs, outputs : sequence of sequence of str
-        Name of each element of each argument and result.
+        Names of the elements of each argument and result.
     first : int
         Number of the first variable.
     flags : set of str
-        Inputs that are `BOOL`.
+        Inputs of type `BOOL`.
     constants : mapping, optional
         Names of constants.
     """
@@ -140,82 +140,79 @@ class Statements:
         self.lines: list[str] = []
         self.variables: list[tuple[str, str]] = []  # name and type
 
-    def read(self, every: Sequence[Instruction]) -> None:
-        """Take the instructions of the function."""
-        used = _uses(every)
+    def read(self, function: Sequence[Instruction]) -> None:
+        """Add the instructions of the function."""
+        uses = _uses(function)
         slots: dict[int, Value] = {}
         results: list[tuple[str, Value]] = []
-        for number, each in enumerate(every):
-            vector, element = each.place
-            if each.operation == "output":
-                results.append((self.outputs[vector][element], slots[each.arguments[0]]))
+        for k, instruction in enumerate(function):
+            vector, element = instruction.place
+            if instruction.operation == "output":
+                results.append((self.outputs[vector][element], slots[instruction.arguments[0]]))
                 continue
-            value = self._value(each, [slots[slot] for slot in each.arguments])
-            # A name or a constant is no work, and neither is to turn a flag over.
-            is_plain = each.operation in ("const", "not") or value.text.isidentifier()
-            if not is_plain and (used[number] != 1 or len(value.text) > LONGEST):
-                value = self._kept(value)
-            slots[each.result] = value
+            value = self._value(instruction, [slots[slot] for slot in instruction.arguments])
+            # Names, constants and negations need no variable.
+            is_simple = instruction.operation in ("const", "not") or value.text.isidentifier()
+            if not is_simple and (uses[k] != 1 or len(value.text) > LONGEST):
+                value = self._variable(value)
+            slots[instruction.result] = value
         self._assign(results)
 
-    def _value(self, each: Instruction, given: list[Value]) -> Value:
-        name = each.operation
+    def _value(self, instruction: Instruction, arguments: list[Value]) -> Value:
+        name = instruction.operation
         if name == "const":
-            return Value(self.constants.get(each.constant) or literal(each.constant))
+            return Value(self.constants.get(instruction.constant) or literal(instruction.constant))
         if name == "input":
-            own = self.inputs[each.place[0]][each.place[1]]
-            return Value(own, own in self.flags)
+            element = self.inputs[instruction.place[0]][instruction.place[1]]
+            return Value(element, element in self.flags)
         if name == "assign":
-            return given[0]
-        if name in _TWICE and not given[0].is_atom:
-            given = [self._kept(given[0])]
-        if name == "lt" and given[1].is_flag and given[0].text == "0.0":
-            return given[1]
+            return arguments[0]
+        if name in _TWICE and not arguments[0].is_atom:
+            arguments = [self._variable(arguments[0])]
+        if name == "lt" and arguments[1].is_flag and arguments[0].text == "0.0":
+            return arguments[1]
         if name in _LOGIC:
-            text = _LOGIC[name].format(*(each.flag for each in given))
-            return Value(text, True, False, turned=given[0].flag if name == "not" else "")
+            text = _LOGIC[name].format(*(argument.flag for argument in arguments))
+            return Value(text, True, False, negated=arguments[0].flag if name == "not" else "")
         if name in _FLAGS:
-            return Value(_FLAGS[name].format(*(each.number for each in given)), True, False)
+            return Value(_FLAGS[name].format(*(argument.number for argument in arguments)), True, False)
         if name == "if_else_zero":
-            condition, value = given
+            condition, value = arguments
             if value.is_flag:
                 return Value(f"{condition.flag} AND {value.flag}", True, False)
-            shown = condition.turned or condition.flag
             text = f"SEL({condition.text if condition.is_flag else condition.flag}, 0.0, {value.text})"
-            return Value(text, choice=(shown, bool(condition.turned), value.text))
-        if name == "add" and (chosen := _choice(*given)):
-            return Value(chosen)
+            return Value(text, choice=(condition.negated or condition.flag, bool(condition.negated), value.text))
+        if name == "add" and (choice := _choice(*arguments)):
+            return Value(choice)
         if name not in _FORMS:
-            raise Unprintable(name)
-        text = _FORMS[name].format(*(_argument(_FORMS[name], each) for each in given))
+            raise UnsupportedOperationError(name)
+        # An argument in the parentheses of a call needs no parentheses.
+        is_call = re.match(r"\w+\(\{0\}(, \{1\})?\)$", _FORMS[name])
+        text = _FORMS[name].format(*(a.text if is_call and not a.is_flag else a.number for a in arguments))
         return Value(text, is_atom=text.endswith(")") and "(" in _FORMS[name] and not text.startswith("-"))
 
-    def _kept(self, value: Value) -> Value:
-        """The same value in a variable of its own."""
+    def _variable(self, value: Value) -> Value:
+        """Assign a value to a new variable and return the variable."""
         self.count += 1
         name = f"v{self.count}"
         self.variables.append((name, "BOOL" if value.is_flag else "LREAL"))
         self.lines.append(f"{name} := {value.text};")
-        return Value(name, value.is_flag, turned=value.turned if value.turned.isidentifier() else "")
+        return Value(name, value.is_flag, negated=value.negated if value.negated.isidentifier() else "")
 
     def _assign(self, results: list[tuple[str, Value]]) -> None:
         written = {target for target, _ in results}
-        ready = []
+        assignments = []
         for target, value in results:
             if value.text == target:
                 continue
-            # What reads something that is written as well gets its value before any of them is written.
-            ready.append((target, self._kept(value) if written & set(re.findall(r"\w+", value.text)) else value))
-        self.lines += [f"{target} := {value.number if value.is_flag else value.text};" for target, value in ready]
-
-
-def _argument(form: str, value: Value) -> str:
-    """An argument of a form: between the parentheses of a call it wants none of its own."""
-    return value.text if re.match(r"\w+\(\{0\}(, \{1\})?\)$", form) and not value.is_flag else value.number
+            # A value that reads a result is computed before the assignments.
+            reads_result = written & set(re.findall(r"\w+", value.text))
+            assignments.append((target, self._variable(value) if reads_result else value))
+        self.lines += [f"{target} := {value.number if value.is_flag else value.text};" for target, value in assignments]
 
 
 def _choice(a: Value, b: Value) -> str:
-    """The sum of two choices by one condition, of which one is turned over: one or the other."""
+    """Return the sum of two choices with opposite conditions as one choice, or an empty text."""
     if a.choice is None or b.choice is None or a.choice[0] != b.choice[0] or a.choice[1] == b.choice[1]:
         return ""
     yes, no = (b, a) if a.choice[1] else (a, b)
@@ -224,14 +221,14 @@ def _choice(a: Value, b: Value) -> str:
     return f"SEL({yes.choice[0]}, {no.choice[2]}, {yes.choice[2]})"
 
 
-def _uses(every: Sequence[Instruction]) -> list[int]:
-    """How often the result of each instruction is read."""
-    counts, last = [0] * len(every), dict[int, int]()
-    for number, each in enumerate(every):
-        for slot in each.arguments:
+def _uses(function: Sequence[Instruction]) -> list[int]:
+    """Return the number of reads of the result of each instruction."""
+    counts, last = [0] * len(function), dict[int, int]()
+    for k, instruction in enumerate(function):
+        for slot in instruction.arguments:
             counts[last[slot]] += 1
-        if each.operation == "assign":
-            last[each.result] = last[each.arguments[0]]
-        elif each.operation != "output":
-            last[each.result] = number
+        if instruction.operation == "assign":
+            last[instruction.result] = last[instruction.arguments[0]]
+        elif instruction.operation != "output":
+            last[instruction.result] = k
     return counts

@@ -44,7 +44,7 @@ STEPS_AFTER_INSTANT = 100
 """Added for every instant: a start takes ten to forty."""
 
 
-def solve_otherwise(problem: Problem, solver: str, progress: Callable[[float], Any] | None = None) -> RawRun:
+def solve_with_reference(problem: Problem, solver: str, progress: Callable[[float], Any] | None = None) -> RawRun:
     """Run a problem with one of `SOLVERS`.
 
     Notes
@@ -59,7 +59,7 @@ def solve_otherwise(problem: Problem, solver: str, progress: Callable[[float], A
         return track.result(Outcome.NOT_FINITE)
     legs: _Legs
     if problem.x0.size == 0:
-        legs = _Rows(problem)
+        legs = _StatelessLegs(problem)
     else:
         legs = _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
     watched = (1.0,) if solver == "cvodes" else (0.5, 1.0)
@@ -132,7 +132,7 @@ def _stretch(
     return Outcome.DONE if track.t >= end else legs.failure
 
 
-class _Rows(_Legs):
+class _StatelessLegs(_Legs):
     """For a circuit without states: there is nothing to solve, a leg for every row."""
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:

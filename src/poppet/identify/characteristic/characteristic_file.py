@@ -1,4 +1,4 @@
-"""Files of `identify characteristic`: the list of tests going in, and the characteristic coming out."""
+"""Files of `identify characteristic`: lists of tests, and fitted characteristics."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from poppet.laws.curves import characteristic_from_mapping
 from poppet.timeseries.measurements import read_measurement
 
 CLOSING = 2e-5
-"""Stroke over which a seat closes where nothing is known, as in the library's closed characteristic [m]."""
+"""Default stroke over which a seat closes, as in the closed characteristic of the library [m]."""
 OPTIONS = (
     "form", "degree_conductance", "degree_ratio", "domain", "knots", "joint", "common", "bootstrap", "seed",
 )  # fmt: skip
@@ -39,8 +39,8 @@ TOP_LEVEL = {
     **dict.fromkeys(("title", "circuit", "passage", "tests", *OPTIONS), Field()),
     **dict.fromkeys(("recording", "set", "free"), Field(type="table")),
 }
-WAYS = ("file", "result", "sonic_conductance")
-"""Fields of which a test has one: they say where its C and b come from."""
+SOURCES = ("file", "result", "sonic_conductance")
+"""Sources of C and b; a test has one of them."""
 _POINT = {f"{u}{name}": Field(unit=unit) for u in ("", "u_") for name, unit in UNITS.items()}
 OF_TEST = {
     **dict.fromkeys(("name", "result", "part", "file"), Field()),
@@ -52,23 +52,23 @@ OF_TEST = {
 
 
 def write_characteristic(result: Result, path: str | Path, *, closing: float | None = None) -> None:
-    """Write a fitted characteristic as a file that `characteristic = "mine.toml"` of a circuit file reads.
+    """Write a fitted characteristic for `characteristic = "mine.toml"` in a circuit file.
 
     Parameters
     ----------
     result : Result
-        Of `identify_characteristic`, fresh or read from its file.
+        Result of `identify_characteristic`.
     path : str or Path
         A `.toml` file.
     closing : float, optional
-        Stroke over which C falls to zero; 0 for none. Default none for polynomials; for a spline 0.02 mm, less
-        where a test lies below it [m].
+        Stroke over which C falls to zero; 0 for none. The default is none for polynomials. For a spline it is 0.02 mm,
+        or the first tested stroke if that is smaller [m].
 
     Raises
     ------
     InputError
-        If the result is none of a characteristic, its curves cannot be (C below 0, b outside 0..1), or the closing
-        law would change C where it was tested.
+        If the result is of another method, its curves are invalid (C below 0, b outside 0 to 1), or the closing law
+        changes C at a tested stroke.
     """
     table = characteristic_table(result, closing=closing)
     write = by_suffix(Path(path), {".toml": toml_text})
@@ -76,7 +76,7 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
 
 
 def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
-    """What `write_characteristic` writes, as plain values."""
+    """Return the content of the file that `write_characteristic` writes."""
     if result.method != "characteristic":
         raise InputError("characteristic.other_method", method=result.method)
     conditions, is_table = result.conditions, result.conditions["form"] == "spline"
@@ -87,7 +87,7 @@ def characteristic_table(result: Result, *, closing: float | None = None) -> dic
         table |= {"argument_unit": "mm", "domain": [_millimetres(x) for x in conditions["domain"]]}
     for name in NUMBERS:
         table[name] = [e.value for key, e in result.parameters.items() if re.search(rf"(^|\.){name}\.[kpy]\d+$", key)]
-    width = _closing(conditions, closing)
+    width = _closing_width(conditions, closing)
     if width > 0.0:
         table["closing"] = _millimetres(width)
     table["source"] = f"fitted, {result.title}"
@@ -102,14 +102,14 @@ def characteristic_table(result: Result, *, closing: float | None = None) -> dic
     return table
 
 
-def _closing(conditions: Mapping[str, Any], given: float | None) -> float:
+def _closing_width(conditions: Mapping[str, Any], width: float | None) -> float:
     first = conditions["tested"][0]
-    if given is None:
-        wanted = conditions["form"] == "spline" and first > 0.0
-        return min(CLOSING, first) if wanted else 0.0
-    if not 0.0 <= given <= max(first, 0.0):
-        raise OutOfRangeError("characteristic.closing", "closing", given_mm=1e3 * given, first_mm=1e3 * first)
-    return given
+    if width is None:
+        closes = conditions["form"] == "spline" and first > 0.0
+        return min(CLOSING, first) if closes else 0.0
+    if not 0.0 <= width <= max(first, 0.0):
+        raise OutOfRangeError("characteristic.closing", "closing", given_mm=1e3 * width, first_mm=1e3 * first)
+    return width
 
 
 def _millimetres(x: float) -> str:
@@ -117,8 +117,8 @@ def _millimetres(x: float) -> str:
 
 
 @dataclass
-class _Bench:
-    """What the tests of a file share."""
+class _BenchContext:
+    """Common data of the tests of a file."""
 
     folder: Path
     passage: str
@@ -146,14 +146,14 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
     Raises
     ------
     InputErrors
-        With all mistakes, each with its line where it can be told.
+        All errors of the file, each with its line.
 
     Notes
     -----
-    A test has a `stroke` and one of: `file`, a recording read as the shared `[recording]` table says (its own
-    `recording` table adds to that, `set` changes the circuit for this test); `result`, what `identify tank` or
-    `identify flow` wrote, `part` being the passage's name in it; or the numbers themselves. `[free]` holds further
-    numbers of the bench that are fitted, as in a fit file.
+    A test has a `stroke` and one of: `file`, `result`, or values of C and b. `file` is a recording that the common
+    `[recording]` table describes; the `recording` table of a test extends it, and `set` changes the circuit for this
+    test. `result` is a result of `identify tank` or `identify flow`, with `part` as the name of the flow path.
+    `[free]` has further free parameters of the bench, as in a fit file.
 
     Examples
     --------
@@ -186,66 +186,65 @@ def _read(file: TomlFile) -> tuple[list[StrokeTest], dict[str, Any]]:
         tables = data.get("tests")
         if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
             errors.add("characteristic.no_tests")
-    bench = _bench(data, file.folder)
+    bench = _read_bench(data, file.folder)
     tests: list[StrokeTest] = []
     with ErrorCollector() as errors:
         for k, table in enumerate(data["tests"]):
             try:
-                tests.append(_test(table, bench, str(table.get("name", f"test{k + 1}"))))
-            except InputError as error:  # what has no address stands in some line of them
+                tests.append(_read_test(table, bench, str(table.get("name", f"test{k + 1}"))))
+            except InputError as error:  # without an address, the error is located at the tests
                 errors.extend([error.located(address="tests")])
-    return tests, {**_options(data, bench), "title": str(data.get("title", Path(file.name).stem))}
+    return tests, {**_read_options(data, bench), "title": str(data.get("title", Path(file.name).stem))}
 
 
-def _bench(data: Mapping[str, Any], folder: Path) -> _Bench:
+def _read_bench(data: Mapping[str, Any], folder: Path) -> _BenchContext:
     circuit = read_circuit(data, folder) if "circuit" in data else None
     if data.get("free") and circuit is None:
         raise InputError("characteristic.free_without_circuit", "free")
     free = tuple(read_free(a, t, circuit) for a, t in data.get("free", {}).items()) if circuit else ()
-    return _Bench(folder, str(data.get("passage", "valve")), circuit, data.get("recording", {}), free)
+    return _BenchContext(folder, str(data.get("passage", "valve")), circuit, data.get("recording", {}), free)
 
 
-def _options(data: Mapping[str, Any], bench: _Bench) -> dict[str, Any]:
+def _read_options(data: Mapping[str, Any], bench: _BenchContext) -> dict[str, Any]:
     options = {key: data[key] for key in OPTIONS if key in data}
     for key in ("domain", "knots"):
         if key in options:
             if not isinstance(options[key], list) or (key == "domain" and len(options[key]) != 2):
                 raise InputError("characteristic.no_strokes", key, value=options[key])
             options[key] = tuple(quantity(x, "m", name=key).value for x in options[key])
-    # What several benches share is not known: the largest of what each shares among its own points errs on the side
-    # of a wide band.
+    # Common errors of different benches are unknown: the largest is conservative.
     shared = [max(column) for column in zip(*bench.common, strict=True)]
     if "common" in options or shared:
         options["common"] = tuple(options.get("common", shared))
     return options
 
 
-def _test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
-    place = f"tests.{name}"
+def _read_test(table: Mapping[str, Any], bench: _BenchContext, name: str) -> StrokeTest:
+    address = f"tests.{name}"
     with ErrorCollector() as errors:
-        own = read_fields(errors, table, OF_TEST, place, table="test")
-        ways = [way for way in WAYS if way in table]
-        if len(ways) != 1:
-            errors.add("stroke.one_way", test=name, ways=ways or ["nothing"])
-        # A misspelt field is one mistake, not two.
-        if ways == ["sonic_conductance"] and not errors.collected:
+        fields = read_fields(errors, table, OF_TEST, address, table="test")
+        sources = [source for source in SOURCES if source in table]
+        if len(sources) != 1:
+            errors.add("stroke.one_way", test=name, ways=sources or ["nothing"])
+        # A misspelt field is one error, not two.
+        if sources == ["sonic_conductance"] and not errors.collected:
             for key in _POINT.keys() - table.keys():
-                errors.extend([missing_field(f"{place}.{key}", OF_TEST[key])])
-    if "file" in own:
-        return _recorded(own, bench, name)
-    if "result" in own:
-        result = read_result(bench.folder / str(own["result"]))
-        part = str(own.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
+                errors.extend([missing_field(f"{address}.{key}", OF_TEST[key])])
+    if "file" in fields:
+        return _read_recording(fields, bench, name)
+    if "result" in fields:
+        result = read_result(bench.folder / str(fields["result"]))
+        part = str(fields.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
         bench.common.append(common_of_result(result, part=part))
-        return point_of_result(result, own["stroke"], part=part, name=name)
-    numbers = {key: own[key] for key in (*_POINT, "correlation") if key in own}
-    return StrokePoint(own["stroke"], name=name, **numbers)
+        return point_of_result(result, fields["stroke"], part=part, name=name)
+    numbers = {key: fields[key] for key in (*_POINT, "correlation") if key in fields}
+    return StrokePoint(fields["stroke"], name=name, **numbers)
 
 
-def _recorded(own: Mapping[str, Any], bench: _Bench, name: str) -> StrokeRecording:
+def _read_recording(fields: Mapping[str, Any], bench: _BenchContext, name: str) -> StrokeRecording:
     if bench.circuit is None:
         raise InputError("stroke.no_bench", test=name)
-    circuit = bench.circuit.with_values(own.get("set", {}))
-    mapping = {**bench.recording, **own.get("recording", {}), "file": own["file"]}
+    circuit = bench.circuit.with_values(fields.get("set", {}))
+    mapping = {**bench.recording, **fields.get("recording", {}), "file": fields["file"]}
     measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
-    return StrokeRecording(own["stroke"], circuit, measurement, bench.passage, bench.free, name)
+    return StrokeRecording(fields["stroke"], circuit, measurement, bench.passage, bench.free, name)

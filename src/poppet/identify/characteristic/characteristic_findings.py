@@ -1,6 +1,6 @@
-"""What the data say about fitted curves: whether C may never fall, and what a reader has to know, by importance.
+"""Findings on fitted curves, the most important first.
 
-Whether a C that never falls is allowed is judged by the spline with and without the constraint, and the polynomials.
+The test of a rising C compares the splines with and without the constraint, and the polynomials.
 """
 
 from __future__ import annotations
@@ -20,62 +20,62 @@ from poppet.identify.gum import few_runs_probability
 from poppet.timeseries.checks import FloatArray as Array
 
 GAP = 3.0
-"""Distance between neighbouring strokes, over the median one, from which a gap is worth a word."""
+"""Distance of neighbouring strokes, relative to the median, above which a gap is reported."""
 FAR = 4.0
-"""Sigmas by which repeated tests differ beyond chance."""
+"""Difference of repeated tests that is significant, in standard deviations."""
 REJECTED = 0.01
-"""Probability below which a constraint is rejected."""
+"""Probability below which the constraint is rejected."""
 FLAT = 1e-6
-"""Increments over the largest C below which the constraint holds a curve; residuals in sigmas that count as zero."""
+"""Relative increment below which the constraint is active, and residual in sigmas that counts as zero."""
 
 
 @dataclass(frozen=True)
 class MonotoneVerdict:
-    """What speaks for and against a C that never falls."""
+    """Test of the constraint that C does not fall."""
 
-    rejected: bool  # by the data
-    probability: float  # of such a gain in fit by falling, if C never falls
-    gain: float  # by how much the misfit of C falls without the constraint, over the scatter that is left
-    held: int  # number of increments that the constraint holds at zero
-    runs_probability: float  # of as few runs of sign among the residuals of C where the constraint holds it
-    fall: float  # of the unconstrained C beyond its maximum, relative
+    rejected: bool  # True if the data reject the constraint
+    probability: float  # of such a gain if C does not fall
+    gain: float  # reduction of chi-square of C without the constraint, relative to the scatter
+    held: int  # number of increments that the constraint keeps at zero
+    runs_probability: float  # of so few runs of sign in the residuals of C at active constraints
+    fall: float  # relative fall of the unconstrained C beyond its maximum
     fall_from: float  # stroke of the maximum [m]
     aicc_constrained: float
     aicc_free: float
-    aicc_polynomial: float  # not-a-number where there are too few tests for the polynomials
+    aicc_polynomial: float  # NaN if there are too few tests for the polynomials
 
 
 def judge_monotone(
     fit: CurveFit, free: CurveFit, rival: CurveFit | None, evidence: Sequence[TestEvidence]
 ) -> MonotoneVerdict:
-    """Judge the constraint of a rising spline.
+    """Test the constraint of a rising spline.
 
     Notes
     -----
-    Under the constraint the gain follows a mixture of chi-square distributions with up to `held` degrees of
-    freedom; taking all of them errs on the side of not rejecting. Misfit of the unconstrained spline is
-    divided out: knots too far apart must not speak against the constraint.
+    Under the constraint, the gain follows a mixture of chi-square distributions. Its largest number of degrees of
+    freedom is the number of active increments; the test uses this number, which is conservative. The gain is divided by
+    the lack of fit of the unconstrained spline, so that too few knots do not reject the constraint.
     """
     from scipy.special import chdtrc
 
     knots = np.array(fit.shapes[0].knots)  # type: ignore[union-attr]
     theta = fit.theta[fit.part(0)]
-    held = theta[1:] <= FLAT * np.sum(theta)  # the first number is a value, the others increments
+    is_active = theta[1:] <= FLAT * np.sum(theta)  # the first parameter is a value, the others are increments
     scatter = max(1.0, free.misfits[0].chi_square / max(1, free.misfits[0].freedom))
     gain = max(0.0, fit.misfits[0].chi_square - free.misfits[0].chi_square) / scatter
-    probability = float(chdtrc(int(held.sum()), gain)) if held.any() else 1.0
+    probability = float(chdtrc(int(is_active.sum()), gain)) if is_active.any() else 1.0
     strokes = np.sort([e.stroke for e in evidence])
-    inside = np.zeros(strokes.size, dtype=bool)
-    for left, right, flat in zip(knots[:-1], knots[1:], held, strict=True):
-        inside |= flat & (strokes >= left) & (strokes <= right)
-    runs = few_runs_probability(curve_residuals(fit, evidence, 0)[inside]) if inside.any() else 1.0
+    is_constrained = np.zeros(strokes.size, dtype=bool)
+    for left, right, flat in zip(knots[:-1], knots[1:], is_active, strict=True):
+        is_constrained |= flat & (strokes >= left) & (strokes <= right)
+    runs = few_runs_probability(curve_residuals(fit, evidence, 0)[is_constrained]) if is_constrained.any() else 1.0
     values = free.curve(0, knots)
     top = int(np.argmax(values))
     return MonotoneVerdict(
         rejected=bool(min(probability, runs) < REJECTED),
         probability=probability,
         gain=gain,
-        held=int(held.sum()),
+        held=int(is_active.sum()),
         runs_probability=runs,
         fall=float(1.0 - np.min(values[top:]) / values[top]),
         fall_from=float(knots[top]),
@@ -85,12 +85,14 @@ def judge_monotone(
     )
 
 
-def curve_residuals(fit: CurveFit, evidence: Sequence[TestEvidence], which: int) -> Array:
-    """Curve minus the tests' own values in their standard uncertainties, over the stroke."""
+def curve_residuals(fit: CurveFit, evidence: Sequence[TestEvidence], curve_index: int) -> Array:
+    """Return curve minus the value of each test in standard uncertainties, in the order of the strokes."""
     ordered = sorted(evidence, key=lambda e: e.stroke)
-    curve = fit.curve(which, np.array([e.stroke for e in ordered]))
-    off = np.array([(y - e.centre[which]) / e.uncertainty[which] for y, e in zip(curve, ordered, strict=True)])
-    return np.where(np.abs(off) < FLAT, 0.0, off)  # a curve through a point leaves rounding errors without a sign
+    curve = fit.curve(curve_index, np.array([e.stroke for e in ordered]))
+    residuals = np.array(
+        [(y - e.centre[curve_index]) / e.uncertainty[curve_index] for y, e in zip(curve, ordered, strict=True)]
+    )
+    return np.where(np.abs(residuals) < FLAT, 0.0, residuals)  # rounding errors of an exact curve have no sign
 
 
 def characteristic_findings(
@@ -101,23 +103,31 @@ def characteristic_findings(
     domain: tuple[float, float],
     joint: bool,
 ) -> tuple[Note, ...]:
-    """Findings on the curves and on the tests, the most important first."""
-    said = _constraint(verdict, joint) if verdict else []
-    said += _twin(fit, evidence) + _impossible(fit, domain) + _misfit(fit)
-    blind = [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]
-    if blind:
-        said.append(Note("characteristic.blind", "critical_ratio", count=len(blind), of=len(evidence), tests=blind))
-    said += _repeats(evidence) + _coverage(evidence, domain)
+    """Return findings on the curves and the tests, the most important first."""
+    notes = _constraint(verdict, joint) if verdict else []
+    notes += _twin(fit, evidence) + _invalid_values(fit, domain) + _lack_of_fit_notes(fit)
+    uninformative = [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]
+    if uninformative:
+        notes.append(
+            Note(
+                "characteristic.blind",
+                "critical_ratio",
+                count=len(uninformative),
+                of=len(evidence),
+                tests=uninformative,
+            )
+        )
+    notes += _repeats(evidence) + _coverage(evidence, domain)
     if fit is not by_test:
-        said.append(_two_ways(fit, by_test))
-    named = [e.name for e in evidence if e.optimum is None]
-    if 0 < len(named) < len(evidence):  # numbers among recordings, of a flow bench's result, say
-        said.append(Note("characteristic.by_numbers", count=len(named), of=len(evidence), tests=named))
-    return tuple(dict.fromkeys([*said, *(note for e in evidence for note in e.findings)]))
+        notes.append(_joint_difference(fit, by_test))
+    points = [e.name for e in evidence if e.optimum is None]
+    if 0 < len(points) < len(evidence):  # points among recordings
+        notes.append(Note("characteristic.by_numbers", count=len(points), of=len(evidence), tests=points))
+    return tuple(dict.fromkeys([*notes, *(note for e in evidence for note in e.findings)]))
 
 
 def _twin(fit: CurveFit, evidence: Sequence[TestEvidence]) -> list[Note]:
-    """Other curves, with another wall heat, that the recordings fit as well."""
+    """Return a finding on equivalent curves with another wall conductance."""
     if fit.twin is None:
         return []
     strokes = np.array([e.stroke for e in evidence])
@@ -129,7 +139,7 @@ def _twin(fit: CurveFit, evidence: Sequence[TestEvidence]) -> list[Note]:
 
 
 def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
-    """The outcome for the rising spline, said even where it is good."""
+    """Return findings on the constraint of the rising spline."""
     numbers = {name: getattr(verdict, name) for name in ("gain", "probability", "runs_probability")}
     numbers |= {"constrained": verdict.aicc_constrained, "unconstrained": verdict.aicc_free}
     polynomial = verdict.aicc_polynomial
@@ -137,69 +147,70 @@ def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
     if not verdict.rejected:
         return [Note("characteristic.may_never_fall", "sonic_conductance", **numbers)]
     fall = {"fall": 100.0 * verdict.fall, "from_mm": 1e3 * verdict.fall_from}
-    said = [Note("characteristic.falls", "sonic_conductance", **fall, **numbers)]
-    return [*said, Note("characteristic.not_joint")] if joint else said
+    notes = [Note("characteristic.falls", "sonic_conductance", **fall, **numbers)]
+    return [*notes, Note("characteristic.not_joint")] if joint else notes
 
 
-def _impossible(fit: CurveFit, domain: tuple[float, float]) -> list[Note]:
-    """Curves that leave what is possible inside the domain."""
+def _invalid_values(fit: CurveFit, domain: tuple[float, float]) -> list[Note]:
+    """Return findings on curves with invalid values within the domain."""
     x = np.linspace(*domain, 401)
     conductance, ratio = fit.curve(0, x), fit.curve(1, x)
-    said = []
-    for values, wrong, code in (
+    notes = []
+    for values, is_invalid, code in (
         (conductance, conductance < 0.0, "characteristic.negative_c"),
         (ratio, ratio < 0.0, "characteristic.negative_b"),
         (ratio, ratio >= 1.0, "characteristic.b_of_one"),
     ):
-        if wrong.any():
-            worst = int(np.argmax(np.where(wrong, np.abs(values), -1.0)))
-            said.append(Note(code, stroke_mm=1e3 * x[worst], value=float(values[worst])))
-    return said
+        if is_invalid.any():
+            worst = int(np.argmax(np.where(is_invalid, np.abs(values), -1.0)))
+            notes.append(Note(code, stroke_mm=1e3 * x[worst], value=float(values[worst])))
+    return notes
 
 
-def _misfit(fit: CurveFit) -> list[Note]:
-    said = []
+def _lack_of_fit_notes(fit: CurveFit) -> list[Note]:
+    """Return findings on curves that the tests reject."""
+    notes = []
     for name, misfit in zip(NUMBERS, fit.misfits, strict=True):
-        what = "C(x) and b(x)" if fit.misfits[0] is fit.misfits[1] else f"{SYMBOLS[name]}(x)"
+        curve = "C(x) and b(x)" if fit.misfits[0] is fit.misfits[1] else f"{SYMBOLS[name]}(x)"
         if misfit.probability < DOUBT:
             facts = {"chi_square": misfit.chi_square, "freedom": misfit.freedom}
-            said.append(Note("characteristic.misfit", name, times=np.sqrt(misfit.widening), curve=what, **facts))
-    return said
+            notes.append(Note("characteristic.misfit", name, times=np.sqrt(misfit.widening), curve=curve, **facts))
+    return notes
 
 
 def _repeats(evidence: Sequence[TestEvidence]) -> list[Note]:
-    """Repeated tests that differ by more than they should."""
-    said = []
+    """Return findings on repeated tests that differ significantly."""
+    notes = []
     for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):
         tests = list(group)
-        for which, name in enumerate(NUMBERS):
-            values = np.array([e.centre[which] for e in tests])
-            errors = np.array([e.uncertainty[which] for e in tests])
+        for curve_index, name in enumerate(NUMBERS):
+            values = np.array([e.centre[curve_index] for e in tests])
+            errors = np.array([e.uncertainty[curve_index] for e in tests])
             low, high = int(np.argmin(values)), int(np.argmax(values))
-            apart = (values[high] - values[low]) / np.hypot(errors[low], errors[high])
-            if apart > FAR:
-                facts = {"stroke_mm": 1e3 * stroke, "apart": apart, "symbol": SYMBOLS[name]}
-                said.append(
+            difference = (values[high] - values[low]) / np.hypot(errors[low], errors[high])
+            if difference > FAR:
+                facts = {"stroke_mm": 1e3 * stroke, "apart": difference, "symbol": SYMBOLS[name]}
+                notes.append(
                     Note("characteristic.not_repeated", name, **facts, tests=[tests[low].name, tests[high].name])
                 )
-    return said
+    return notes
 
 
 def _coverage(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
-    """Parts of the domain without tests."""
+    """Return findings on ranges of the domain without tests."""
     strokes = np.unique([e.stroke for e in evidence])
     steps = np.diff(strokes)
-    said = []
+    notes = []
     gaps = np.flatnonzero(steps > GAP * np.median(steps))
-    said += [Note("characteristic.gap", low_mm=1e3 * strokes[k], high_mm=1e3 * strokes[k + 1]) for k in gaps]
+    notes += [Note("characteristic.gap", low_mm=1e3 * strokes[k], high_mm=1e3 * strokes[k + 1]) for k in gaps]
     for end, edge in zip(domain, (strokes[0], strokes[-1]), strict=True):
         if not np.isclose(end, edge, rtol=0.0, atol=1e-9):
-            said.append(Note("characteristic.continued", "domain", end_mm=1e3 * end, edge_mm=1e3 * edge))
-    return said
+            notes.append(Note("characteristic.continued", "domain", end_mm=1e3 * end, edge_mm=1e3 * edge))
+    return notes
 
 
-def _two_ways(fit: CurveFit, by_test: CurveFit) -> Note:
-    """How far the joint fit and the fit test by test lie apart."""
+def _joint_difference(fit: CurveFit, by_test: CurveFit) -> Note:
+    """Return a finding on the difference between the joint fit and the fit test by test."""
     shape = fit.shapes[0]
     ends = shape.domain if isinstance(shape, PolynomialShape) else (shape.knots[0], shape.knots[-1])
     x = np.linspace(*ends, 101)

@@ -1,4 +1,4 @@
-"""Curves C(x) and b(x) from tests at strokes: the weighted fit to what each says, the joint fit to all histories."""
+"""Fits of C(x) and b(x): weighted fit to C and b of each test, and joint fit to all histories."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from poppet.identify.characteristic.characteristic_shapes import LARGEST_RATIO, Shape, start
-from poppet.identify.characteristic.stroke_tests import StrokeRecording, TestEvidence, own_free
+from poppet.identify.characteristic.characteristic_shapes import LARGEST_RATIO, Shape, start_parameters
+from poppet.identify.characteristic.stroke_tests import StrokeRecording, TestEvidence, free_parameters
 from poppet.identify.fit.experiment import FAILED, Experiment
 from poppet.identify.fit.optima import NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, kappa_of, thermal_units
 from poppet.identify.free_parameter import FreeParameter, by_name
@@ -20,32 +20,32 @@ from poppet.timeseries.checks import FloatArray as Array
 Shapes = tuple[Shape, Shape]
 
 DOUBT = 0.05
-"""Probability of the misfit below which the tests scatter more than they should, and the intervals are widened."""
+"""Probability of the lack of fit below which the intervals are enlarged."""
 STATED = 8
-"""Degrees of freedom of a stated uncertainty: as many as let it be wrong by a quarter (GUM, G.4.2)."""
+"""Degrees of freedom of a stated uncertainty, for a relative error of one quarter (GUM, G.4.2)."""
 SMALLEST = 1e-6
-"""Smallest C of a trial, over the largest one: a search may step over zero, the model may not."""
+"""Smallest C of a trial, relative to the maximum: the model needs a positive C."""
 PRECISION = 1e-10
 ALIKE = 1.92
-"""Half the sum of squares, beyond the least one, up to which another place is as good: half of chi-square at 95 %."""
+"""Increase in cost up to which optima are equivalent: half of chi-square at 95 %."""
 APART = 0.01
-"""Relative difference of C from which another place is another answer."""
+"""Relative difference of C above which optima are distinct."""
 
 
 class HistoryTerm:
-    """A test by its recorded histories; its own fit gives the noise."""
+    """Test with its recorded histories; the fit to this test gives the noise."""
 
     def __init__(self, test: StrokeRecording, evidence: TestEvidence) -> None:
         assert evidence.optimum is not None
-        self.free, self.nuisance = own_free(test), test.free
+        self.free, self.nuisance = free_parameters(test), test.free
         self.experiment = Experiment(test.circuit.instance, test.measurement, self.free)
         self.sigmas = np.array(evidence.optimum.sigmas) * math.sqrt(evidence.widening)
         self.largest = float(evidence.centre[0])
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Residuals of all samples of all channels."""
-        held = np.array([max(z[0], SMALLEST * self.largest), min(max(z[1], 0.0), LARGEST_RATIO)])
-        series, slopes = self.experiment.outputs_and_slopes(by_name(self.free, (*held, *nuisance)))
+        """Return the residuals of all samples of all channels, and their derivatives."""
+        law_values = np.array([max(z[0], SMALLEST * self.largest), min(max(z[1], 0.0), LARGEST_RATIO)])
+        series, slopes = self.experiment.outputs_and_slopes(by_name(self.free, (*law_values, *nuisance)))
         channels = self.experiment.measurement.channels
         weighted = [(y - c.values) / s for y, c, s in zip(series, channels, self.sigmas, strict=True)]
         residual = np.nan_to_num(np.concatenate(weighted), nan=FAILED)
@@ -54,86 +54,86 @@ class HistoryTerm:
 
 
 @dataclass(frozen=True, eq=False)
-class Misfit:
-    """How far the tests lie from a curve, in their own uncertainties."""
+class LackOfFit:
+    """Lack of fit of the tests, in their uncertainties."""
 
-    chi_square: float  # sum of squares beyond what the tests on their own leave
+    chi_square: float  # sum of squares minus those of the single tests
     freedom: int
 
     @property
     def probability(self) -> float:
-        """Of a larger misfit when curves and uncertainties are right."""
+        """Probability of a larger chi-square if curves and uncertainties are correct."""
         return chi_square_probability(self.chi_square, self.freedom)
 
     @property
     def widening(self) -> float:
-        """Factor on the variances (Birge's ratio squared), 1 where the tests scatter no more than they should."""
+        """Variance factor (square of Birge's ratio); 1 if the scatter agrees with the uncertainties."""
         return max(1.0, self.chi_square / self.freedom) if self.probability < DOUBT else 1.0
 
     @property
     def coverage(self) -> float:
         """Half a 95 % interval over a standard uncertainty.
 
-        The tests' own uncertainties are known as well: one degree of freedom of the misfit is not all there is.
+        The stated uncertainties of the tests add degrees of freedom to those of the lack of fit.
         """
         return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 
 
 @dataclass(frozen=True, eq=False)
 class CurveFit:
-    """Curves after the fit."""
+    """Fitted curves of C and b."""
 
     shapes: Shapes  # of C and b
-    theta: Array  # free numbers of both, then those of the bench over their scale
-    nuisance: tuple[FreeParameter, ...]  # numbers of the bench
-    # Of theta, widened; the bounds are left out of account, so that no constraint makes an interval narrower.
+    theta: Array  # free parameters of both, then the scaled parameters of the bench
+    nuisance: tuple[FreeParameter, ...]  # parameters of the bench
+    # Of theta, with the variance factor. Bounds are ignored, so that a constraint makes no interval narrower.
     covariance: Array
-    misfits: tuple[Misfit, Misfit]  # of C and b; one and the same where they were fitted with their correlation
-    common: tuple[float, float]  # relative standard uncertainty of all C together, and that of all b together
-    evaluations: int  # of all tests with slopes
-    cost: float = math.nan  # half the sum of squares
-    twin: CurveFit | None = None  # other curves that the data cannot tell from these
+    misfits: tuple[LackOfFit, LackOfFit]  # of C and b; the same object if a test couples them
+    common: tuple[float, float]  # relative standard uncertainty common to all C, and that common to all b
+    evaluations: int  # number of evaluations of all tests
+    cost: float = math.nan  # half the sum of squared residuals
+    twin: CurveFit | None = None  # equivalent curves
 
-    def part(self, which: int) -> slice:
-        """Where the free numbers of C (0), b (1) or the bench (2) stand in theta."""
+    def part(self, index: int) -> slice:
+        """Return the slice of C (0), b (1) or the bench (2) in theta."""
         first, second = self.shapes[0].size, self.shapes[0].size + self.shapes[1].size
-        return (slice(0, first), slice(first, second), slice(second, self.theta.size))[which]
+        return (slice(0, first), slice(first, second), slice(second, self.theta.size))[index]
 
-    def curve(self, which: int, x: Array) -> Array:
-        """C (0) or b (1) at strokes, (n,)."""
-        return self.shapes[which].values(self.theta[self.part(which)], x)
+    def curve(self, index: int, x: Array) -> Array:
+        """Return C (0) or b (1) at strokes, (n,)."""
+        return self.shapes[index].values(self.theta[self.part(index)], x)
 
-    def standard_uncertainty(self, which: int, x: Array) -> Array:
-        """Of C (0) or b (1) at strokes by the delta method, what is common to all tests included, (n,)."""
-        part = self.part(which)
-        slopes = self.shapes[which].slopes(self.theta[part], x)
+    def standard_uncertainty(self, index: int, x: Array) -> Array:
+        """Return the standard uncertainty of C (0) or b (1) at strokes, including common errors, (n,)."""
+        part = self.part(index)
+        slopes = self.shapes[index].slopes(self.theta[part], x)
         variance = np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes)
-        shared = self.common[which] * (self.curve(0, x) if which == 0 else np.ones_like(x))
+        shared = self.common[index] * (self.curve(0, x) if index == 0 else np.ones_like(x))
         return np.asarray(np.sqrt(np.maximum(variance, 0.0) + shared**2))
 
     @property
     def chi_square(self) -> float:
-        """Misfit of both curves."""
+        """Chi-square of both curves."""
         return sum(m.chi_square for m in dict.fromkeys(self.misfits))
 
     @property
     def freedom(self) -> int:
-        """Degrees of freedom of the misfit of both curves."""
+        """Degrees of freedom of both curves."""
         return sum(m.freedom for m in dict.fromkeys(self.misfits))
 
     @property
     def size(self) -> int:
-        """Number of free numbers of the curves."""
+        """Number of free parameters of the curves."""
         return self.shapes[0].size + self.shapes[1].size
 
     def aicc(self) -> float:
-        """Corrected information criterion of the curves with known noise; less is better."""
+        """Return the corrected Akaike information criterion of the curves for known noise."""
         return self.chi_square + corrected_penalty(self.size, self.freedom + self.size)
 
 
 @dataclass
-class _Objective:
-    """Residuals of all tests as a function of theta."""
+class _CurveObjective:
+    """Residuals of all tests as a function of theta, with their derivatives."""
 
     terms: Sequence[TestEvidence | HistoryTerm]
     strokes: Array
@@ -154,13 +154,13 @@ class _Objective:
         slopes = [s.slopes(t, self.strokes) for s, t in zip(self.shapes, thetas, strict=True)]
         pieces, rows = [], []
         for k, term in enumerate(self.terms):
-            own = np.array([bench[f.name] for f in term.nuisance])
-            residual, by_z = term.evaluate(np.array([curves[0][k], curves[1][k]]), own)
+            bench_values = np.array([bench[f.name] for f in term.nuisance])
+            residual, by_z = term.evaluate(np.array([curves[0][k], curves[1][k]]), bench_values)
             bench_rows = np.zeros((residual.size, scales.size))
             for column, f in enumerate(term.nuisance):
-                place = self.nuisance.index(f)
-                bench_rows[:, place] = by_z[:, 2 + column] * scales[place]
-            # The chain rule: a test knows two numbers, whatever the curves have.
+                index = self.nuisance.index(f)
+                bench_rows[:, index] = by_z[:, 2 + column] * scales[index]
+            # Chain rule: a test depends on C and b only.
             rows.append(np.hstack([np.outer(by_z[:, i], slopes[i][k]) for i in (0, 1)] + [bench_rows]))
             pieces.append(residual)
         self.evaluations += 1
@@ -173,68 +173,78 @@ class _Objective:
 def fit_evidence(
     evidence: Sequence[TestEvidence], shapes: Shapes, common: tuple[float, float] = (0.0, 0.0)
 ) -> CurveFit:
-    """Weighted fit of the curves to what each test says on its own."""
+    """Fit the curves to the C and b of each single test."""
     strokes = np.array([e.stroke for e in evidence])
-    objective = _Objective(evidence, strokes, shapes, ())
+    objective = _CurveObjective(evidence, strokes, shapes, ())
     centres = np.array([e.centre for e in evidence])
     weights = 1.0 / np.array([e.uncertainty for e in evidence])
-    first = np.concatenate([start(s, strokes, centres[:, i], weights[:, i]) for i, s in enumerate(shapes)])
-    return _fitted(objective, first, evidence, 0.0, common)
+    first = np.concatenate([start_parameters(s, strokes, centres[:, i], weights[:, i]) for i, s in enumerate(shapes)])
+    return _fit_curves(objective, first, evidence, 0.0, common)
 
 
 def fit_histories(
     tests: Sequence[Any],
     evidence: Sequence[TestEvidence],
-    begin: CurveFit,
+    first_fit: CurveFit,
     progress: Callable[[int, float], Any] | None = None,
 ) -> CurveFit:
-    """One fit of all coefficients to all recorded histories at once."""
+    """Fit all coefficients to all recorded histories."""
     pairs = list(zip(tests, evidence, strict=True))
     terms = [HistoryTerm(t, e) if isinstance(t, StrokeRecording) else e for t, e in pairs]
     nuisance = tuple(dict.fromkeys(f for term in terms for f in term.nuisance))
-    objective = _Objective(terms, np.array([e.stroke for e in evidence]), begin.shapes, nuisance, progress)
+    objective = _CurveObjective(terms, np.array([e.stroke for e in evidence]), first_fit.shapes, nuisance, progress)
     bench = []
     for f in nuisance:
-        own = [float(e.optimum.x[2 + t.free.index(f)]) for t, e in pairs if e.optimum is not None and f in t.free]
-        bench.append(float(np.clip(np.median(own), f.low, f.high)) / f.scale)
-    # What each test leaves on its own is no misfit of the curves.
-    alone = sum(2.0 * e.optimum.cost / e.widening for e in evidence if e.optimum is not None)
-    alone += sum(float(e.pull @ e.pull) for e in evidence if e.optimum is None)
-    theta = np.concatenate([begin.theta, bench])
-    fits = [_fitted(objective, theta, evidence, alone, begin.common)]
-    fits += [_fitted(objective, other, evidence, alone, begin.common) for other in _other_ends(objective, fits[0])]
+        single_values = [
+            float(e.optimum.x[2 + t.free.index(f)]) for t, e in pairs if e.optimum is not None and f in t.free
+        ]
+        bench.append(float(np.clip(np.median(single_values), f.low, f.high)) / f.scale)
+    # The residuals of the single tests are not a lack of fit of the curves.
+    single_cost = sum(2.0 * e.optimum.cost / e.widening for e in evidence if e.optimum is not None)
+    single_cost += sum(float(e.pull @ e.pull) for e in evidence if e.optimum is None)
+    theta = np.concatenate([first_fit.theta, bench])
+    fits = [_fit_curves(objective, theta, evidence, single_cost, first_fit.common)]
+    fits += [
+        _fit_curves(objective, restart, evidence, single_cost, first_fit.common)
+        for restart in _opposite_starts(objective, fits[0])
+    ]
     best = min(fits, key=lambda fit: fit.cost)
     limit = best.cost + ALIKE * best.misfits[0].widening
     curves = {fit: fit.curve(0, objective.strokes) for fit in fits}
-    rivals = [f for f in fits if f.cost < limit and np.max(np.abs(curves[f] / curves[best] - 1.0)) > APART]
-    return replace(best, twin=min(rivals, key=lambda fit: fit.cost)) if rivals else best
+    equivalent = [f for f in fits if f.cost < limit and np.max(np.abs(curves[f] / curves[best] - 1.0)) > APART]
+    return replace(best, twin=min(equivalent, key=lambda fit: fit.cost)) if equivalent else best
 
 
-def _other_ends(objective: _Objective, fit: CurveFit) -> Iterator[Array]:
-    """Where to begin again with wall heat that only pressures speak of: at the end far from the one that was found.
+def _opposite_starts(objective: _CurveObjective, fit: CurveFit) -> Iterator[Array]:
+    """Yield starts at the opposite thermal limit if only pressures determine the wall conductance.
 
-    A charge is the same with an adiabatic tank and C as with an isothermal one and kappa C.
+    An adiabatic charge with C equals an isothermal charge with kappa C.
     """
     experiments = [term.experiment for term in objective.terms if isinstance(term, HistoryTerm)]
-    for place, unit in thermal_units(experiments, objective.nuisance).items():
-        theta, wall = fit.theta.copy(), fit.part(2).start + place
-        kappa, scale = kappa_of(experiments[0]), objective.nuisance[place].scale
+    for index, unit in thermal_units(experiments, objective.nuisance).items():
+        theta, wall = fit.theta.copy(), fit.part(2).start + index
+        kappa, scale = kappa_of(experiments[0]), objective.nuisance[index].scale
         is_adiabatic = theta[wall] * scale < unit
         theta[fit.part(0)] *= kappa if is_adiabatic else 1.0 / kappa
         theta[wall] = (NEARLY_ISOTHERMAL if is_adiabatic else NEARLY_ADIABATIC) * unit / scale
         yield theta
 
 
-def _fitted(
-    objective: _Objective, theta: Array, evidence: Sequence[TestEvidence], alone: float, common: tuple[float, float]
+def _fit_curves(
+    objective: _CurveObjective,
+    theta: Array,
+    evidence: Sequence[TestEvidence],
+    single_cost: float,
+    common: tuple[float, float],
 ) -> CurveFit:
+    """Return the fit from a start point."""
     from scipy.optimize import least_squares
 
     ends = [s.bounds for s in objective.shapes]
     bench = [(f.low / f.scale, f.high / f.scale) for f in objective.nuisance]
     ends.append((np.array([low for low, _ in bench]), np.array([high for _, high in bench])))
     low, high = (np.concatenate([pair[i] for pair in ends]) for i in (0, 1))
-    found = least_squares(
+    solution = least_squares(
         lambda t: objective(t)[0],
         np.clip(theta, low, high),
         jac=lambda t: objective(t)[1],
@@ -245,49 +255,49 @@ def _fitted(
         gtol=PRECISION,
         max_nfev=200,
     )
-    residual, rows = objective(found.x)
-    misfits = _misfits(objective, evidence, residual, alone)
+    residual, rows = objective(solution.x)
+    misfits = _lack_of_fit(objective, evidence, residual, single_cost)
     widenings = [np.full(shape.size, m.widening) for shape, m in zip(objective.shapes, misfits, strict=True)]
     wide = np.sqrt(np.concatenate([*widenings, np.full(len(objective.nuisance), misfits[0].widening)]))
-    # (J^T J)^-1 by singular values; directions without any information get a very large variance.
+    # (J^T J)^-1 from singular values; directions without information have a very large variance.
     _, s, vt = np.linalg.svd(rows, full_matrices=False)
     s = np.maximum(s, 1e-9 * max(float(s[0]), 1e-300))
     covariance = np.asarray((vt.T / s**2) @ vt) * np.outer(wide, wide)
     count, cost = objective.evaluations, 0.5 * float(residual @ residual)
-    return CurveFit(objective.shapes, found.x, objective.nuisance, covariance, misfits, common, count, cost)
+    return CurveFit(objective.shapes, solution.x, objective.nuisance, covariance, misfits, common, count, cost)
 
 
-def _misfits(
-    objective: _Objective, evidence: Sequence[TestEvidence], residual: Array, alone: float
-) -> tuple[Misfit, Misfit]:
-    """One misfit for both curves, or one each where no test couples them."""
-    seen = np.isfinite([e.uncertainty for e in evidence]).sum(axis=0)
+def _lack_of_fit(
+    objective: _CurveObjective, evidence: Sequence[TestEvidence], residual: Array, single_cost: float
+) -> tuple[LackOfFit, LackOfFit]:
+    """Return the lack of fit of both curves together, or of each if no test couples them."""
+    n_determined = np.isfinite([e.uncertainty for e in evidence]).sum(axis=0)
     sizes = [shape.size for shape in objective.shapes]
-    if objective.nuisance or alone or any(e.root[0, 1] for e in evidence):
+    if objective.nuisance or single_cost or any(e.root[0, 1] for e in evidence):
         saved = sum(sum(f in term.nuisance for term in objective.terms) - 1 for f in objective.nuisance)
-        square = max(0.0, float(residual @ residual) - alone)
-        both = Misfit(square, int(seen.sum()) - sum(sizes) + saved)
-        return both, both
+        square = max(0.0, float(residual @ residual) - single_cost)
+        joint = LackOfFit(square, int(n_determined.sum()) - sum(sizes) + saved)
+        return joint, joint
     squares = np.sum(residual.reshape(-1, 2) ** 2, axis=0)
-    first, second = (Misfit(float(squares[i]), int(seen[i]) - sizes[i]) for i in (0, 1))
+    first, second = (LackOfFit(float(squares[i]), int(n_determined[i]) - sizes[i]) for i in (0, 1))
     return first, second
 
 
 def bootstrap_bands(
     fit: CurveFit, evidence: Sequence[TestEvidence], x: Array, count: int, seed: int
 ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-    """95 % bands of C and b by a parametric bootstrap of the tests, bounds and constraints included."""
+    """Return 95 % bands of C and b from a parametric bootstrap of the tests, with all constraints."""
     generator = np.random.default_rng(seed)
     strokes = np.array([e.stroke for e in evidence])
     truth = np.column_stack([fit.curve(0, strokes), fit.curve(1, strokes)])
     wide = np.sqrt([m.widening for m in fit.misfits])
-    found: tuple[list[Array], list[Array]] = ([], [])
+    curve_samples: tuple[list[Array], list[Array]] = ([], [])
     for _ in range(count):
         noise = generator.standard_normal((strokes.size, 2)) * wide
-        drawn = [replace(e, centre=z, pull=n) for e, z, n in zip(evidence, truth, noise, strict=True)]
-        again = fit_evidence(drawn, fit.shapes)
+        samples = [replace(e, centre=z, pull=n) for e, z, n in zip(evidence, truth, noise, strict=True)]
+        refit = fit_evidence(samples, fit.shapes)
         shared = generator.standard_normal(2) * fit.common
-        found[0].append(again.curve(0, x) * (1.0 + shared[0]))
-        found[1].append(again.curve(1, x) + shared[1])
-    ends = [np.quantile(np.array(curves), (0.025, 0.975), axis=0) for curves in found]
+        curve_samples[0].append(refit.curve(0, x) * (1.0 + shared[0]))
+        curve_samples[1].append(refit.curve(1, x) + shared[1])
+    ends = [np.quantile(np.array(curves), (0.025, 0.975), axis=0) for curves in curve_samples]
     return (ends[0][0], ends[0][1]), (ends[1][0], ends[1][1])

@@ -1,4 +1,4 @@
-"""`identify characteristic`: C(x) and b(x) of a passage from tests at many strokes."""
+"""Identification of C(x) and b(x) of a flow path from tests at several strokes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ import numpy as np
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.identify.ambient import widened
-from poppet.identify.characteristic.characteristic_ambient import room_of
+from poppet.identify.characteristic.characteristic_ambient import ambient_uncertainty
 from poppet.identify.characteristic.characteristic_file import read_characteristic_file
 from poppet.identify.characteristic.characteristic_findings import (
     MonotoneVerdict,
@@ -32,7 +32,7 @@ from poppet.identify.characteristic.characteristic_shapes import (
     LARGEST_RATIO,
     PolynomialShape,
     SplineShape,
-    spread_knots,
+    select_knots,
 )
 from poppet.identify.characteristic.stroke_tests import (
     NUMBERS,
@@ -41,9 +41,9 @@ from poppet.identify.characteristic.stroke_tests import (
     StrokeTest,
     TestEvidence,
     check_tests,
+    determined_values,
     evidence_of,
-    name_of,
-    seen,
+    test_name,
 )
 from poppet.identify.file_argument import or_file
 from poppet.identify.gum import few_runs_probability
@@ -54,15 +54,15 @@ Form = Literal["polynomial", "spline"]
 FORMS: tuple[Form, ...] = get_args(Form)
 LETTERS = {"sonic_conductance": "k", "critical_ratio": "p"}
 DRAWN = 201
-"""Strokes at which the curves and their bands are drawn."""
+"""Number of strokes of the curves and bands in a result."""
 FEWEST_KNOTS = 4
 BOUND = 1e-6
-"""Relative distance from an upper bound below which a number counts as being on it."""
+"""Relative distance from an upper bound below which a parameter is at the bound."""
 
 
 @dataclass(frozen=True)
-class _Choice:
-    """What was asked for, checked."""
+class _CurveOptions:
+    """Checked options of the identification."""
 
     form: Form
     degrees: tuple[int, int]
@@ -90,7 +90,7 @@ def identify_characteristic(
     notes: tuple[Note | str, ...] = (),
     progress: Callable[[int, float], Any] | None = None,
 ) -> Result:
-    r"""Sonic conductance and critical ratio over the stroke, from many tests at known strokes.
+    r"""Identify sonic conductance and critical ratio versus stroke, from tests at known strokes.
 
     .. math::
 
@@ -98,56 +98,55 @@ def identify_characteristic(
         \frac{\partial r_i}{\partial \theta} = \frac{\partial r_i}{\partial C} \frac{\partial C}{\partial \theta}
         + \frac{\partial r_i}{\partial b} \frac{\partial b}{\partial \theta}
 
-    with the residuals of all recorded samples (joint), or of the C and b that each test gives on its own.
+    with the residuals of all recorded samples (joint), or of the C and b of each single test.
 
     Parameters
     ----------
     tests : sequence of StrokePoint or StrokeRecording, str or Path
-        Or the file that lists them, whose options hold where no other is given here. At least one stroke more than
-        the curves have coefficients; repeated strokes count once.
+        Tests, or a file that lists them; arguments override the options of the file. The number of distinct strokes
+        must exceed the number of coefficients of each curve.
     form : str, optional
         `polynomial`, or `spline`: monotone piecewise cubics with C rising and 0 <= b < 1.
     degree_conductance, degree_ratio : int, optional
-        Of the polynomials; 7 and 4 are the paper's.
+        Degrees of the polynomials; 7 and 4 are those of the paper.
     domain : tuple of float, optional
-        Strokes between which the curves are to hold; default those tested [m].
+        First and last stroke of the curves; the default is the tested range [m].
     knots : sequence of float, optional
-        Of the spline, no more than strokes tested; default: tested strokes, as many as AICc asks for [m].
+        Knots of the spline, at most one for each tested stroke. By default, AICc selects tested strokes [m].
     joint : bool, optional
-        Fit all coefficients to all recorded histories at once; else, and for points, to each test's C and b.
+        Fit all coefficients to all recorded histories together; otherwise to the C and b of each test.
     common : tuple of float, optional
-        Standard uncertainties that all tests share and no scatter shows: of C, relative (volume, flow meter), and
-        of b.
+        Standard uncertainties of errors common to all tests: of C, relative (volume, flow meter), and of b.
     bootstrap : int, optional
-        Number of repetitions for the bands; 0 takes the delta method.
+        Number of bootstrap fits for the bands; 0 uses the delta method.
     seed : int, optional
-        Of the bootstrap.
+        Seed of the bootstrap.
     part : str, optional
         Name of the part in a circuit; the estimates are then called `part.characteristic.sonic_conductance.k1`.
     title : str, optional
-        For people.
+        Title of the result.
     notes : tuple of Note or str, optional
-        What is known about the tests already; added to the findings.
+        Notes on the tests; the findings include them.
     progress : callable, optional
         Called with the number of evaluations and the cost of the joint fit.
 
     Returns
     -------
     Result
-        Coefficients, highest power first, of the stroke in mm (or values at the knots) with intervals;
-        the curves with 95 % bands and the tests' own points under `series`.
+        Coefficients of the stroke in mm, highest power first, or values at the knots, with intervals. `series` has the
+        curves with 95 % bands and the points of the tests.
 
     Raises
     ------
     InputErrors
-        Too few strokes, strokes outside the domain, values that cannot be: all at once.
+        All errors: too few strokes, strokes outside the domain, invalid values.
 
     Notes
     -----
-    A search in the powers of x would be ill-conditioned: it runs in Chebyshev polynomials over the domain, and the
-    coefficients are converted at the end. They are strongly correlated: keep all digits, and judge by the band.
-    A spline whose constraint the data reject is fitted to the tests' own C and b only, so that b does not bend to
-    make up for C.
+    Powers of x are ill-conditioned. The search therefore uses Chebyshev polynomials over the domain and converts the
+    coefficients at the end. The coefficients are strongly correlated: keep all digits, and use the band as the measure
+    of uncertainty. If the data reject the constraint of a spline, it is fitted to the C and b of each test only.
+    Otherwise b would compensate for the error of C.
 
     References
     ----------
@@ -165,23 +164,26 @@ def identify_characteristic(
     >>> f"{found['sonic_conductance.k8'].value:.4e}, {found['critical_ratio.p5'].value:.5f}"
     '5.0034e-09, 0.71748'
     """
-    assert not isinstance(tests, str | Path)  # a file was read at the door
+    assert not isinstance(tests, str | Path)  # `or_file` has read a file
     _check_options(
         form, {"degree_conductance": degree_conductance, "degree_ratio": degree_ratio}, domain, common, bootstrap
     )
     check_tests(tests, domain)
-    choice = _chosen(tests, form, (degree_conductance, degree_ratio), domain, knots)
-    evidence = [evidence_of(test, name_of(test, k)) for k, test in enumerate(tests)]
-    known, needed = np.unique(seen(evidence, 1)[0]).size, degree_ratio + 1 if form == "polynomial" else FEWEST_KNOTS
-    if known < needed:
-        raise InputError("characteristic.ratio_unseen", strokes=known, of=choice.strokes.size, needed=needed)
+    choice = _check_choice(tests, form, (degree_conductance, degree_ratio), domain, knots)
+    evidence = [evidence_of(test, test_name(test, k)) for k, test in enumerate(tests)]
+    n_strokes, n_needed = (
+        np.unique(determined_values(evidence, 1)[0]).size,
+        degree_ratio + 1 if form == "polynomial" else FEWEST_KNOTS,
+    )
+    if n_strokes < n_needed:
+        raise InputError("characteristic.ratio_unseen", strokes=n_strokes, of=choice.strokes.size, needed=n_needed)
     choice = replace(choice, scale=max(float(e.centre[0]) for e in evidence))
-    room = room_of(tests, evidence)
-    if room:
-        common = (math.hypot(common[0], room.conductance), common[1])
+    ambient = ambient_uncertainty(tests, evidence)
+    if ambient:
+        common = (math.hypot(common[0], ambient.conductance), common[1])
     verdict: MonotoneVerdict | None = None
     if form == "spline":
-        fit, verdict = _spline(choice, evidence, common)
+        fit, verdict = _fit_spline(choice, evidence, common)
     else:
         fit = fit_evidence(evidence, _polynomial_shapes(choice), common)
     by_test = fit
@@ -189,24 +191,26 @@ def identify_characteristic(
     if joint and recorded and not (verdict and verdict.rejected):
         fit = fit_histories(tests, evidence, fit, progress)
     bands = _bands(fit, evidence, choice, bootstrap, seed)
-    said = characteristic_findings(fit, by_test, evidence, verdict, choice.domain, joint and bool(recorded))
+    remarks = characteristic_findings(fit, by_test, evidence, verdict, choice.domain, joint and bool(recorded))
     prefix = f"{part}.characteristic." if part else ""
     estimates = _estimates(fit, choice, prefix)
-    if room:
-        bench = {f.name: widened(estimates[f.name], room.shares[f.name]) for f in fit.nuisance if f.name in room.shares}
+    if ambient:
+        bench = {
+            f.name: widened(estimates[f.name], ambient.shares[f.name]) for f in fit.nuisance if f.name in ambient.shares
+        }
         estimates |= bench
-        said = (*said, room.note(("C(x)", *bench)))
+        remarks = (*remarks, ambient.note(("C(x)", *bench)))
     if fit.twin:
-        estimates = _both(estimates, _estimates(fit.twin, choice, prefix))
-        others = _bands(fit.twin, evidence, choice, bootstrap, seed)
-        bands = [(np.minimum(a, c), np.maximum(b, d)) for (a, b), (c, d) in zip(bands, others, strict=True)]
+        estimates = _widen_estimates(estimates, _estimates(fit.twin, choice, prefix))
+        twin_bands = _bands(fit.twin, evidence, choice, bootstrap, seed)
+        bands = [(np.minimum(a, c), np.maximum(b, d)) for (a, b), (c, d) in zip(bands, twin_bands, strict=True)]
     return Result(
         method="characteristic",
         title=title,
         parameters=estimates,
         residuals=_residuals(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
-        remarks=(*replace_uncertain_findings(said, estimates), *notes_of(notes)),
+        remarks=(*replace_uncertain_findings(remarks, estimates), *notes_of(notes)),
         conditions=_conditions(choice, fit, evidence, fit is not by_test, common, bootstrap),
         series=_series(fit, evidence, choice, bands),
     )
@@ -221,7 +225,9 @@ def _check_options(
 ) -> None:
     with ErrorCollector() as errors:
         if form not in FORMS:
-            errors.add("characteristic.form", "form", value=form, near=NameSuggestion(str(form), FORMS))
+            errors.add(
+                "fields.not_an_option", "form", value=form, meaning="form", near=NameSuggestion(str(form), FORMS)
+            )
         for name, degree in degrees.items():
             if isinstance(degree, bool) or not isinstance(degree, int) or not 0 <= degree <= 15:
                 errors.add("characteristic.degree", name, value=degree)
@@ -229,18 +235,18 @@ def _check_options(
             errors.add("characteristic.empty_domain", "domain", value=str(domain))
         if not all(0.0 <= u < math.inf for u in common):
             errors.extend([OutOfRangeError("characteristic.common", "common", value=str(common))])
-        # Of fewer repetitions the ends of 95 % rest on two or three curves.
+        # With fewer fits, the ends of the 95 % band depend on two or three curves.
         if isinstance(bootstrap, bool) or not isinstance(bootstrap, int) or not (bootstrap == 0 or bootstrap >= 100):
             errors.add("characteristic.bootstrap", "bootstrap", value=bootstrap)
 
 
-def _chosen(
+def _check_choice(
     tests: Sequence[StrokeTest],
     form: Form,
     degrees: tuple[int, int],
     domain: tuple[float, float] | None,
     knots: Sequence[float] | None,
-) -> _Choice:
+) -> _CurveOptions:
     strokes = np.unique([test.stroke for test in tests])
     needed = (max(degrees) + 2) if form == "polynomial" else (len(knots) if knots else FEWEST_KNOTS + 1)
     if strokes.size < needed:
@@ -248,34 +254,36 @@ def _chosen(
         raise InputError(f"characteristic.too_few_for_{form}", **facts)
     domain = domain or (float(strokes[0]), float(strokes[-1]))
     if knots is not None:
-        at = np.asarray(knots, dtype=float)
-        rises = at.ndim == 1 and at.size >= 2 and np.all(np.diff(at) > 0.0)
-        if not (rises and strokes[0] <= at[0] and at[-1] <= strokes[-1]):
+        positions = np.asarray(knots, dtype=float)
+        rises = positions.ndim == 1 and positions.size >= 2 and np.all(np.diff(positions) > 0.0)
+        if not (rises and strokes[0] <= positions[0] and positions[-1] <= strokes[-1]):
             ends = {"low_mm": 1e3 * strokes[0], "high_mm": 1e3 * strokes[-1]}
             raise InputError("characteristic.knots", "knots", value=str(list(knots)), **ends)
-    return _Choice(form, degrees, domain, strokes, 1.0, tuple(knots) if knots is not None else None)
+    return _CurveOptions(form, degrees, domain, strokes, 1.0, tuple(knots) if knots is not None else None)
 
 
-def _polynomial_shapes(choice: _Choice) -> Shapes:
+def _polynomial_shapes(choice: _CurveOptions) -> Shapes:
     first, second = choice.degrees
     return PolynomialShape(first, choice.domain, choice.scale), PolynomialShape(second, choice.domain)
 
 
-def _spline(
-    choice: _Choice, evidence: Sequence[TestEvidence], common: tuple[float, float]
+def _fit_spline(
+    choice: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
-    """The constrained spline, and what the unconstrained one and the polynomials say about its constraint."""
-    alone = [e.decoupled() for e in evidence]
+    """Return the constrained spline, and the test of its constraint."""
+    decoupled = [e.decoupled() for e in evidence]
     counts = range(FEWEST_KNOTS, choice.strokes.size)
-    candidates = [choice.knots] if choice.knots else [spread_knots(choice.strokes, n) for n in counts]
-    free = min((fit_evidence(alone, _spline_shapes(choice, k, False)) for k in candidates), key=CurveFit.aicc)
+    candidates = [choice.knots] if choice.knots else [select_knots(choice.strokes, n) for n in counts]
+    free = min((fit_evidence(decoupled, _spline_shapes(choice, k, False)) for k in candidates), key=CurveFit.aicc)
     knots = free.shapes[0].knots  # type: ignore[union-attr]
-    found = fit_evidence(alone, _spline_shapes(choice, knots, True), common)
-    rival = fit_evidence(alone, _polynomial_shapes(choice)) if choice.strokes.size > max(choice.degrees) + 1 else None
-    return found, judge_monotone(found, free, rival, alone)
+    constrained = fit_evidence(decoupled, _spline_shapes(choice, knots, True), common)
+    polynomials = (
+        fit_evidence(decoupled, _polynomial_shapes(choice)) if choice.strokes.size > max(choice.degrees) + 1 else None
+    )
+    return constrained, judge_monotone(constrained, free, polynomials, decoupled)
 
 
-def _spline_shapes(choice: _Choice, knots: tuple[float, ...], constrained: bool) -> Shapes:
+def _spline_shapes(choice: _CurveOptions, knots: tuple[float, ...], constrained: bool) -> Shapes:
     first, last = choice.domain
     return (
         SplineShape(knots, True, constrained, scale=choice.scale, first=first, last=last),
@@ -283,38 +291,40 @@ def _spline_shapes(choice: _Choice, knots: tuple[float, ...], constrained: bool)
     )
 
 
-def _estimates(fit: CurveFit, choice: _Choice, prefix: str) -> dict[str, Estimate]:
-    found: dict[str, Estimate] = {}
-    for which, name in enumerate(NUMBERS):
-        shape, part = fit.shapes[which], fit.part(which)
+def _estimates(fit: CurveFit, choice: _CurveOptions, prefix: str) -> dict[str, Estimate]:
+    estimates: dict[str, Estimate] = {}
+    for index, name in enumerate(NUMBERS):
+        shape, part = fit.shapes[index], fit.part(index)
         values = shape.numbers(fit.theta[part])
         matrix = shape.scale * shape.numbers_matrix
         variance = np.einsum("ij,jk,ik->i", matrix, fit.covariance[part, part], matrix)
         letter, begin = (LETTERS[name], 1) if choice.form == "polynomial" else ("y", 0)
-        # An error of all b together moves a polynomial's constant alone, but every knot of a spline.
-        moved = np.zeros_like(values)
-        moved[-1 if choice.form == "polynomial" else slice(None)] = 1.0
-        shared = fit.common[which] * (values if which == 0 else moved)
-        errors = np.sqrt(np.maximum(variance, 0.0) + shared**2)
-        limits = (-math.inf, math.inf) if choice.form == "polynomial" else (0.0, LARGEST_RATIO if which else math.inf)
+        # A common error of b shifts the constant of a polynomial, but all knots of a spline.
+        is_shifted = np.zeros_like(values)
+        is_shifted[-1 if choice.form == "polynomial" else slice(None)] = 1.0
+        common_errors = fit.common[index] * (values if index == 0 else is_shifted)
+        errors = np.sqrt(np.maximum(variance, 0.0) + common_errors**2)
+        limits = (-math.inf, math.inf) if choice.form == "polynomial" else (0.0, LARGEST_RATIO if index else math.inf)
         for k, (value, error) in enumerate(zip(values, errors, strict=True), start=begin):
-            estimate = _estimate(float(value), UNITS[name], float(error), fit.misfits[which].coverage, limits)
-            found[f"{prefix}{name}.{letter}{k}"] = estimate
+            estimate = _estimate(float(value), UNITS[name], float(error), fit.misfits[index].coverage, limits)
+            estimates[f"{prefix}{name}.{letter}{k}"] = estimate
     for f, value, variance in zip(
         fit.nuisance, fit.theta[fit.part(2)], np.diag(fit.covariance)[fit.part(2)], strict=True
     ):
         error = f.scale * math.sqrt(variance)
-        found[f.name] = _estimate(f.scale * float(value), f.unit, error, fit.misfits[0].coverage, (f.low, f.high))
-    return found
+        estimates[f.name] = _estimate(f.scale * float(value), f.unit, error, fit.misfits[0].coverage, (f.low, f.high))
+    return estimates
 
 
-def _both(estimates: Mapping[str, Estimate], others: Mapping[str, Estimate]) -> dict[str, Estimate]:
-    """Intervals that hold both of two answers which the data cannot tell apart: none is determined."""
-    found = {}
-    for name, one in estimates.items():
-        low, high = min(one.low, others[name].low), max(one.high, others[name].high)
-        found[name] = replace(one, low=low, high=high, verdict="weak" if one.verdict == "determined" else one.verdict)
-    return found
+def _widen_estimates(estimates: Mapping[str, Estimate], twin_estimates: Mapping[str, Estimate]) -> dict[str, Estimate]:
+    """Return estimates whose intervals include two equivalent optima; none is determined."""
+    widened = {}
+    for name, estimate in estimates.items():
+        low, high = min(estimate.low, twin_estimates[name].low), max(estimate.high, twin_estimates[name].high)
+        widened[name] = replace(
+            estimate, low=low, high=high, verdict="weak" if estimate.verdict == "determined" else estimate.verdict
+        )
+    return widened
 
 
 def _estimate(value: float, unit: str, error: float, coverage: float, limits: tuple[float, float]) -> Estimate:
@@ -324,16 +334,16 @@ def _estimate(value: float, unit: str, error: float, coverage: float, limits: tu
 
 
 def _residuals(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
-    """Curve minus each test's own C and b."""
-    found = {}
-    for which, name in enumerate(NUMBERS):
-        strokes, measured, _ = seen(evidence, which)
-        found[f"tests.{name}"] = ResidualSummary.of(fit.curve(which, strokes), measured, UNITS[name])
-    return found
+    """Return the residuals of the curves at C and b of each test."""
+    summaries = {}
+    for index, name in enumerate(NUMBERS):
+        strokes, measured, _ = determined_values(evidence, index)
+        summaries[f"tests.{name}"] = ResidualSummary.of(fit.curve(index, strokes), measured, UNITS[name])
+    return summaries
 
 
 def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: MonotoneVerdict | None) -> dict[str, Any]:
-    found: dict[str, Any] = {
+    statistics: dict[str, Any] = {
         "aicc": fit.aicc(),
         "free_numbers": fit.size,
         "samples": fit.freedom + fit.size,
@@ -342,17 +352,18 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
         "chi_square_probability": [m.probability for m in fit.misfits],
         "runs_probability": [few_runs_probability(curve_residuals(fit, evidence, k)) for k in (0, 1)],
     }
-    return found | ({"monotone": asdict(verdict)} if verdict else {})
+    return statistics | ({"monotone": asdict(verdict)} if verdict else {})
 
 
 def _bands(
-    fit: CurveFit, evidence: Sequence[TestEvidence], choice: _Choice, bootstrap: int, seed: int
+    fit: CurveFit, evidence: Sequence[TestEvidence], choice: _CurveOptions, bootstrap: int, seed: int
 ) -> list[tuple[Array, Array]]:
+    """Return the 95 % bands of C and b over the domain."""
     x = np.linspace(*choice.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
     if bootstrap:
-        alone = [e.decoupled() for e in evidence] if choice.form == "spline" else evidence
-        bands = list(bootstrap_bands(fit, alone, x, bootstrap, seed))
+        bootstrap_evidence = [e.decoupled() for e in evidence] if choice.form == "spline" else evidence
+        bands = list(bootstrap_bands(fit, bootstrap_evidence, x, bootstrap, seed))
     else:
         halves = [fit.misfits[k].coverage * fit.standard_uncertainty(k, x) for k in (0, 1)]
         bands = [(fit.curve(k, x) - halves[k], fit.curve(k, x) + halves[k]) for k in (0, 1)]
@@ -360,17 +371,17 @@ def _bands(
 
 
 def _series(
-    fit: CurveFit, evidence: Sequence[TestEvidence], choice: _Choice, bands: list[tuple[Array, Array]]
+    fit: CurveFit, evidence: Sequence[TestEvidence], choice: _CurveOptions, bands: list[tuple[Array, Array]]
 ) -> dict[str, Any]:
     x = np.linspace(*choice.domain, DRAWN)
-    found = {}
-    for which, name in enumerate(NUMBERS):
-        strokes, points, errors = seen(evidence, which)
-        found[name] = {
+    series = {}
+    for index, name in enumerate(NUMBERS):
+        strokes, points, errors = determined_values(evidence, index)
+        series[name] = {
             "x": x,
-            "y": fit.curve(which, x),
-            "low": bands[which][0],
-            "high": bands[which][1],
+            "y": fit.curve(index, x),
+            "low": bands[index][0],
+            "high": bands[index][1],
             "points_x": strokes,
             "points_y": points,
             "points_low": points - 1.96 * errors,
@@ -379,11 +390,11 @@ def _series(
             "x_unit": "m",
             "x_name": "stroke",
         }
-    return found
+    return series
 
 
 def _conditions(
-    choice: _Choice,
+    choice: _CurveOptions,
     fit: CurveFit,
     evidence: Sequence[TestEvidence],
     joint: bool,
@@ -393,7 +404,9 @@ def _conditions(
     knots = fit.shapes[0].table_knots if isinstance(fit.shapes[0], SplineShape) else ()
     names = [e.name for e in evidence]
     labels = [n if names.count(n) == 1 else f"{n} ({k + 1})" for k, n in enumerate(names)]
-    own = {n: [float(v) for v in (e.stroke, *e.centre, *e.uncertainty)] for n, e in zip(labels, evidence, strict=True)}
+    tests = {
+        n: [float(v) for v in (e.stroke, *e.centre, *e.uncertainty)] for n, e in zip(labels, evidence, strict=True)
+    }
     return {
         "form": choice.form,
         "way": "joint" if joint else "test by test",
@@ -403,5 +416,5 @@ def _conditions(
         "common_uncertainty": list(common),
         "bands": f"bootstrap of {bootstrap}" if bootstrap else "delta method",
         "evaluations": fit.evaluations,
-        "tests": own,
+        "tests": tests,
     }

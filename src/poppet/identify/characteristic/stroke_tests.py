@@ -1,4 +1,4 @@
-"""Tests of a passage at known strokes, and what each of them says about C and b on its own."""
+"""Tests of a flow path at known strokes, with the C and b of each single test."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ from poppet.timeseries.checks import FloatArray as Array
 NUMBERS = ("sonic_conductance", "critical_ratio")
 UNITS = {"sonic_conductance": "m^3/(s Pa)", "critical_ratio": "1"}
 SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
-SEEN = 1e-2
-"""Sigmas per relative change of one below which a test does not see a number at all."""
+SENSITIVITY_LIMIT = 1e-2
+"""Sensitivity, in sigmas per relative change of 1, below which a test does not determine a parameter."""
 
 
 @dataclass(frozen=True)
 class StrokePoint:
-    """C and b of a passage at one stroke, extracted before.
+    """Known C and b of a flow path at one stroke.
 
     Parameters
     ----------
@@ -39,15 +39,15 @@ class StrokePoint:
     sonic_conductance : float
         C [m^3/(s Pa)].
     critical_ratio : float
-        b; not-a-number where the test does not determine it (then `u_critical_ratio` is infinite).
+        b; NaN if the test does not determine it, with an infinite `u_critical_ratio`.
     u_sonic_conductance : float
-        Standard uncertainty of C, without what is common to all tests [m^3/(s Pa)].
+        Standard uncertainty of C, without the errors common to all tests [m^3/(s Pa)].
     u_critical_ratio : float
         Standard uncertainty of b.
     correlation : float
-        Of the errors of C and b in this test.
+        Correlation of the errors of C and b.
     name : str
-        For messages.
+        Name for messages.
     """
 
     stroke: float
@@ -61,22 +61,22 @@ class StrokePoint:
 
 @dataclass(frozen=True, eq=False)
 class StrokeRecording:
-    """One recording of a tank that fills or empties through the passage held at one stroke.
+    """Recording of a tank that fills or empties through a flow path at a fixed stroke.
 
     Parameters
     ----------
     stroke : float
         At which the passage was held [m].
     circuit : Circuit
-        The bench; the passage is an orifice with C and b.
+        Circuit of the bench; the flow path is an orifice with C and b.
     measurement : Measurement
-        Recorded pressures, and temperatures where there are.
+        Recorded pressures, and temperatures if available.
     passage : str
-        Name of the passage in the circuit.
+        Name of the flow path in the circuit.
     free : tuple of Free
-        Further free numbers of the bench, `tank.wall_conductance`; one joint fit shares them among all tests.
+        Further free parameters of the bench, `tank.wall_conductance`; a joint fit shares them among all tests.
     name : str
-        For messages; the name of the measurement when empty.
+        Name for messages; the default is the name of the measurement.
     """
 
     stroke: float
@@ -92,61 +92,61 @@ StrokeTest = StrokePoint | StrokeRecording
 
 @dataclass(frozen=True, eq=False)
 class TestEvidence:
-    r"""What one test says about z = (C, b), as two residuals of unit variance.
+    r"""Information of one test on z = (C, b), as two residuals of unit variance.
 
     .. math:: r(z) = R\,(z - z_0) + r_0
     """
 
-    __test__ = False  # no test of pytest
+    __test__ = False  # not a test for pytest
 
     name: str
     stroke: float  # [m]
-    centre: Array  # C and b of the test on its own, (2,) [m^3/(s Pa), 1]
+    centre: Array  # C and b of this test alone, (2,) [m^3/(s Pa), 1]
     root: Array  # upper triangular R, (2, 2), in inverse units of z
-    pull: Array  # residuals left at the centre, (2,); zero unless a bound keeps it there
-    optimum: Optimum | None = None  # of the fit of this test alone
-    widening: float = 1.0  # factor on its variances, as its residuals are not white or larger than the noise
-    findings: tuple[Note, ...] = ()  # about its residuals
+    pull: Array  # residuals at the centre, (2,); zero unless a bound is active
+    optimum: Optimum | None = None  # optimum of the fit to this test alone
+    widening: float = 1.0  # factor on its variances if the residuals are not white or exceed the noise
+    findings: tuple[Note, ...] = ()  # on its residuals
 
     @property
     def nuisance(self) -> tuple[FreeParameter, ...]:
-        """Free numbers of the bench: none, they are eliminated already."""
+        """Free parameters of the bench: none, because they are eliminated."""
         return ()
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Two residuals of unit variance at C, b, and their slopes."""
+        """Return two residuals of unit variance at C and b, and their derivatives."""
         return np.asarray(self.root @ (z - self.centre) + self.pull), self.root
 
     @property
     def uncertainty(self) -> Array:
-        """Standard uncertainties of C and b, infinite where the test says nothing."""
-        found = np.full(2, np.inf)
+        """Standard uncertainties of C and b; infinite if the test does not determine the parameter."""
+        uncertainty = np.full(2, np.inf)
         scale = np.array([self.centre[0], 1.0])
-        seen = np.linalg.norm(self.root * scale, axis=0) > SEEN
-        inverse = np.linalg.pinv(self.root[:, seen] * scale[seen])
-        found[seen] = np.linalg.norm(inverse, axis=1) * scale[seen]
-        return found
+        is_determined = np.linalg.norm(self.root * scale, axis=0) > SENSITIVITY_LIMIT
+        inverse = np.linalg.pinv(self.root[:, is_determined] * scale[is_determined])
+        uncertainty[is_determined] = np.linalg.norm(inverse, axis=1) * scale[is_determined]
+        return uncertainty
 
     def decoupled(self) -> TestEvidence:
-        """The same C and b with the same uncertainties, their correlation left out of account."""
+        """Return the same C and b and uncertainties, without correlation."""
         root = np.diag(1.0 / self.uncertainty)
         return replace(self, root=root, pull=np.zeros(2))
 
     @property
     def samples(self) -> int:
-        """Number of numbers the test determines: C and b, or C alone."""
+        """Number of determined parameters: 2 for C and b, 1 for C alone."""
         return int(np.isfinite(self.uncertainty).sum())
 
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
-    """Refuse tests that cannot be, all mistakes at once."""
+    """Raise all errors of the tests."""
     with ErrorCollector() as errors:
         recordings = [(k, test) for k, test in enumerate(tests) if isinstance(test, StrokeRecording)]
-        for (k, one), (n, other) in itertools.combinations(recordings, 2):
-            if is_same(one.measurement, other.measurement):
-                errors.add("stroke.same_twice", test=name_of(other, n), other=name_of(one, k))
+        for (k, first_test), (n, second_test) in itertools.combinations(recordings, 2):
+            if is_same(first_test.measurement, second_test.measurement):
+                errors.add("stroke.same_twice", test=test_name(second_test, n), other=test_name(first_test, k))
         for k, test in enumerate(tests):
-            name = name_of(test, k)
+            name = test_name(test, k)
             if not math.isfinite(test.stroke):
                 errors.add("stroke.not_finite", test=name, value=test.stroke)
             elif domain and not domain[0] <= test.stroke <= domain[1]:
@@ -154,34 +154,34 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
                 facts: dict[str, Any] = {"stroke_mm": 1e3 * test.stroke, "low_mm": low, "high_mm": high}
                 errors.extend([OutOfRangeError("stroke.outside", test=name, **facts)])
             if isinstance(test, StrokePoint):
-                errors.extend(_point_problems(test, name))
+                errors.extend(_point_errors(test, name))
             else:
                 _check_recording(errors, test, name)
 
 
-def seen(evidence: Sequence[TestEvidence], which: int) -> Array:
-    """Strokes, values and standard uncertainties, (3, n), of the tests that say something of C (0) or b (1)."""
-    rows = [(e.stroke, e.centre[which], e.uncertainty[which]) for e in evidence]
+def determined_values(evidence: Sequence[TestEvidence], index: int) -> Array:
+    """Return strokes, values and standard uncertainties, (3, n), of the tests that determine C (0) or b (1)."""
+    rows = [(e.stroke, e.centre[index], e.uncertainty[index]) for e in evidence]
     return np.array([row for row in rows if math.isfinite(row[2])], dtype=float).reshape(-1, 3).T
 
 
-def name_of(test: StrokeTest, place: int) -> str:
-    """Name of a test for messages."""
-    own = test.name or (str(test.measurement.name) if isinstance(test, StrokeRecording) else "")
-    return own or f"test {place + 1}"
+def test_name(test: StrokeTest, index: int) -> str:
+    """Return the name of a test for messages."""
+    name = test.name or (str(test.measurement.name) if isinstance(test, StrokeRecording) else "")
+    return name or f"test {index + 1}"
 
 
-def _point_problems(point: StrokePoint, name: str) -> list[InputError]:
-    blind = math.isinf(point.u_critical_ratio) and math.isnan(point.critical_ratio)
+def _point_errors(point: StrokePoint, name: str) -> list[InputError]:
+    is_uninformative = math.isinf(point.u_critical_ratio) and math.isnan(point.critical_ratio)
     checks = (
         ("sonic_conductance", 0.0 < point.sonic_conductance < math.inf),
-        ("critical_ratio", blind or 0.0 <= point.critical_ratio < 1.0),
+        ("critical_ratio", is_uninformative or 0.0 <= point.critical_ratio < 1.0),
         ("u_sonic_conductance", 0.0 < point.u_sonic_conductance < math.inf),
         ("u_critical_ratio", point.u_critical_ratio > 0.0),
         ("correlation", abs(point.correlation) < 1.0),
     )
-    wrong = [key for key, holds in checks if not holds]
-    return [OutOfRangeError(f"stroke.{key}", test=name, value=getattr(point, key)) for key in wrong]
+    invalid = [key for key, holds in checks if not holds]
+    return [OutOfRangeError(f"stroke.{key}", test=name, value=getattr(point, key)) for key in invalid]
 
 
 def _check_recording(errors: ErrorCollector, test: StrokeRecording, name: str) -> None:
@@ -192,93 +192,93 @@ def _check_recording(errors: ErrorCollector, test: StrokeRecording, name: str) -
         errors.add("stroke.no_own_numbers", test=name, passage=test.passage)
     floating = [c.address for c in test.measurement.channels if c.lag is None]
     floating += [i.address for i in test.measurement.inputs if i.delay is None or i.lag is None]
-    floating += [address for address, given in test.measurement.start.items() if given == "free"]
+    floating += [address for address, start_value in test.measurement.start.items() if start_value == "free"]
     if floating:
         errors.add("stroke.free_sensor", floating[0], test=name)
 
 
 def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
-    """What a test says about C and b; a recording is fitted on its own for it."""
+    """Return the information of a test on C and b; a recording is fitted alone."""
     if isinstance(test, StrokeRecording):
-        return _of_recording(test, name)
+        return _fit_recording(test, name)
     u_c, u_b, rho = test.u_sonic_conductance, test.u_critical_ratio, test.correlation
     if math.isinf(u_b):
         centre = np.array([test.sonic_conductance, 0.5])
         return TestEvidence(name, test.stroke, centre, np.diag([1.0 / u_c, 0.0]), np.zeros(2))
-    # R with R^T R the inverse of the covariance: b on its own, then C given b.
+    # R^T R is the inverse of the covariance: b alone, then C for a given b.
     given_b = u_c * math.sqrt(1.0 - rho**2)
     root = np.array([[1.0 / given_b, -rho * u_c / (u_b * given_b)], [0.0, 1.0 / u_b]])
     centre = np.array([test.sonic_conductance, test.critical_ratio])
     return TestEvidence(name, test.stroke, centre, root, np.zeros(2))
 
 
-def own_free(test: StrokeRecording) -> tuple[FreeParameter, ...]:
-    """Free numbers of a recording on its own: C, b, then those of the bench."""
+def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
+    """Return the free parameters of a single recording: C, b, then those of the bench."""
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 
 
-def _of_recording(test: StrokeRecording, name: str) -> TestEvidence:
-    free = own_free(test)
+def _fit_recording(test: StrokeRecording, name: str) -> TestEvidence:
+    free = free_parameters(test)
     optimum = optimise([Experiment(test.circuit.instance, test.measurement, free)], free)
     if optimum.interrupted:
         raise KeyboardInterrupt
-    remarks, widening = _judged(test, optimum)
+    remarks, widening = _check_residuals(test, optimum)
     rows = np.column_stack([optimum.jacobian[:, 2:], optimum.jacobian[:, :2], optimum.residual]) / math.sqrt(widening)
-    # Eliminating the nuisance numbers first leaves C and b in the lower right corner.
+    # QR eliminates the parameters of the bench first: C and b are in the lower right corner.
     corner = np.linalg.qr(rows)[1][len(free) - 2 : len(free)]
     return TestEvidence(
         name, test.stroke, optimum.x[:2].copy(), corner[:, -3:-1], corner[:, -1], optimum, widening, tuple(remarks)
     )
 
 
-def _judged(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note], float]:
-    """Findings on the residuals of a test, and the mean factor on its variances."""
+def _check_residuals(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note], float]:
+    """Return findings on the residuals of a test, and the mean factor on its variances."""
     remarks: list[Note] = []
-    weights, place = 0.0, 0
+    weights, n_samples = 0.0, 0
     for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
-        piece = optimum.residual[place : place + channel.time.size]
-        place += channel.time.size
+        piece = optimum.residual[n_samples : n_samples + channel.time.size]
+        n_samples += channel.time.size
         remarks += residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
         weights += widening_of(piece) * channel.time.size
-    return remarks, weights / place
+    return remarks, weights / n_samples
 
 
 def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:
-    """C and b at a stroke from the result of an identification, of a tank or a flow bench."""
+    """Return C and b at a stroke from the result of a tank test or a flow bench."""
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     missing = [key for key in keys if key not in result.parameters]
     if missing:
-        known = [*result.parameters]
-        raise InputError("stroke.not_in_result", missing[0], test=name or result.title, known=known)
+        addresses = [*result.parameters]
+        raise InputError("stroke.not_in_result", missing[0], test=name or result.title, known=addresses)
     conductance, ratio = (result.parameters[key] for key in keys)
-    # A budget says which part is not common to all points of the bench: only that scatters from test to test.
+    # The independent part of the budget is the only part that differs between tests.
     budget = result.comparison.get("uncertainty", {})
     errors = [float(budget.get(k, {}).get("type_a") or result.parameters[k].standard_error) for k in keys]
-    errors[0] = math.sqrt(max(0.0, errors[0] ** 2 - (_room(result) * conductance.value) ** 2))
-    blind = ratio.verdict in ("not determined", "at bound") or not math.isfinite(errors[1])
+    errors[0] = math.sqrt(max(0.0, errors[0] ** 2 - (_ambient_uncertainty(result) * conductance.value) ** 2))
+    is_uninformative = ratio.verdict in ("not determined", "at bound") or not math.isfinite(errors[1])
     correlation = float(result.correlation.get(keys[0], {}).get(keys[1], 0.0))
     return StrokePoint(
         stroke,
         conductance.value,
-        math.nan if blind else ratio.value,
+        math.nan if is_uninformative else ratio.value,
         errors[0],
-        math.inf if blind else errors[1],
-        0.0 if blind else max(-0.999, min(0.999, correlation)),
+        math.inf if is_uninformative else errors[1],
+        0.0 if is_uninformative else max(-0.999, min(0.999, correlation)),
         name,
     )
 
 
 def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
-    """Uncertainty that a result shares with all others of the same bench: gauges, and an unknown room."""
+    """Return the uncertainty common to all results of a bench: sensors and ambient temperature."""
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     budget = result.comparison.get("uncertainty", {})
     conductance, ratio = (float(budget.get(key, {}).get("type_b", 0.0)) for key in keys)
     value = result.parameters[keys[0]].value if keys[0] in result.parameters else math.nan
-    shared = math.hypot(conductance / value if conductance else 0.0, _room(result))
+    shared = math.hypot(conductance / value if conductance else 0.0, _ambient_uncertainty(result))
     return shared, (ratio if math.isfinite(ratio) else 0.0)
 
 
-def _room(result: Result) -> float:
-    """Relative standard uncertainty of C by a room whose temperature a tank test does not know."""
-    found = [note.facts for note in result.remarks if note.code == "finding.room"]
-    return 1e-2 * found[0]["percent"] * found[0]["spread"] if found else 0.0
+def _ambient_uncertainty(result: Result) -> float:
+    """Return the relative standard uncertainty of C caused by an unknown ambient temperature."""
+    facts = [note.facts for note in result.remarks if note.code == "finding.room"]
+    return 1e-2 * facts[0]["percent"] * facts[0]["spread"] if facts else 0.0

@@ -158,7 +158,8 @@ def _read_plan(file: TomlFile) -> DesignPlan:
 def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSensor:
     location = f"sensors.{address}"
     if address not in units:
-        raise InputError("design.no_output", location, near=NameSuggestion(address, units))
+        near = NameSuggestion(address, units)
+        raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
     unit = units[address]
     deviation = Field(unit=unit, kind=_DIFFERENCE.get(unit, "plain"), low=0.0, default=0.0)
     fields = {

@@ -80,7 +80,8 @@ class Experiment:
         for channel in measurement.channels:
             if channel.address not in outputs:
                 location = f"recordings.{measurement.name}.{channel.address}"
-                raise InputError("fit.no_output", location, near=NameSuggestion(channel.address, outputs))
+                near = NameSuggestion(channel.address, outputs)
+                raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
         started = _with_start(measurement, instance)
         driven = driving_signals(measurement, {})
         self.instance = started.with_signals({**instance.signals, **driven}) if driven else started

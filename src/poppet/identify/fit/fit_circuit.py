@@ -80,7 +80,8 @@ def fit_circuit(
     measurements = reader.read_all(_by_name(recordings, circuit))
     names = [measurement.name for measurement in measurements]
     for name in (name for name in validation if name not in names):
-        raise InputError("fit.unknown_recording", "validation", value=name, near=NameSuggestion(name, names))
+        near = NameSuggestion(name, names)
+        raise InputError("fields.not_an_option", "validation", value=name, meaning="name of a recording", near=near)
     roles = [ROLES[name in validation] for name in names]
     free_starts = {address for m in measurements for address, value in m.start.items() if value == "free"}
     limits: dict[str, dict[str, Any]] = {address: {} for address in free_starts} | tables
@@ -176,7 +177,8 @@ class _RecordingReader:
                 if address in self.inputs:
                     errors.add("fit.input_selected", f"outputs.{address}")
                 elif address not in self.outputs:
-                    errors.add("fit.no_output", f"outputs.{address}", near=NameSuggestion(address, self.outputs))
+                    near = NameSuggestion(address, self.outputs)
+                    errors.add("names.unknown", f"outputs.{address}", meaning="an output of this circuit", near=near)
         with ErrorCollector() as errors:
             for name, data in recordings.items():
                 with errors.collecting():

@@ -63,7 +63,13 @@ class SearchSettings:
         problems = []
         if self.loss not in LOSSES:
             problems.append(
-                InputError("search.loss", "loss", value=self.loss, near=NameSuggestion(str(self.loss), LOSSES))
+                InputError(
+                    "fields.not_an_option",
+                    "loss",
+                    value=self.loss,
+                    meaning="loss function",
+                    near=NameSuggestion(str(self.loss), LOSSES),
+                )
             )
         for name, low, high in (("starts", 1, 1000), ("seed", 0, 2**63 - 1), ("kicks", 0, 1000)):
             value = getattr(self, name)

@@ -130,8 +130,8 @@ class ErrorModel:
 
     References
     ----------
-    MacKinnon & White 1985, J. Econometrics 29, 305-325 (lack of fit of each sample, HC2); Newey & West 1987, Econometrica 55,
-    703-708, and Andrews 1991, Econometrica 59, 817-858, eq. 6.2 and 6.4 (correlated lack of fit).
+    MacKinnon & White 1985, J. Econometrics 29, 305-325 (lack of fit of each sample, HC2); Newey & West 1987,
+    Econometrica 55, 703-708, and Andrews 1991, Econometrica 59, 817-858, eq. 6.2 and 6.4 (correlated lack of fit).
     """
 
     def __init__(

@@ -1,52 +1,45 @@
-"""Flow bench files: which columns of which table are flow, pressures and temperature, and how well they were read."""
+"""Reader of flow bench files: columns of flow, pressures and temperature, and their uncertainties."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector
 from poppet.core.tables import Field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind, quantity
-from poppet.identify import columns as shared
+from poppet.identify.columns import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
 
-if TYPE_CHECKING:
-    from poppet.timeseries.tables.reading import Table
-
-LAW = {
+LAW_FIELDS = {
     "subsonic_index": Field(unit="1", choices=("free",)),
     "cracking_pressure": Field(unit="Pa", kind="pressure_difference", choices=("free",)),
 }
 TOP_LEVEL = {
-    **shared.TOP_LEVEL,
-    **{
-        name: Field(type="table", is_required=True, example=f'{name} = {{ column = "...", unit = "..." }}')
-        for name in CHANNELS
-    },
-    "ambient_pressure_uncertainty": Field(unit="Pa", kind="pressure_difference"),
-    **LAW,
+    **FILE_FIELDS,
+    **{name: channel_field(name, is_required=True) for name in CHANNELS},
+    "ambient_pressure_uncertainty": Field(unit="Pa", kind="pressure_difference", default=0.0),
+    **LAW_FIELDS,
 }
-ERRORS = {
+UNCERTAINTIES = {
     "uncertainty": "absolute",
     "relative_uncertainty": "relative",
     "offset": "offset",
     "calibration": "calibration",
 }
-"""Fields of a channel that say how well it was read, and what `Instrument` calls them."""
-CHANNEL_FIELDS = ("column", "value", "unit", *ERRORS)
+"""Fields for the uncertainty of a channel, with the parameters of `Instrument`."""
+CHANNEL_FIELDS = ("column", "value", "unit", *UNCERTAINTIES)
 KINDS: dict[str, tuple[Kind, Kind]] = {
     "mass_flow_rate": ("mass_flow", "mass_flow"),
     "pressure_1": ("pressure", "pressure_difference"),
     "pressure_2": ("pressure", "pressure_difference"),
     "temperature_1": ("temperature", "temperature_difference"),
 }
-"""What a reading is, and what an error of it is: 1 degC of error is no 274.15 K."""
+"""Kinds of a reading and of its error: an error of 1 degC is 1 K, not 274.15 K."""
 
 
 def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
@@ -67,14 +60,14 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
     Raises
     ------
     InputErrors
-        With all mistakes, each with its line where it can be told.
+        All errors of the file, each with its line.
 
     Notes
     -----
-    `file` is any table that `poppet` reads, relative to the flow bench file. Every channel names a `column` (or a
-    `value` for all points), its `unit` where the heading has none (`bar g` is gauge, `l/min ANR` a volume flow)
-    and one-sigma uncertainties: `uncertainty` and `relative_uncertainty` from point to point, `offset` and
-    `calibration` (a fraction) common to all points.
+    `file` is any table that `poppet` reads, relative to the flow bench file. Each channel names a `column`, or one
+    `value` for all points. The `unit` is needed if the heading has none: `bar g` is gauge, `l/min ANR` a volume flow.
+    Uncertainties are standard uncertainties. `uncertainty` and `relative_uncertainty` are independent at each point;
+    `offset` and `calibration` (a fraction) are common to all points.
 
     Examples
     --------
@@ -102,60 +95,55 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
 
 def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, table="flow bench file")
-    ambient = shared.ambient_of(data)
-    table = shared.table_of(file.folder, data["file"], data)
-    columns: dict[str, Any] = {}
+        fields = read_fields(errors, file.content, TOP_LEVEL, table="flow bench file")
+    ambient_pressure = read_ambient(fields)
+    table = open_table(file.folder, fields["file"], fields)
     notes = [*table.notes]
-    known: dict[str, Any] = {}
+    columns: dict[str, Any] = {}
+    instruments: dict[str, Any] = {}
     with ErrorCollector() as errors:
-        for channel in CHANNELS:
-            own = _own(errors, channel, data[channel], ambient)
+        for channel, unit in CHANNELS.items():
+            kind, difference = KINDS[channel]
+            declared = {
+                "column": Field(),
+                "unit": Field(),
+                "value": Field(unit=unit, kind=kind),
+                **dict.fromkeys(("uncertainty", "offset"), Field(unit=unit, kind=difference)),
+                **dict.fromkeys(("relative_uncertainty", "calibration"), Field(unit="1")),
+            }
+            if ("column" in fields[channel]) == ("value" in fields[channel]):
+                errors.add("flow.column_or_value", channel)
+            values = read_fields(
+                errors, fields[channel], declared, channel, table="channel", ambient_pressure=ambient_pressure
+            )
+            columns[channel] = values.get("value")  # one value for all points, None if it is invalid
             with errors.collecting():
-                columns[channel] = _column(channel, own, table, ambient, notes)
+                if "column" in values:
+                    reading = read_column(channel, values, table, unit, kind, ambient_pressure)
+                    columns[channel] = reading.values
+                    if reading.unit != reading.written_unit:
+                        notes.append(Note("doubt.read_as", channel, unit=reading.written_unit, read=reading.unit))
             with errors.collecting(channel):
-                known[channel] = Instrument(**{ours: own[name] for name, ours in ERRORS.items() if name in own})
-    barometer = data.get("ambient_pressure_uncertainty", 0.0)
-    gauge = [channel for channel in ("pressure_1", "pressure_2") if _is_gauge(data[channel], table)]
-    if len(gauge) == 1:  # else the barometer moves both together
-        alone = known[gauge[0]]
-        known[gauge[0]], barometer = replace(alone, offset=math.hypot(alone.offset, barometer)), 0.0
+                instruments[channel] = Instrument(
+                    **{parameter: values[key] for key, parameter in UNCERTAINTIES.items() if key in values}
+                )
+    gauge = []
+    for channel in ("pressure_1", "pressure_2"):
+        raw = fields[channel]
+        text = raw.get("value") or f"1 {raw.get('unit', '') or table.units[table.index(raw['column'])]}"
+        if quantity(text, "Pa", kind="pressure").reference == "gauge":
+            gauge.append(channel)
+    barometer = fields["ambient_pressure_uncertainty"]
+    if len(gauge) == 1:  # with two gauge pressures, the error of the barometer is common to both
+        instrument = instruments[gauge[0]]
+        instruments[gauge[0]] = replace(instrument, offset=math.hypot(instrument.offset, barometer))
     points = FlowPoints(
         **columns,
-        **{f"u_{channel}": instrument for channel, instrument in known.items()},
-        u_ambient_pressure=barometer if gauge else 0.0,
+        **{f"u_{channel}": instrument for channel, instrument in instruments.items()},
+        u_ambient_pressure=barometer if len(gauge) == 2 else 0.0,
         lines=table.lines,
     )
-    if gauge and "ambient_pressure" not in data:
+    if gauge and "ambient_pressure" not in fields:
         notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
-    named = {"title": str(data.get("title", Path(file.name).stem)), "part": str(data.get("part", ""))}
-    return points, {**{name: data[name] for name in LAW if name in data}, **named, "notes": tuple(notes)}
-
-
-def _own(errors: ErrorCollector, channel: str, given: Mapping[str, Any], ambient: float) -> dict[str, Any]:
-    """What a channel says, in SI, pressures absolute."""
-    unit, (kind, difference) = CHANNELS[channel], KINDS[channel]
-    fields = {
-        **dict.fromkeys(("column", "unit"), Field()),
-        "value": Field(unit=unit, kind=kind),
-        **dict.fromkeys(("uncertainty", "offset"), Field(unit=unit, kind=difference)),
-        **dict.fromkeys(("relative_uncertainty", "calibration"), Field(unit="1")),
-    }
-    if ("column" in given) == ("value" in given):
-        errors.add("flow.column_or_value", channel)
-    return read_fields(errors, given, fields, channel, table="channel", ambient_pressure=ambient)
-
-
-def _column(channel: str, own: Mapping[str, Any], table: Table, ambient: float, notes: list[Note]) -> Any:
-    """Readings in SI, pressures absolute; a volume flow that leaves its state open is noted."""
-    if "column" not in own:  # one value for all points, unless a mistake was found in it
-        return own.get("value")
-    values, written, stated = shared.column(channel, own, table, CHANNELS[channel], KINDS[channel][0], ambient)
-    if stated != written:
-        notes.append(Note("doubt.read_as", channel, unit=written, read=stated))
-    return values
-
-
-def _is_gauge(given: Mapping[str, Any], table: Table) -> bool:
-    text = given.get("value") or f"1 {given.get('unit', '') or table.units[table.index(given['column'])]}"
-    return quantity(text, "Pa", kind="pressure").reference == "gauge"
+    options = {name: fields[name] for name in (*LAW_FIELDS, "part") if name in fields}
+    return points, options | {"title": fields.get("title", Path(file.name).stem), "notes": tuple(notes)}

@@ -1,4 +1,4 @@
-"""What a reader of a flow bench's result has to know, the most important first."""
+"""Findings of a flow bench, the most important first."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ from poppet.identify.gum import studentised
 from poppet.identify.result import Estimate
 
 USUAL_CONDUCTANCE = (1e-12, 1e-5)
-"""From a pinhole of 5 um to a valve of DN 200; outside, a unit is suspected [m^3/(s Pa)]."""
+"""Plausible sonic conductances, from a pinhole of 5 um to a valve of DN 200 [m^3/(s Pa)]."""
 
 ATMOSPHERE = 101325.0
-NEAR_VACUUM = 2e4  # a downstream pressure below this is worth a second fit with gauge pressures [Pa]
-BELOW_ATMOSPHERE = 7e4  # a downstream pressure below this is a vacuum bench, or gauge [Pa]
+NEAR_VACUUM = 2e4  # downstream pressure below which a fit with gauge pressures is tried [Pa]
+BELOW_ATMOSPHERE = 7e4  # downstream pressure of a vacuum bench, or a gauge pressure [Pa]
 NEAR_ONE = 0.99
 UNUSUAL_RATIO = 0.1
-"""Below it b is that of a long narrow tube, or of gauge pressures read as absolute."""
+"""Critical ratio of a long narrow tube, or of gauge pressures that were read as absolute."""
 ALIKE = 1.1
-"""Ratio of residuals up to which two readings of the pressures explain the points alike."""
+"""Ratio of residuals up to which two readings of the pressures fit equally well."""
 OUTLYING = 0.01
-"""Probability that a sound table of points has one as far off as this, below which it is named."""
+"""Probability of an outlier in a valid table below which the point is reported."""
 EXACT = 0.01
-"""Chi-square over its degrees of freedom below which points have no scatter to judge by."""
+"""Chi-square over its degrees of freedom below which the points are exact."""
 
 
 def findings(
@@ -41,46 +41,46 @@ def findings(
     influence: Mapping[str, list[float]],
     choked: bool,
 ) -> tuple[Note, ...]:
-    """Everything that limits the result."""
-    found = [*(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates))]
-    found += [*_bounds(estimates), *_misfit(fit, tests), *_near_one(fit)]
+    """Return the findings that limit the result."""
+    notes = [*(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates))]
+    notes += [*_bounds(estimates), *_misfit(fit, tests), *_near_one(fit)]
     needed = [(size, effect) for size, effect in fit.model.common_errors(fit.x) if abs(size) > 2.0]
-    found += [Note("flow.error_needed", size=size, source=effect.source) for size, effect in needed]
-    found += [*_outlier(fit), *_influential(fit, influence)]
+    notes += [Note("flow.error_needed", size=size, source=effect.source) for size, effect in needed]
+    notes += [*_outlier(fit), *_influential(fit, influence)]
     lowest = float(np.min(fit.model.points.pressure_2))
     if lowest < BELOW_ATMOSPHERE:
-        found.append(Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3))
-    return tuple(found)
+        notes.append(Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3))
+    return tuple(notes)
 
 
 def suspicions(
-    fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any], other: tuple[str, FlowFit] | None
+    fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any], alternative: tuple[str, FlowFit] | None
 ) -> tuple[Note, ...]:
-    """What makes every number doubtful, however narrow its interval: wrong units, a law that does not fit."""
-    found = [*_gauge(fit, estimates, tests)]
-    if other:
-        name, better = other
+    """Return the findings that make all estimates doubtful: wrong units, or a law that does not fit."""
+    notes = [*_gauge(fit, estimates, tests)]
+    if alternative:
+        name, better = alternative
         names = {"sonic_conductance": "conductance", "critical_ratio": "ratio", name: "value"}
         facts = {fact: better.values[key] for key, fact in names.items()}
-        found.append(Note("flow.other_law", name, **facts, held=fit.values[name], gain=fit.aicc - better.aicc))
+        notes.append(Note("flow.other_law", name, **facts, held=fit.values[name], gain=fit.aicc - better.aicc))
     value = estimates["sonic_conductance"].value
     if not USUAL_CONDUCTANCE[0] <= value <= USUAL_CONDUCTANCE[1]:
-        found.append(Note("flow.unusual_conductance", "sonic_conductance", value=value))
+        notes.append(Note("flow.unusual_conductance", "sonic_conductance", value=value))
     too_large = tests["chi_square_probability"] < DOUBT
-    # Runs alone have to speak more clearly than runs of residuals that are too large anyway.
+    # Without residuals that are too large, the runs test needs a lower probability.
     if tests["runs_probability"] < (DOUBT if too_large else 0.1 * DOUBT):
         free = [f'{name} = "free"' for name in ("subsonic_index", "cracking_pressure") if name in fit.model.fixed]
         code = "flow.pattern_free" if free else "flow.pattern"
-        found.append(Note(code, probability=tests["runs_probability"], free=free))
-    return tuple(found)
+        notes.append(Note(code, probability=tests["runs_probability"], free=free))
+    return tuple(notes)
 
 
-def most_telling_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3, u_flow_ratio: float = 5e-3) -> float:
-    """The p2/p1 at which one more point tells most about b.
+def most_informative_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3, u_flow_ratio: float = 5e-3) -> float:
+    """Return the p2/p1 at which one more point is most informative for b.
 
     Examples
     --------
-    >>> round(most_telling_ratio(0.3), 2)
+    >>> round(most_informative_ratio(0.3), 2)
     0.72
     """
     position = np.linspace(0.05, 0.995, 400)
@@ -93,10 +93,10 @@ def _choked_only(fit: FlowFit, estimates: Mapping[str, Estimate]) -> Iterator[No
     ratio = fit.model.points.pressure_ratio
     low = estimates["critical_ratio"].low
     span = {"lowest": float(np.min(ratio)), "highest": float(np.max(ratio))}
-    yield Note("flow.choked_only", "critical_ratio", **span, low=low, telling=most_telling_ratio(max(low, 0.2)))
-    others = [name for name in estimates if name not in ("sonic_conductance", "critical_ratio")]
-    if others:
-        yield Note("flow.choked_says_nothing", others[0], names=others)
+    yield Note("flow.choked_only", "critical_ratio", **span, low=low, telling=most_informative_ratio(max(low, 0.2)))
+    open_names = [name for name in estimates if name not in ("sonic_conductance", "critical_ratio")]
+    if open_names:
+        yield Note("flow.choked_says_nothing", open_names[0], names=open_names)
     conductance = estimates["sonic_conductance"]
     if conductance.verdict != "determined":
         yield Note("flow.perhaps_none_choked", "sonic_conductance", low=conductance.low, high=conductance.high)
@@ -112,7 +112,7 @@ def _no_choked_point(fit: FlowFit, estimates: Mapping[str, Estimate]) -> Iterato
         facts = {"lowest": lowest, "value": b.value, "low": b.low, "high": b.high, "correlation": correlation}
         yield Note("flow.none_choked", "critical_ratio", **facts, telling=0.7 * max(b.low, 0.1))
     if b.verdict in ("weak", "not determined"):
-        telling = most_telling_ratio(min(max(b.value, 0.0), 0.9))
+        telling = most_informative_ratio(min(max(b.value, 0.0), 0.9))
         yield Note("flow.ratio_open", "critical_ratio", verdict=b.verdict, low=b.low, high=b.high, telling=telling)
 
 
@@ -125,7 +125,7 @@ def _bounds(estimates: Mapping[str, Estimate]) -> Iterator[Note]:
 
 
 def _gauge(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> Iterator[Note]:
-    """Evidence that gauge pressures were read as absolute ones, or the other way round."""
+    """Yield findings on gauge pressures that were read as absolute, or absolute read as gauge."""
     points = fit.model.points
     lowest = float(np.min(points.pressure_2))
     doubtful = tests["chi_square_probability"] < DOUBT or tests["runs_probability"] < DOUBT
@@ -133,13 +133,15 @@ def _gauge(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, 
     for code, shift in (("flow.gauge_as_absolute", ATMOSPHERE), ("flow.absolute_as_gauge", -ATMOSPHERE)):
         if not doubtful and not (shift > 0.0 and lowest < NEAR_VACUUM):
             continue
-        if (other := _shifted(fit, shift)) and (factor := _residual(fit) / max(_residual(other), 1e-300)) > 2.0:
+        if (shifted_fit := _fit_shifted(fit, shift)) and (
+            factor := _residual(fit) / max(_residual(shifted_fit), 1e-300)
+        ) > 2.0:
             yield Note(code, shift_kpa=shift / 1e3, factor=factor)
             return
-    # At one inlet pressure the law of gauge pressures is that of absolute ones with a lower b, to the digit.
-    if estimates["critical_ratio"].high < UNUSUAL_RATIO and (other := _shifted(fit, ATMOSPHERE)):
-        conductance, ratio = other.values["sonic_conductance"], other.values["critical_ratio"]
-        if _residual(other) < ALIKE * _residual(fit) and ratio > UNUSUAL_RATIO:
+    # At one inlet pressure, gauge pressures follow exactly the law of absolute pressures with a lower b.
+    if estimates["critical_ratio"].high < UNUSUAL_RATIO and (shifted_fit := _fit_shifted(fit, ATMOSPHERE)):
+        conductance, ratio = shifted_fit.values["sonic_conductance"], shifted_fit.values["critical_ratio"]
+        if _residual(shifted_fit) < ALIKE * _residual(fit) and ratio > UNUSUAL_RATIO:
             facts = {"value": fit.values["critical_ratio"], "shift_kpa": ATMOSPHERE / 1e3}
             yield Note("flow.gauge_twin", "critical_ratio", **facts, conductance=conductance, ratio=ratio)
 
@@ -148,16 +150,18 @@ def _residual(fit: FlowFit) -> float:
     return float(np.linalg.norm(fit.modelled - fit.model.points.mass_flow_rate))
 
 
-def _shifted(fit: FlowFit, shift: float) -> FlowFit | None:
-    """The fit with all pressures moved; None where that cannot be."""
+def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
+    """Return the fit with shifted pressures, or None if these are invalid."""
     points = fit.model.points
     if min(float(np.min(points.pressure_1)), float(np.min(points.pressure_2))) + shift < 0.0:
         return None
     try:
-        moved: FlowPoints = replace(points, pressure_1=points.pressure_1 + shift, pressure_2=points.pressure_2 + shift)
+        shifted_points: FlowPoints = replace(
+            points, pressure_1=points.pressure_1 + shift, pressure_2=points.pressure_2 + shift
+        )
     except InputError:
         return None
-    return fit_flow(FlowModel(moved, fit.model.fixed))
+    return fit_flow(FlowModel(shifted_points, fit.model.fixed))
 
 
 def _misfit(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[Note]:
@@ -175,37 +179,37 @@ def _misfit(fit: FlowFit, tests: Mapping[str, Any]) -> Iterator[Note]:
 def _near_one(fit: FlowFit) -> Iterator[Note]:
     points = fit.model.points
     drop = points.pressure_1 - points.pressure_2
-    known = np.zeros(len(points))
+    u_drop = np.zeros(len(points))
     for name in ("pressure_1", "pressure_2"):
         stated, reading = points.instrument(name), getattr(points, name)
         for part in (stated.absolute, stated.offset, stated.relative * reading, stated.calibration * reading):
-            known = np.hypot(known, part)
-    near = (drop < 5.0 * known) if known.any() else (points.pressure_ratio > NEAR_ONE)
-    if near.any():
-        code = "flow.near_one_uncertain" if known.any() else "flow.near_one"
-        yield Note(code, **_listed(np.flatnonzero(near), points))
+            u_drop = np.hypot(u_drop, part)
+    is_near = (drop < 5.0 * u_drop) if u_drop.any() else (points.pressure_ratio > NEAR_ONE)
+    if is_near.any():
+        code = "flow.near_one_uncertain" if u_drop.any() else "flow.near_one"
+        yield Note(code, **_point_facts(np.flatnonzero(is_near), points))
 
 
 def _outlier(fit: FlowFit) -> Iterator[Note]:
-    """The point that lies farthest from the law, where scatter as that of the others does not make it."""
+    """Yield the point with the largest residual if the scatter of the others does not explain it."""
     from scipy.special import stdtr
 
     points, freedom = fit.model.points, fit.degrees_of_freedom
-    # Exact data leave rounding errors, which follow no law.
+    # The residuals of exact data are rounding errors.
     if freedom < 2 or fit.chi_square < EXACT * freedom:
         return
     scores = np.abs(studentised(fit.jacobian, fit.residuals, fit.gain[0], freedom)[: len(points)])
     if not np.isfinite(scores).any():
         return
     k = int(np.nanargmax(scores))
-    # Bonferroni: the largest of all is as rare as one of them so many times less probable.
+    # Bonferroni correction for the largest of all residuals.
     probability = min(1.0, len(points) * 2.0 * float(stdtr(freedom - 1, -scores[k])))
     if probability < OUTLYING:
         off = float(points.mass_flow_rate[k] - fit.modelled[k])
         size = 100.0 * off / float(fit.modelled[k]) if fit.modelled[k] > 0.0 else float("inf")
-        where = {"row": k + 1, "line": int(points.lines[k]) if len(points.lines) else None}
+        location = {"row": k + 1, "line": int(points.lines[k]) if len(points.lines) else None}
         facts = {"ratio": float(points.pressure_ratio[k]), "percent": size, "off": off, "errors": float(scores[k])}
-        yield Note("flow.outlier", "mass_flow_rate", **where, **facts, probability=probability)
+        yield Note("flow.outlier", "mass_flow_rate", **location, **facts, probability=probability)
 
 
 def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[Note]:
@@ -214,14 +218,14 @@ def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator
         k = int(np.argmax(sizes))
         if sizes[k] <= 1.0:
             continue
-        where = _listed(np.array([k]), fit.model.points)
+        location = _point_facts(np.array([k]), fit.model.points)
         if math.isinf(sizes[k]):
-            yield Note("flow.only_one_point", name, **where)
+            yield Note("flow.only_one_point", name, **location)
         else:
-            yield Note("flow.one_point", name, **where, errors=float(sizes[k]))
+            yield Note("flow.one_point", name, **location, errors=float(sizes[k]))
 
 
-def _listed(indices: Any, points: FlowPoints) -> dict[str, Any]:
-    """The first points, with their p2/p1, and how many more there are."""
-    shown = [f"{k} at {points.pressure_ratio[k]:.4g}" for k in indices[:4]]
-    return {"points": shown, "more": max(len(indices) - 4, 0) or None}
+def _point_facts(indices: Any, points: FlowPoints) -> dict[str, Any]:
+    """Return the first points with their p2/p1, and the number of further points."""
+    texts = [f"{k} at {points.pressure_ratio[k]:.4g}" for k in indices[:4]]
+    return {"points": texts, "more": max(len(indices) - 4, 0) or None}

@@ -1,8 +1,8 @@
-"""Direct fit of the flow law to the points of a bench, with errors in every reading, and its estimates.
+"""Direct fit of the flow law to the points of a bench, with errors in all readings.
 
-Errors from point to point enter as effective variances: each reading's error is carried through the law to the
-flow. Errors common to all points (calibration, zero offset) are numbers of the fit with a known spread, one
-residual each, so that every estimate's covariance contains them with all their correlations.
+Independent errors of the points enter as effective variances: the flow law propagates the error of each reading to
+the flow. Common errors (calibration, offset) are parameters of the fit with a known standard deviation and one
+residual each. The covariance of the estimates therefore contains them with all correlations.
 """
 
 from __future__ import annotations
@@ -29,48 +29,48 @@ from poppet.laws.iso6358 import mass_flow_rate
 from poppet.timeseries.checks import FloatArray
 
 UNITS = {"sonic_conductance": "m^3/(s Pa)", "critical_ratio": "1", "subsonic_index": "1", "cracking_pressure": "Pa"}
-"""Numbers of the law with SI units."""
+"""Parameters of the flow law, with their SI units."""
 
 LARGEST_RATIO = 0.995
-"""Upper bound of b in the fit: with it every point below p2/p1 = 0.995 is choked."""
+"""Upper bound of b in the fit; all points below p2/p1 = 0.995 are then choked."""
 
 NO_ZONE = 1.0 - 1e-7
-"""A bench knows no regularised zone; this one is narrower than any transducer can see."""
+"""Laminar ratio: the regularised zone of the law is narrower than the resolution of a pressure sensor."""
 
 LEAST_READING = 0.02
-"""Of the largest flow: a relative uncertainty is not followed below it, where no flow meter has one any more."""
+"""Fraction of the maximum flow below which a relative uncertainty becomes absolute."""
 
 DOUBT = 0.01
-"""Probability below which residuals count as too large for the stated uncertainties."""
+"""Probability below which the residuals are too large for the stated uncertainties."""
 
 BETTER = 6.0
-"""By so much lower an AICc of a law with one number more free says that the simpler one does not hold."""
+"""Reduction of AICc by one more free parameter above which the simpler law is rejected."""
 
 
 @dataclass(frozen=True, eq=False)
 class FlowModel:
-    """The law with what is free, what is fixed and the common errors.
+    """Flow law with free and fixed parameters and common errors.
 
-    The search moves a vector x: the free numbers of the law, then the common errors in standard deviations. Several
-    vectors at once, (k, p), give several rows.
+    A point x of the search contains the scaled free parameters of the law, then the common errors in standard
+    deviations. Several points, shape (k, p), give several rows.
     """
 
     points: FlowPoints
-    fixed: Mapping[str, float]  # every number of the law that is not free
+    fixed: Mapping[str, float]  # fixed parameters of the law
 
     @cached_property
     def free(self) -> tuple[str, ...]:
-        """Free numbers of the law, in the order of `UNITS`."""
+        """Free parameters of the law, in the order of `UNITS`."""
         return tuple(name for name in UNITS if name not in self.fixed)
 
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
-        """Common errors."""
+        """Common errors of the instruments."""
         return tuple(self.points.effects())
 
     @cached_property
     def scales(self) -> FloatArray:
-        """Size of each number of the fit, common errors included; the search works in numbers of order one."""
+        """Scale of each free parameter and common error; scaled values are of order one."""
         sizes = {
             "sonic_conductance": float(np.max(self.points.effective_conductance)),
             "cracking_pressure": float(np.mean(self.points.pressure_1)),
@@ -79,7 +79,7 @@ class FlowModel:
 
     @cached_property
     def bounds(self) -> tuple[FloatArray, FloatArray]:
-        """Physical bounds in numbers of order one; common errors within 8 standard deviations."""
+        """Physical bounds of the scaled parameters; common errors are within 8 standard deviations."""
         drop = float(np.max(self.points.pressure_1 - self.points.pressure_2) / np.mean(self.points.pressure_1))
         limits = {
             "sonic_conductance": (1e-6, 1e3),
@@ -91,16 +91,16 @@ class FlowModel:
         return np.array([low for low, _ in pairs]), np.array([high for _, high in pairs])
 
     def numbers(self, x: FloatArray) -> dict[str, Any]:
-        """Numbers of the law in SI units."""
+        """Return the parameters of the law in SI units."""
         values = _columns((x * self.scales)[..., : len(self.free)])
         return dict(self.fixed) | dict(zip(self.free, values, strict=True))
 
     def common_errors(self, x: FloatArray) -> list[tuple[Any, Effect]]:
-        """Size of every common error, in its standard deviations."""
+        """Return the common errors with their sizes in standard deviations."""
         return list(zip(_columns(x[..., len(self.free) :]), self.effects, strict=True))
 
     def readings(self, x: FloatArray) -> dict[str, FloatArray]:
-        """Pressures and temperatures without the common errors."""
+        """Return pressures and temperatures corrected for the common errors."""
         shifted = {name: getattr(self.points, name) for name in CHANNELS if name != "mass_flow_rate"}
         for size, effect in self.common_errors(x):
             for channel in shifted.keys() & effect.channels:
@@ -108,85 +108,85 @@ class FlowModel:
                 shifted[channel] = shifted[channel] - size * (effect.offset + effect.calibration * reading)
         return shifted
 
-    def flow(self, x: FloatArray, **moved: FloatArray) -> FloatArray:
-        """What the flow meter should read; `moved` adds to single readings."""
+    def flow(self, x: FloatArray, **shifts: FloatArray) -> FloatArray:
+        """Return the modelled reading of the flow meter; `shifts` adds shifts to single channels."""
         readings = self.readings(x)
-        for channel, shift in moved.items():
+        for channel, shift in shifts.items():
             readings[channel] = readings[channel] + shift
-        true = mass_flow_rate(
+        flow = mass_flow_rate(
             np.maximum(readings["pressure_1"], 0.0),
             np.maximum(readings["pressure_2"], 0.0),
             readings["temperature_1"],
             laminar_ratio=NO_ZONE,
             **self.numbers(x),
         )
-        shown = true
+        reading = flow
         for size, effect in self.common_errors(x):
             if "mass_flow_rate" in effect.channels:
-                shown = shown + size * (effect.offset + effect.calibration * true)
-        return np.asarray(shown)
+                reading = reading + size * (effect.offset + effect.calibration * flow)
+        return np.asarray(reading)
 
     def variances(self, x: FloatArray) -> dict[str, FloatArray]:
-        """Variance of measured less modelled flow from point to point, by instrument [kg^2/s^2]."""
+        """Return the variance of the flow residual of each point, by instrument [kg^2/s^2]."""
         meter = self.points.u_mass_flow_rate
         largest = float(np.max(self.points.mass_flow_rate))
         reading = np.maximum(self.flow(x), LEAST_READING * largest)
-        found = {"mass_flow_rate": meter.absolute**2 + (meter.relative * reading) ** 2}
+        variances = {"mass_flow_rate": meter.absolute**2 + (meter.relative * reading) ** 2}
         for channel in CHANNELS:
-            known = self.points.instrument(channel)
-            if channel == "mass_flow_rate" or not known.is_noisy:
+            instrument = self.points.instrument(channel)
+            if channel == "mass_flow_rate" or not instrument.is_noisy:
                 continue
             reading = getattr(self.points, channel)
-            spread = np.sqrt(known.absolute**2 + (known.relative * reading) ** 2)
-            # a secant over two standard deviations: near p2/p1 = 1 the law has no finite slope
-            moved = self.flow(x, **{channel: spread}) - self.flow(x, **{channel: -spread})
-            found[channel] = (0.5 * moved) ** 2
-        return found
+            sigma = np.sqrt(instrument.absolute**2 + (instrument.relative * reading) ** 2)
+            # Secant over two standard deviations: near p2/p1 = 1 the slope of the law is infinite.
+            difference = self.flow(x, **{channel: sigma}) - self.flow(x, **{channel: -sigma})
+            variances[channel] = (0.5 * difference) ** 2
+        return variances
 
     def residuals(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
-        """Standardised, model - measured; common errors last."""
+        """Return model minus measurement over sigma; common errors last."""
         misfit = (self.flow(x) - self.points.mass_flow_rate) / sigma
         return np.concatenate((misfit, x[..., len(self.free) :]), axis=-1)
 
     def jacobian(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
-        """Derivative of the residuals by x: central differences that stay within the bounds."""
+        """Return the derivative of the residuals by x, from central differences within the bounds."""
         step, (low, high) = 1e-6 * np.eye(x.size), self.bounds
         up, down = np.minimum(x + step, high), np.maximum(x - step, low)
-        # All columns at once: checking its arguments costs the law more than some dozen points do.
-        above, below = np.split(self.residuals(np.concatenate((up, down)), sigma), 2)
-        return np.ascontiguousarray(((above - below) / np.diag(up - down)[:, None]).T)
+        # All columns in one call: the law spends more time on checking arguments than on a dozen points.
+        upper, lower = np.split(self.residuals(np.concatenate((up, down)), sigma), 2)
+        return np.ascontiguousarray(((upper - lower) / np.diag(up - down)[:, None]).T)
 
 
 def _columns(x: FloatArray) -> list[Any]:
-    """The numbers of one vector; of several, columns that broadcast over the points."""
+    """Return the values of one point, or columns that broadcast over several points."""
     return x.tolist() if x.ndim == 1 else list(x.T[:, :, None])
 
 
 @dataclass(frozen=True, eq=False)
 class FlowFit:
-    """Least squares and what belongs to it."""
+    """Least-squares fit of the flow law, with its statistics."""
 
     model: FlowModel
-    x: FloatArray  # best numbers of order one, common errors last
-    sigma: FloatArray  # of each residual of a point [kg/s]
-    scatter: dict[str, FloatArray]  # variance of each residual by source, of sum sigma squared [kg^2/s^2]
-    scatter_is_known: bool  # no part of it was estimated from the residuals
-    inflation: float  # factor on the stated uncertainties from point to point that the residuals asked for
-    stated: float  # probability of such residuals with the uncertainties as stated; not-a-number without
+    x: FloatArray  # optimum, scaled; common errors last
+    sigma: FloatArray  # standard deviation of each residual of a point [kg/s]
+    scatter: dict[str, FloatArray]  # variance of each residual by source; the sum is sigma squared [kg^2/s^2]
+    scatter_is_known: bool  # False if the residuals gave a part of it
+    inflation: float  # factor on the stated independent uncertainties, from the residuals
+    stated: float  # probability of the residuals under the stated uncertainties; NaN without these
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """Numbers of the law, fixed ones included."""
+        """Parameters of the law, including fixed parameters."""
         return self.model.numbers(self.x)
 
     @cached_property
     def modelled(self) -> FloatArray:
-        """Flow of the model, with the common errors that the fit found [kg/s]."""
+        """Modelled flow, with the fitted common errors [kg/s]."""
         return self.model.flow(self.x)
 
     @cached_property
     def residuals(self) -> FloatArray:
-        """Standardised, model - measured; common errors last."""
+        """Model minus measurement over sigma; common errors last."""
         return self.model.residuals(self.x, self.sigma)
 
     @cached_property
@@ -196,17 +196,17 @@ class FlowFit:
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Points less free numbers of the law; a common error brings one residual and one number."""
+        """Number of points minus free parameters; a common error adds one residual and one parameter."""
         return len(self.model.points) - len(self.model.free)
 
     @property
     def scatter_freedom(self) -> float:
-        """Degrees of freedom behind sigma."""
+        """Degrees of freedom of sigma."""
         return math.inf if self.scatter_is_known else float(max(self.degrees_of_freedom, 1))
 
     @cached_property
     def aicc(self) -> float:
-        """Corrected information criterion; an estimated scatter is one number more."""
+        """Corrected Akaike information criterion; an estimated scatter counts as one parameter."""
         likelihood = self.chi_square + float(np.sum(np.log(2.0 * math.pi * self.sigma**2)))  # -2 ln of it
         return likelihood + corrected_penalty(
             len(self.model.free) + (not self.scatter_is_known), len(self.model.points)
@@ -214,64 +214,69 @@ class FlowFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivative of the residuals by the numbers of order one."""
+        """Derivative of the residuals by the scaled parameters."""
         return self.model.jacobian(self.x, self.sigma)
 
     @cached_property
     def gain(self) -> tuple[FloatArray, Any]:
-        """See `poppet.identify.gum.gain`."""
+        """Gain of the estimates, see `poppet.identify.gum.gain`."""
         return gain(self.jacobian)
 
 
 def fit_flow(model: FlowModel) -> FlowFit:
-    """Fit the law, renewing the weights until they agree with the fit.
+    """Fit the law, with weights that agree with the fit.
 
     Notes
     -----
-    Where the flow meter's scatter is not stated, one size for all points is estimated such that chi-square
-    equals its degrees of freedom. Where it is stated and the residuals are too large for it (probability below
-    0.01), all parts from point to point are enlarged by one factor in the same way (Birge's ratio).
+    If the scatter of the flow meter is not stated, one variance for all points is estimated so that chi-square equals
+    the degrees of freedom. If it is stated and the residuals are too large for it (probability below 0.01), one factor
+    enlarges all independent uncertainties in the same way (Birge's ratio).
     """
-    x = start(model)
+    x = start_point(model)
     if not model.points.u_mass_flow_rate.is_noisy:
         misfit = model.flow(x) - model.points.mass_flow_rate
-        return _settled(model, x, _Weights(max(float(np.mean(misfit**2)), _smallest(model)), 1.0), adapt="extra")
-    fit = _settled(model, x, _Weights(0.0, 1.0), adapt="")
+        return _iterate_weights(
+            model, x, _Weights(max(float(np.mean(misfit**2)), _smallest(model)), 1.0), adapt="extra"
+        )
+    fit = _iterate_weights(model, x, _Weights(0.0, 1.0), adapt="")
     stated = chi_square_probability(fit.chi_square, fit.degrees_of_freedom)
-    if not stated < DOUBT:  # not-a-number: no degrees of freedom to judge by
+    if not stated < DOUBT:  # NaN: there are no degrees of freedom
         return replace(fit, stated=stated)
     birge = math.sqrt(fit.chi_square / fit.degrees_of_freedom)
-    return replace(_settled(model, fit.x, _Weights(0.0, birge), adapt="inflation"), stated=stated)
+    return replace(_iterate_weights(model, fit.x, _Weights(0.0, birge), adapt="inflation"), stated=stated)
 
 
 @dataclass(frozen=True)
 class _Weights:
+    """Changes of the stated variances."""
+
     extra: float  # variance added to every point [kg^2/s^2]
     inflation: float  # factor on the stated standard deviations
 
     def parts(self, model: FlowModel, x: FloatArray) -> dict[str, FloatArray]:
-        found = {name: self.inflation**2 * v for name, v in model.variances(x).items()}
+        """Return the variance of each residual by source."""
+        variances = {name: self.inflation**2 * v for name, v in model.variances(x).items()}
         if self.extra:
-            found["mass_flow_rate"] = found["mass_flow_rate"] + self.extra
-        return found
+            variances["mass_flow_rate"] = variances["mass_flow_rate"] + self.extra
+        return variances
 
 
 def _smallest(model: FlowModel) -> float:
-    """Variance below that of any flow meter, for exact data [kg^2/s^2]."""
+    """Return a variance below that of any flow meter, for exact data [kg^2/s^2]."""
     return (1e-6 * float(np.max(model.points.mass_flow_rate))) ** 2
 
 
-def _settled(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> FlowFit:
-    """Alternate between weights and least squares until both stay."""
-    # Without it points that fit exactly would have no sigma at all.
+def _iterate_weights(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> FlowFit:
+    """Alternate between weights and least squares until both converge."""
+    # Without it, points without residuals would have a sigma of zero.
     floor = (1e-7 * float(np.max(model.points.mass_flow_rate))) ** 2
     for _ in range(30):
         sigma = np.sqrt(sum(weights.parts(model, x).values()) + floor)
-        found = _least_squares(model, x, sigma)
-        renewed = _adapted(model, found, weights, adapt)
-        change = float(np.max(np.abs(found - x)))
+        solution = _least_squares(model, x, sigma)
+        renewed = _adapt_weights(model, solution, weights, adapt)
+        change = float(np.max(np.abs(solution - x)))
         steady = math.isclose(renewed.extra, weights.extra, rel_tol=1e-3, abs_tol=1e-3 * floor)
-        x, weights = found, renewed
+        x, weights = solution, renewed
         if change < 1e-6 and steady and math.isclose(renewed.inflation, weights.inflation, rel_tol=1e-3):
             break
     parts = weights.parts(model, x)
@@ -279,8 +284,8 @@ def _settled(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> 
     return FlowFit(model, x, sigma, parts, adapt == "", weights.inflation, math.nan)
 
 
-def _adapted(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> _Weights:
-    """Weights with which chi-square, common errors included, would equal its degrees of freedom."""
+def _adapt_weights(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> _Weights:
+    """Return weights for which chi-square with the common errors equals its degrees of freedom."""
     common, smallest = x[len(model.free) :], _smallest(model)
     freedom = len(model.points) - len(model.free) - float(common @ common)
     if not adapt or freedom <= 0.0:
@@ -291,13 +296,13 @@ def _adapted(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> 
         return _Weights(0.0, max(1.0, math.sqrt(float(np.sum(misfit / stated)) / freedom)))
     low, high = smallest, max(float(np.sum(misfit)) / freedom, smallest)
     for _ in range(50):  # chi-square falls with the added variance
-        middle = math.sqrt(low * high)  # in logarithms: the ends lie decades apart
+        middle = math.sqrt(low * high)  # logarithmic: the ends differ by decades
         low, high = (middle, high) if np.sum(misfit / (stated + middle)) > freedom else (low, middle)
     return _Weights(high, 1.0)
 
 
-def start(model: FlowModel) -> FloatArray:
-    """Best numbers of a coarse grid; C is linear in the law, so each node has its best C."""
+def start_point(model: FlowModel) -> FloatArray:
+    """Return the best point of a coarse grid; the flow is linear in C, so each node has its best C."""
     points = model.points
     drops = np.sort(
         (points.pressure_1 - points.pressure_2)[points.mass_flow_rate > 0.02 * np.max(points.mass_flow_rate)]
@@ -317,56 +322,57 @@ def start(model: FlowModel) -> FloatArray:
         value = model.fixed.get("cracking_pressure", 0.0)
         raise InputError("flow.closed_everywhere", "cracking_pressure", value=value, drop=drop)
     best = int(np.argmax(per_flow**2 / np.maximum(power, 1e-300)))
-    found = {
+    start_values = {
         "sonic_conductance": per_flow[best] / power[best],
         "critical_ratio": b[best, 0],
         "subsonic_index": m[best, 0],
         "cracking_pressure": cracking[best, 0],
     }
-    law = np.array([found[name] for name in model.free])
+    law = np.array([start_values[name] for name in model.free])
     return np.concatenate((law, np.zeros(len(model.effects)))) / model.scales
 
 
 def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
-    """Flow at the points per C, in which the law is linear; a row for each column of numbers."""
+    """Return the flow at the points for C = 1; columns of parameters give rows."""
     readings = (getattr(points, channel) for channel in CHANNELS if channel != "mass_flow_rate")
     return np.asarray(mass_flow_rate(*readings, sonic_conductance=1.0, **law))
 
 
 def _least_squares(model: FlowModel, x: FloatArray, sigma: FloatArray) -> FloatArray:
+    """Return the optimum for given standard deviations."""
     from scipy.optimize import least_squares
 
     low, high = model.bounds
-    found = least_squares(
-        lambda at: model.residuals(at, sigma),
-        np.clip(x, low + 1e-9, high - 1e-9),  # the search wants to begin inside
-        lambda at: model.jacobian(at, sigma),
+    solution = least_squares(
+        lambda trial: model.residuals(trial, sigma),
+        np.clip(x, low + 1e-9, high - 1e-9),  # the search must start within the bounds
+        lambda trial: model.jacobian(trial, sigma),
         bounds=(low, high),
         xtol=1e-10,
         ftol=1e-10,
         gtol=1e-10,
     )
-    return np.asarray(found.x)
+    return np.asarray(solution.x)
 
 
-def all_choked(fit: FlowFit) -> FlowFit | None:
-    """The fit with every point choked, where the data do not contradict it."""
+def fit_all_choked(fit: FlowFit) -> FlowFit | None:
+    """Return the fit with all points choked, or None if the data reject it."""
     if np.max(fit.model.points.pressure_ratio) >= LARGEST_RATIO:
         return None
     fixed = dict(fit.model.fixed) | {"critical_ratio": LARGEST_RATIO, "subsonic_index": 0.5, "cracking_pressure": 0.0}
-    other = replace(fit_flow(FlowModel(fit.model.points, fixed)), stated=fit.stated)
-    # With the weights of the free fit, else the two cannot be compared.
-    misfit = (other.modelled - fit.model.points.mass_flow_rate) / fit.sigma
-    common = other.x[len(other.model.free) :]
+    choked = replace(fit_flow(FlowModel(fit.model.points, fixed)), stated=fit.stated)
+    # The comparison requires the weights of the free fit.
+    misfit = (choked.modelled - fit.model.points.mass_flow_rate) / fit.sigma
+    common = choked.x[len(choked.model.free) :]
     allowed = coverage_factor(fit.scatter_freedom) ** 2
-    return other if float(misfit @ misfit + common @ common) - fit.chi_square <= allowed else None
+    return choked if float(misfit @ misfit + common @ common) - fit.chi_square <= allowed else None
 
 
 def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
-    """Estimates with 95 % intervals of the free numbers of the law."""
+    """Return the estimates of the free parameters with 95 % intervals."""
     low, high = fit.model.bounds
-    began = start(fit.model) * fit.model.scales
-    found = {}
+    start_values = start_point(fit.model) * fit.model.scales
+    estimates = {}
     for k, name in enumerate(fit.model.free):
         scale = float(fit.model.scales[k])
         bounds = float(low[k]) * scale, float(high[k]) * scale
@@ -375,20 +381,20 @@ def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
         budget = _budget(fit, k)
         error = math.sqrt(math.fsum(u * u for u in budget.sources.values())) * scale if fit.gain[1][k] else math.inf
         half = budget.coverage * error
-        found[name] = Estimate(
+        estimates[name] = Estimate(
             value,
             UNITS[name],
             error,
             max(value - half, bounds[0]),
             min(value + half, bounds[1] if name != "critical_ratio" else 1.0),
             _verdict(name, value, half, at_bound, scale),
-            float(began[k]),
+            float(start_values[k]),
         )
-    return found
+    return estimates
 
 
 def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
-    """Half the interval against the number's size; for b and m against 1, for the cracking pressure against p1/10."""
+    """Return the verdict; the reference is 1 for b and m, and at least p1/10 for the cracking pressure."""
     if at_bound:
         return "at bound"
     size = {"sonic_conductance": value, "cracking_pressure": max(value, 0.1 * scale)}.get(name, 1.0)
@@ -396,11 +402,11 @@ def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float)
 
 
 def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
-    """Estimates when all points may be choked: C with the range that an unknown b leaves, and b from below."""
+    """Return the estimates if all points may be choked: a range of C and a lower limit of b."""
     points = choked.model.points
     ratios = np.linspace(0.0, 0.99, 199)
     unit = _unit_flow(points, critical_ratio=ratios[:, None], subsonic_index=fit.values["subsonic_index"])
-    # C is linear in the law: for each b the best C follows without a search.
+    # The flow is linear in C: the best C for each b needs no search.
     weighted, measured = unit / fit.sigma, points.mass_flow_rate / fit.sigma
     conductance = weighted @ measured / np.sum(weighted**2, axis=1)
     misfit = np.sum((conductance[:, None] * weighted - measured) ** 2, axis=1)
@@ -411,49 +417,55 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     high = max(float(np.max(conductance[possible])), narrow.value) + half
     widest = max(high - narrow.value, narrow.value - low)
     verdict = _verdict("sonic_conductance", narrow.value, widest, False, 1.0)
-    found = {"sonic_conductance": replace(narrow, low=low, high=high, verdict=verdict)}
+    estimates = {"sonic_conductance": replace(narrow, low=low, high=high, verdict=verdict)}
     lowest = {"critical_ratio": float(np.min(ratios[possible]))}
     highest = {"critical_ratio": 1.0, "subsonic_index": 3.0, "cracking_pressure": float(np.max(points.pressure_1))}
     for name in fit.model.free[1:]:
-        found[name] = Estimate(math.nan, UNITS[name], math.inf, lowest.get(name, 0.0), highest[name], "not determined")
-    return found
+        estimates[name] = Estimate(
+            math.nan, UNITS[name], math.inf, lowest.get(name, 0.0), highest[name], "not determined"
+        )
+    return estimates
 
 
-def other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
-    """The held number of the law with which free the points are explained best, if clearly better, and that fit."""
-    found = []
+def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
+    """Return the fixed parameter whose release improves the fit clearly, and that fit, or None."""
+    alternatives = []
     for name in ("subsonic_index", "cracking_pressure"):
-        rest = {key: value for key, value in fit.model.fixed.items() if key != name}
-        richer = FlowModel(fit.model.points, rest)
-        if name in fit.model.fixed and len(richer.points) > len(richer.free) and _asked_for(fit, richer, name) > BETTER:
-            found.append((name, fit_flow(richer)))
-    best = min(found, key=lambda pair: pair[1].aicc, default=None)
+        fixed = {key: value for key, value in fit.model.fixed.items() if key != name}
+        richer = FlowModel(fit.model.points, fixed)
+        if (
+            name in fit.model.fixed
+            and len(richer.points) > len(richer.free)
+            and _predict_gain(fit, richer, name) > BETTER
+        ):
+            alternatives.append((name, fit_flow(richer)))
+    best = min(alternatives, key=lambda pair: pair[1].aicc, default=None)
     return best if best and fit.aicc - best[1].aicc > BETTER else None
 
 
-def _asked_for(fit: FlowFit, richer: FlowModel, name: str) -> float:
-    """By how much -2 ln L would fall with one number more, by the slopes where the fit ended."""
-    place = richer.free.index(name)
-    x = np.insert(fit.x, place, fit.model.fixed[name] / richer.scales[place])
+def _predict_gain(fit: FlowFit, richer: FlowModel, name: str) -> float:
+    """Return the predicted reduction of -2 ln L by one more free parameter, from the slopes at the optimum."""
+    index = richer.free.index(name)
+    x = np.insert(fit.x, index, fit.model.fixed[name] / richer.scales[index])
     jacobian = richer.jacobian(x, fit.sigma)
-    basis = np.linalg.qr(np.delete(jacobian, place, axis=1))[0]
-    own = jacobian[:, place] - basis @ (basis.T @ jacobian[:, place])
-    share = float(own @ fit.residuals) ** 2 / max(float(own @ own) * fit.chi_square, 1e-300)
-    return -len(fit.model.points) * math.log1p(-min(share, 1.0 - 1e-12))
+    basis = np.linalg.qr(np.delete(jacobian, index, axis=1))[0]
+    column = jacobian[:, index] - basis @ (basis.T @ jacobian[:, index])
+    fraction = float(column @ fit.residuals) ** 2 / max(float(column @ column) * fit.chi_square, 1e-300)
+    return -len(fit.model.points) * math.log1p(-min(fraction, 1.0 - 1e-12))
 
 
-def united(estimates: Mapping[str, Estimate], others: Mapping[str, Estimate]) -> dict[str, Estimate]:
-    """The estimates, with intervals that hold those under another law too."""
-    found = {}
+def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[str, Estimate]) -> dict[str, Estimate]:
+    """Return estimates with intervals that include those of another law."""
+    widened = {}
     for name, e in estimates.items():
-        low, high = min(e.low, others[name].low), max(e.high, others[name].high)
+        low, high = min(e.low, other_estimates[name].low), max(e.high, other_estimates[name].high)
         verdict = _verdict(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
-        found[name] = replace(e, low=low, high=high, verdict=max(verdict, e.verdict, key=VERDICTS.index))
-    return found
+        widened[name] = replace(e, low=low, high=high, verdict=max(verdict, e.verdict, key=VERDICTS.index))
+    return widened
 
 
 class _Budget(NamedTuple):
-    """Standard uncertainty of a number of order one: by source, of the scatter, common to all points."""
+    """Standard uncertainty of a scaled parameter by source, from scatter and from common errors."""
 
     sources: dict[str, float]
     type_a: float
@@ -463,6 +475,7 @@ class _Budget(NamedTuple):
 
 
 def _budget(fit: FlowFit, k: int) -> _Budget:
+    """Return the uncertainty budget of a free parameter."""
     row, n = fit.gain[0][k], len(fit.model.points)
     variance = fit.sigma**2
     scatter = {
@@ -476,7 +489,7 @@ def _budget(fit: FlowFit, k: int) -> _Budget:
 
 
 def budgets(fit: FlowFit) -> dict[str, dict[str, Any]]:
-    """Uncertainty budgets of the free numbers of the law, for the result."""
+    """Return the uncertainty budgets of the free parameters."""
     rows = {}
     for k, name in enumerate(fit.model.free):
         budget, scale = _budget(fit, k), float(fit.model.scales[k])

@@ -1,4 +1,4 @@
-"""Steady flow bench of ISO 6358-1: C, b, m and cracking pressure with their uncertainty and a verdict."""
+"""Identification of C, b, m and cracking pressure from a steady flow bench (ISO 6358-1)."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ from poppet.identify.flow.flow_fit import (
     UNITS,
     FlowFit,
     FlowModel,
-    all_choked,
     budgets,
     choked_estimates,
+    find_other_law,
+    fit_all_choked,
     fit_flow,
     law_estimates,
-    other_law,
-    united,
+    widen_estimates,
 )
-from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, refuse_rising_flow
+from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, reject_rising_flow
 from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
 from poppet.identify.gum import (
     chi_square_probability,
@@ -48,7 +48,7 @@ def identify_flow(
     title: str = "flow bench",
     notes: tuple[str, ...] = (),
 ) -> Result:
-    r"""Flow-rate characteristics of a passage from the points of a steady flow bench.
+    r"""Fit the flow-rate characteristics of a flow path to the points of a steady flow bench.
 
     .. math::
 
@@ -59,8 +59,7 @@ def identify_flow(
     Parameters
     ----------
     points : FlowPoints, str or Path
-        Of one passage at one opening, with the uncertainties of the instruments; or a flow bench file, whose options
-        hold where no other is given here.
+        Points of one flow path at one opening, or a flow bench file. Arguments override the options of the file.
     subsonic_index : float or "free", optional
         m; 0.5 is the ellipse of the 1989 edition.
     cracking_pressure : float or "free", optional
@@ -68,16 +67,16 @@ def identify_flow(
     part : str, optional
         Name of the part in a circuit; the estimates are then called `part.sonic_conductance` and so on.
     title : str, optional
-        For people.
+        Title of the result.
     notes : tuple of Note or str, optional
-        What is known about the points already; added to the findings.
+        Notes on the points; the findings include them.
 
     Returns
     -------
     Result
-        Parameters from the direct fit: `sonic_conductance` [m^3/(s Pa)], `critical_ratio` and, where free,
-        `subsonic_index` and `cracking_pressure` [Pa]; the standard's formulas, the uncertainty budget, tests on
-        the residuals and the influence of every point under `comparison`.
+        Parameters from the direct fit: `sonic_conductance` [m^3/(s Pa)], `critical_ratio` and, if free,
+        `subsonic_index` and `cracking_pressure` [Pa]. `comparison` has the results of the standard's formulas, the
+        uncertainty budget, tests of the residuals and the influence of each point.
 
     Raises
     ------
@@ -86,12 +85,12 @@ def identify_flow(
 
     Notes
     -----
-    Errors common to all points (calibration, offset: the delta above, in standard deviations) are fitted along
-    with their stated spread, so the intervals contain them. Scatter that is not stated is estimated from the
-    residuals and widens the intervals by Student's t; scatter stated too small is enlarged and said so. Choked
-    data do not determine b: its value is then not-a-number and `low` what the data exclude.
+    Common errors (calibration, offset: delta above, in standard deviations) are free parameters with their stated
+    standard deviation; the intervals therefore contain them. If the scatter is not stated, the residuals give it, and
+    the intervals use Student's t. If the stated scatter is too small, it is enlarged, and a finding reports it. Choked
+    points do not determine b: its value is then NaN, and `low` is the limit below which the data exclude it.
 
-    Steady flow of an ideal gas through a passage that does not change: no regulators.
+    The law is valid for steady flow of an ideal gas through a flow path that does not change, not for regulators.
 
     References
     ----------
@@ -111,64 +110,64 @@ def identify_flow(
     >>> found["critical_ratio"].verdict
     'determined'
     """
-    assert isinstance(points, FlowPoints)  # a file was read at the door
-    given = {"subsonic_index": subsonic_index, "cracking_pressure": cracking_pressure}
-    fixed = _fixed(given)
+    assert isinstance(points, FlowPoints)  # `or_file` has read a file
+    law = {"subsonic_index": subsonic_index, "cracking_pressure": cracking_pressure}
+    fixed = _read_fixed(law)
     model = FlowModel(points, fixed)
     count, free = len(points), len(model.free)
     if count <= free:
         raise InputError("flow.too_few_points", count=count, free=free, names=[*model.free], least=free + 1)
-    refuse_rising_flow(points)
+    reject_rising_flow(points)
     fit = fit_flow(model)
-    choked = all_choked(fit)
+    choked = fit_all_choked(fit)
     estimates = choked_estimates(fit, choked) if choked else law_estimates(fit)
-    used = choked or fit
-    other = None if choked else other_law(fit)
-    if other:
-        estimates = united(estimates, law_estimates(other[1]))
-    tests, influence = _tests(used), _influence(used)
-    doubts = suspicions(fit, estimates, tests, other)
-    found = doubts + findings(used, estimates, tests, influence, choked is not None)
-    remarks = replace_uncertain_findings(found, estimates) + notes_of(notes)
-    if doubts:  # however narrow the intervals are
+    accepted = choked or fit
+    alternative = None if choked else find_other_law(fit)
+    if alternative:
+        estimates = widen_estimates(estimates, law_estimates(alternative[1]))
+    tests, influence = _tests(accepted), _influence(accepted)
+    doubts = suspicions(fit, estimates, tests, alternative)
+    remarks = doubts + findings(accepted, estimates, tests, influence, choked is not None)
+    remarks = replace_uncertain_findings(remarks, estimates) + notes_of(notes)
+    if doubts:  # independent of the width of the intervals
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
-    prefix, rows = f"{part}." if part else "", used.gain[0][: len(used.model.free)]
+    prefix, rows = f"{part}." if part else "", accepted.gain[0][: len(accepted.model.free)]
     return Result(
         method="flow",
         title=title,
         parameters={f"{prefix}{name}": estimate for name, estimate in estimates.items()},
-        residuals={"points.mass_flow_rate": ResidualSummary.of(used.modelled, points.mass_flow_rate, "kg/s")},
-        correlation=correlations([f"{prefix}{name}" for name in used.model.free], rows @ rows.T),
+        residuals={"points.mass_flow_rate": ResidualSummary.of(accepted.modelled, points.mass_flow_rate, "kg/s")},
+        correlation=correlations([f"{prefix}{name}" for name in accepted.model.free], rows @ rows.T),
         comparison=tests
-        | ({"alternatives": _alternative(fit, *other)} if other else {})
+        | ({"alternatives": _alternative(fit, *alternative)} if alternative else {})
         | {
-            "standard_formulas": _by_standard(fit, subsonic_index, cracking_pressure),
-            "uncertainty": {f"{prefix}{name}": row for name, row in budgets(used).items()},
-            "common_errors": {effect.source: size for size, effect in used.model.common_errors(used.x)},
+            "standard_formulas": _evaluate_standard(fit, subsonic_index, cracking_pressure),
+            "uncertainty": {f"{prefix}{name}": row for name, row in budgets(accepted).items()},
+            "common_errors": {effect.source: size for size, effect in accepted.model.common_errors(accepted.x)},
             "influence": influence,
         },
         remarks=remarks,
-        conditions=_conditions(used, fixed),
-        series=_series(used),
+        conditions=_conditions(accepted, fixed),
+        series=_series(accepted),
     )
 
 
-def _fixed(given: Mapping[str, float | Free]) -> dict[str, float]:
+def _read_fixed(law: Mapping[str, float | Free]) -> dict[str, float]:
     fixed = {}
     with ErrorCollector() as errors:
-        for name, value in given.items():
+        for name, value in law.items():
             if not isinstance(value, str):
                 fixed[name] = float(value)
-                outside = problem(name, float(value), DOMAINS[name])
-                errors.extend([outside] if outside else [])
+                error = problem(name, float(value), DOMAINS[name])
+                errors.extend([error] if error else [])
             elif value != "free":
                 errors.add("flow.number_or_free", name, value=value)
     return fixed
 
 
 def _tests(fit: FlowFit) -> dict[str, Any]:
-    """Chi-square, runs and information criterion of the residuals."""
+    """Return chi-square, runs test and information criterion of the residuals."""
     n = len(fit.model.points)
     order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
     return {
@@ -184,29 +183,30 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
     }
 
 
-def _alternative(fit: FlowFit, name: str, other: FlowFit) -> dict[str, Any]:
-    """The law that explains the points better, as `identify tank` writes it."""
-    row = {key: {"value": e.value, "low": e.low, "high": e.high} for key, e in law_estimates(other).items()}
-    return {name: {"aicc_difference": other.aicc - fit.aicc, "free": row}}
+def _alternative(fit: FlowFit, name: str, better: FlowFit) -> dict[str, Any]:
+    """Return a better law in the form of `identify tank`."""
+    row = {key: {"value": e.value, "low": e.low, "high": e.high} for key, e in law_estimates(better).items()}
+    return {name: {"aicc_difference": better.aicc - fit.aicc, "free": row}}
 
 
 def _influence(fit: FlowFit) -> dict[str, list[float]]:
-    """Shift of each number when a point is left out, in its standard errors, by point."""
+    """Return the shift of each parameter without each point, in standard errors."""
     shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:, : len(fit.model.points)]
     shifts /= np.maximum(np.linalg.norm(fit.gain[0], axis=1), 1e-300)[:, None]
-    # Common errors stand behind the free numbers, and are of no interest here.
+    # Common errors follow the free parameters and are omitted here.
     return {name: row.tolist() for name, row in zip(fit.model.free, shifts, strict=False)}
 
 
-def _by_standard(fit: FlowFit, subsonic_index: float | Free, cracking_pressure: float | Free) -> dict[str, Any]:
+def _evaluate_standard(fit: FlowFit, subsonic_index: float | Free, cracking_pressure: float | Free) -> dict[str, Any]:
+    """Return the results of the formulas in the standard."""
     points = fit.model.points
-    found = evaluate_by_standard(points, subsonic_index, cracking_pressure)
-    errors = standard_uncertainties(points, found, subsonic_index, cracking_pressure)
+    evaluation = evaluate_by_standard(points, subsonic_index, cracking_pressure)
+    errors = standard_uncertainties(points, evaluation, subsonic_index, cracking_pressure)
     doubtful = fit.values["critical_ratio"] < float(np.min(points.pressure_ratio))
     row: dict[str, Any] = {"note": "No point is saturated: C is a lower and b an upper bound." if doubtful else ""}
     for name, error in zip(UNITS, errors, strict=True):
-        row |= {name: getattr(found, name), f"u_{name}": float(error)}
-    return row | {"saturated_points": list(found.saturated), "subsonic_points": list(found.subsonic)}
+        row |= {name: getattr(evaluation, name), f"u_{name}": float(error)}
+    return row | {"saturated_points": list(evaluation.saturated), "subsonic_points": list(evaluation.subsonic)}
 
 
 def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
@@ -224,7 +224,7 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
 
 
 def _series(fit: FlowFit) -> dict[str, Any]:
-    """Measured and modelled effective conductance over the pressure ratio."""
+    """Return the measured and modelled effective conductance versus the pressure ratio."""
     points = fit.model.points
     order = np.argsort(points.pressure_ratio, kind="stable")
     modelled = conductance_of(fit.modelled, points.pressure_1, points.temperature_1)

@@ -1,4 +1,4 @@
-"""Points of a steady flow bench: what was read, how well it was read, and readings that cannot be."""
+"""Points of a steady flow bench, with the uncertainties of the instruments."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from poppet.timeseries.checks import FloatArray, numbers
 from poppet.timeseries.recording import Recording
 
 CHANNELS = {"mass_flow_rate": "kg/s", "pressure_1": "Pa", "pressure_2": "Pa", "temperature_1": "K"}
-"""What a bench reads at every point, with SI units."""
+"""Quantities of each point, with their SI units."""
 
 TEMPERATURES = (200.0, 450.0)
-"""Air of a flow bench; 20 degC read as 20 K lies far outside [K]."""
+"""Plausible temperatures of air; they exclude 20 degC that was read as 20 K [K]."""
 
 
 @dataclass(frozen=True)
@@ -29,17 +29,17 @@ class Instrument:
     Parameters
     ----------
     absolute : float, optional
-        Independent from point to point: noise, resolution; in the SI unit of the channel.
+        Independent at each point (noise, resolution), in the SI unit of the channel.
     relative : float, optional
-        Independent from point to point, as a fraction of the reading.
+        Independent at each point, as a fraction of the reading.
     offset : float, optional
-        The same for all points: zero error; in the SI unit of the channel.
+        Common to all points (zero error), in the SI unit of the channel.
     calibration : float, optional
-        The same for all points, as a fraction of the reading: scale error.
+        Common to all points (scale error), as a fraction of the reading.
 
     Notes
     -----
-    A data sheet that states limits +- a without a distribution means a/sqrt(3) (GUM, 4.3.7).
+    Limits +/- a without a distribution correspond to a standard uncertainty of a/sqrt(3) (GUM, 4.3.7).
 
     Examples
     --------
@@ -58,52 +58,52 @@ class Instrument:
 
     @property
     def is_noisy(self) -> bool:
-        """True when an uncertainty from point to point is known."""
+        """True if an uncertainty that is independent at each point is stated."""
         return self.absolute > 0.0 or self.relative > 0.0
 
 
 @dataclass(frozen=True)
 class Effect:
-    """An error common to all points, of one standard deviation."""
+    """Common error of all points, of one standard deviation."""
 
-    source: str  # for the budget
-    channels: tuple[str, ...]  # readings that it moves
-    offset: float  # by this much, in the SI unit of the channel,
-    calibration: float  # and by this fraction of the reading
+    source: str  # name in the uncertainty budget
+    channels: tuple[str, ...]  # readings that the error shifts
+    offset: float  # shift of the readings, in the SI unit of the channel
+    calibration: float  # shift as a fraction of the reading
 
 
 @dataclass(frozen=True, eq=False)
 class FlowPoints:
-    """Steady points of a flow bench, checked.
+    """Steady points of a flow bench.
 
     Parameters
     ----------
     mass_flow_rate : (n,) array
-        From port 1 to port 2, not below zero [kg/s].
+        From port 1 to port 2, not negative [kg/s].
     pressure_1 : (n,) array
         Absolute upstream stagnation pressure [Pa].
     pressure_2 : (n,) array
-        Absolute downstream pressure, not above `pressure_1` where there is flow [Pa].
+        Absolute downstream pressure, at most `pressure_1` at points with flow [Pa].
     temperature_1 : (n,) array or float
-        Upstream stagnation temperature; one for all points or one each [K].
+        Upstream stagnation temperature: one value, or one for each point [K].
     u_mass_flow_rate : Instrument, optional
-        Uncertainty of the flow meter; without a part from point to point the scatter is estimated.
+        Uncertainty of the flow meter. Without an independent part, the fit estimates the scatter.
     u_pressure_1 : Instrument, optional
-        Of the upstream transducer.
+        Uncertainty of the upstream sensor.
     u_pressure_2 : Instrument, optional
-        Of the downstream transducer.
+        Uncertainty of the downstream sensor.
     u_temperature_1 : Instrument, optional
-        Of the thermometer.
+        Uncertainty of the temperature sensor.
     u_ambient_pressure : float, optional
-        Standard uncertainty of the barometer where both pressures were read as gauge: it moves both together [Pa].
+        Standard uncertainty of the ambient pressure if both pressures are gauge: its error is common to both [Pa].
     lines : sequence of int, optional
         Line of each point in its file, from 1, for findings.
 
     Raises
     ------
     InputErrors
-        Lengths that differ, values that are not finite, gauge pressures below zero, degC instead of K, flow
-        against the pressure drop: all at once.
+        All errors: different lengths, values that are not finite, gauge pressures below zero, degC instead of K, flow
+        against the pressure drop.
 
     Examples
     --------
@@ -124,20 +124,20 @@ class FlowPoints:
     lines: Sequence[int] = ()
 
     def __post_init__(self) -> None:
-        given = {name: np.atleast_1d(numbers(name, getattr(self, name))) for name in CHANNELS}
-        size = max(array.size for array in given.values())
+        arrays = {name: np.atleast_1d(numbers(name, getattr(self, name))) for name in CHANNELS}
+        size = max(array.size for array in arrays.values())
         if not size:
             raise InputError("flow.no_points", "mass_flow_rate")
         with ErrorCollector() as errors:
-            for name, array in given.items():
-                # What a bench holds may be one number for all points; the flow is what is measured.
+            for name, array in arrays.items():
+                # Conditions of the bench may be one value for all points; the flow needs one for each.
                 if array.ndim != 1 or array.size not in ((size,) if name == "mass_flow_rate" else (1, size)):
                     errors.add("flow.shape", name, shape=str(array.shape), points=size)
-        for name, array in given.items():
+        for name, array in arrays.items():
             object.__setattr__(self, name, np.broadcast_to(array, size).copy())
-        # Values first: directions of values that cannot be say nothing.
-        collect(_value_mistakes(self))
-        collect(_direction_mistakes(self))
+        # Values first: the direction of an invalid value has no meaning.
+        collect(_value_errors(self))
+        collect(_direction_errors(self))
 
     @classmethod
     def from_recording(
@@ -150,20 +150,20 @@ class FlowPoints:
         temperature_1: str,
         **uncertainties: Instrument,
     ) -> FlowPoints:
-        """One point per sample of a recording, whose series have units.
+        """Return one point for each sample of a recording.
 
         Parameters
         ----------
         recording : Recording
-            Of a bench that was steady at every sample.
+            Recording of a bench in steady flow at each sample; its series have units.
         mass_flow_rate : str
-            Name of the series of a mass flow rate, or a volume flow rate in ANR.
+            Name of the series with the mass flow rate, or a volume flow rate in ANR.
         pressure_1 : str
-            Of the upstream pressure; gauge where its unit says so.
+            Name of the series with the upstream pressure; its unit can be gauge.
         pressure_2 : str
-            Of the downstream pressure.
+            Name of the series with the downstream pressure.
         temperature_1 : str
-            Of the upstream temperature.
+            Name of the series with the upstream temperature.
         **uncertainties
             As in `FlowPoints`.
 
@@ -184,16 +184,16 @@ class FlowPoints:
 
     @property
     def pressure_ratio(self) -> FloatArray:
-        """p2/p1 of every point, shape (n,)."""
+        """Pressure ratio p2/p1 of each point, shape (n,)."""
         return self.pressure_2 / self.pressure_1
 
     @property
     def effective_conductance(self) -> FloatArray:
-        """Conductance that would carry the flow if it were choked, shape (n,) [m^3/(s Pa)]."""
+        """Sonic conductance that gives the flow of each point if it is choked, shape (n,) [m^3/(s Pa)]."""
         return conductance_of(self.mass_flow_rate, self.pressure_1, self.temperature_1)
 
     def instrument(self, channel: str) -> Instrument:
-        """Uncertainty of one channel.
+        """Return the uncertainty of one channel.
 
         Parameters
         ----------
@@ -204,69 +204,75 @@ class FlowPoints:
         -------
         Instrument
         """
-        found: Instrument = getattr(self, f"u_{channel}")
-        return found
+        instrument: Instrument = getattr(self, f"u_{channel}")
+        return instrument
 
     def effects(self) -> Iterator[Effect]:
-        """The errors common to all points that the instruments may have."""
+        """Yield the common errors of the instruments."""
         for channel in CHANNELS:
-            known = self.instrument(channel)
-            if known.calibration:
-                yield Effect(f"calibration of {channel}", (channel,), 0.0, known.calibration)
-            if known.offset:
-                yield Effect(f"offset of {channel}", (channel,), known.offset, 0.0)
+            instrument = self.instrument(channel)
+            if instrument.calibration:
+                yield Effect(f"calibration of {channel}", (channel,), 0.0, instrument.calibration)
+            if instrument.offset:
+                yield Effect(f"offset of {channel}", (channel,), instrument.offset, 0.0)
         if self.u_ambient_pressure:
             yield Effect("ambient pressure", ("pressure_1", "pressure_2"), self.u_ambient_pressure, 0.0)
 
 
 def conductance_of(flow: FloatArray, pressure_1: FloatArray, temperature_1: FloatArray) -> FloatArray:
-    """Effective conductance, without a check: a closed passage may read a little below zero."""
+    """Return the effective conductance; a flow slightly below zero is valid here."""
     choked = mass_flow_rate(pressure_1, 0.0, temperature_1, sonic_conductance=1.0, critical_ratio=0.0)
     return np.asarray(flow / choked)
 
 
-def _value_mistakes(points: FlowPoints) -> list[InputError]:
+def _value_errors(points: FlowPoints) -> list[InputError]:
+    """Return errors for invalid readings."""
     low, high = TEMPERATURES
     flow, p_1, p_2, temperature = (getattr(points, name) for name in CHANNELS)
-    beyond = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
-    found: list[InputError] = []
+    is_implausible = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
+    errors: list[InputError] = []
     for name in CHANNELS:
         values, largest = getattr(points, name), sizes_of(CHANNELS[name])[1]
-        found += _first("flow.not_finite", points, name, ~np.isfinite(values))
-        found += _first(
+        errors += _first_error("flow.not_finite", points, name, ~np.isfinite(values))
+        errors += _first_error(
             "flow.too_large", points, name, np.isfinite(values) & (np.abs(values) > largest), largest=largest
         )
-    found += _first("flow.upstream", points, "pressure_1", p_1 <= 0.0)
-    found += _first("flow.downstream", points, "pressure_2", p_2 < 0.0)
-    found += _first("flow.temperature", points, "temperature_1", beyond, low=low, high=high)
+    errors += _first_error("flow.upstream", points, "pressure_1", p_1 <= 0.0)
+    errors += _first_error("flow.downstream", points, "pressure_2", p_2 < 0.0)
+    errors += _first_error("flow.temperature", points, "temperature_1", is_implausible, low=low, high=high)
     if np.isfinite(flow).all() and not (flow > 0.0).any():
-        found.append(InputError("flow.no_flow", "mass_flow_rate"))
-    return found
+        errors.append(InputError("flow.no_flow", "mass_flow_rate"))
+    return errors
 
 
-def _direction_mistakes(points: FlowPoints) -> list[InputError]:
-    """Flow against the pressure drop, beyond what noise explains."""
+def _direction_errors(points: FlowPoints) -> list[InputError]:
+    """Return errors for flow against the pressure drop that exceeds the noise."""
     noise = 3.0 * (points.u_mass_flow_rate.absolute + points.u_mass_flow_rate.offset)
     least = np.maximum(noise, 0.01 * np.max(points.mass_flow_rate))
-    backwards = points.mass_flow_rate < -least
+    is_negative = points.mass_flow_rate < -least
     drop, transducers = points.pressure_1 - points.pressure_2, (points.u_pressure_1, points.u_pressure_2)
-    against = points.mass_flow_rate > least
-    against &= drop < -3.0 * sum(known.absolute + known.offset for known in transducers) - 1e-3 * points.pressure_1
-    backward = _first("flow.backwards", points, "mass_flow_rate", backwards)
-    return [*backward, *_first("flow.against", points, "pressure_2", against)]
+    is_reversed = points.mass_flow_rate > least
+    is_reversed &= (
+        drop
+        < -3.0 * sum(instrument.absolute + instrument.offset for instrument in transducers) - 1e-3 * points.pressure_1
+    )
+    backward = _first_error("flow.backwards", points, "mass_flow_rate", is_negative)
+    return [*backward, *_first_error("flow.against", points, "pressure_2", is_reversed)]
 
 
-def _first(code: str, points: FlowPoints, name: str, bad: NDArray[np.bool_], **facts: Any) -> list[InputError]:
-    """The mistake at the first bad point, with how many more there are."""
-    if not bad.any():
+def _first_error(
+    code: str, points: FlowPoints, name: str, is_invalid: NDArray[np.bool_], **facts: Any
+) -> list[InputError]:
+    """Return an error for the first invalid point, with the number of invalid points."""
+    if not is_invalid.any():
         return []
-    k, count = int(np.argmax(bad)), int(np.sum(bad))
+    k, count = int(np.argmax(is_invalid)), int(np.sum(is_invalid))
     facts |= {"value": float(getattr(points, name)[k]), "unit": CHANNELS[name], "place": k}
     return [OutOfRangeError(code, name, several=count if count > 1 else None, **facts)]
 
 
-def refuse_rising_flow(points: FlowPoints) -> None:
-    """Raise where the effective conductance rises with p2/p1, which no fixed passage does."""
+def reject_rising_flow(points: FlowPoints) -> None:
+    """Raise if the effective conductance rises with p2/p1, which is impossible for a fixed flow path."""
     order = np.argsort(points.pressure_ratio)
     ratio, conductance = points.pressure_ratio[order], points.effective_conductance[order]
     third = max(len(points) // 3, 1)

@@ -1,4 +1,4 @@
-"""Evaluation of a flow bench by the standard's formulas: C from saturated points, b from each subsonic one."""
+"""Formulas of ISO 6358-1: C from saturated points and b from each subsonic point."""
 
 from __future__ import annotations
 
@@ -14,13 +14,13 @@ from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of
 from poppet.timeseries.checks import FloatArray
 
 PLATEAU = 0.005
-"""How far below the mean of the saturated points an effective conductance may lie and still count as saturated."""
+"""Relative deviation below the mean of the saturated points up to which a point is saturated."""
 
 Free = Literal["free"]
 
 
 def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) -> Any:
-    r"""Relative standard uncertainty of the sonic conductance from one choked point.
+    r"""Return the relative standard uncertainty of the sonic conductance from one choked point.
 
     .. math:: \frac{u(C)}{C} = \sqrt{u_q^2 + u_p^2 + (u_T/2)^2}
 
@@ -39,7 +39,7 @@ def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) ->
 def critical_ratio_uncertainty(
     pressure_ratio: Any, flow_ratio: Any, u_pressure_ratio: Any, u_flow_ratio: Any, subsonic_index: Any = 0.5
 ) -> Any:
-    r"""Standard uncertainty of the critical ratio from one subsonic point.
+    r"""Return the standard uncertainty of the critical ratio from one subsonic point.
 
     .. math::
 
@@ -49,8 +49,8 @@ def critical_ratio_uncertainty(
 
     Notes
     -----
-    No cracking pressure; r and the flow ratio independent. First order: points near r = 1 and near a flow
-    ratio of 1 are the worst, and there also the least well described.
+    The formula is of first order, without a cracking pressure, for independent errors of r and the flow ratio. The
+    uncertainty is largest near r = 1 and near a flow ratio of 1; the formula is also least accurate there.
 
     Examples
     --------
@@ -65,25 +65,25 @@ def critical_ratio_uncertainty(
 
 @dataclass(frozen=True)
 class StandardEvaluation:
-    """What the standard's formulas give."""
+    """Results of the formulas in the standard."""
 
     sonic_conductance: float  # mean over the saturated points [m^3/(s Pa)]
-    critical_ratio: float  # weighted mean over the subsonic points; not-a-number without any
+    critical_ratio: float  # weighted mean over the subsonic points; NaN without these
     subsonic_index: float
     cracking_pressure: float  # [Pa]
-    saturated: tuple[int, ...]  # places of the points taken for choked
-    subsonic: tuple[int, ...]  # and of those from which b was computed
+    saturated: tuple[int, ...]  # indices of the choked points
+    subsonic: tuple[int, ...]  # indices of the points that give b
 
     @property
     def numbers(self) -> FloatArray:
-        """C, b, m and cracking pressure in this order."""
+        """Values of C, b, m and cracking pressure, in this order."""
         return np.array([self.sonic_conductance, self.critical_ratio, self.subsonic_index, self.cracking_pressure])
 
 
 def evaluate_by_standard(
     points: FlowPoints, subsonic_index: float | Free = 0.5, cracking_pressure: float | Free = 0.0
 ) -> StandardEvaluation:
-    r"""C, b (and m, cracking pressure) by the standard's formulas.
+    r"""Return C, b, m and cracking pressure from the formulas of the standard.
 
     .. math::
 
@@ -113,19 +113,21 @@ def evaluate_by_standard(
     saturated = _plateau(points)
     flow_ratio = points.effective_conductance / float(np.mean(points.effective_conductance[saturated]))
     tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
-    below = ~np.isin(np.arange(len(points)), saturated) & (flow_ratio > tolerance) & (flow_ratio < 1.0 - tolerance)
-    subsonic = np.flatnonzero(below & (points.pressure_ratio < 1.0))
+    is_subsonic = (
+        ~np.isin(np.arange(len(points)), saturated) & (flow_ratio > tolerance) & (flow_ratio < 1.0 - tolerance)
+    )
+    subsonic = np.flatnonzero(is_subsonic & (points.pressure_ratio < 1.0))
     sets = tuple(saturated.tolist()), tuple(subsonic.tolist())
-    return _evaluate(_seen(points, {}), *sets, subsonic_index, cracking_pressure)
+    return _evaluate(_shift_readings(points, {}), *sets, subsonic_index, cracking_pressure)
 
 
 def standard_uncertainties(
     points: FlowPoints,
-    found: StandardEvaluation,
+    evaluation: StandardEvaluation,
     subsonic_index: float | Free = 0.5,
     cracking_pressure: float | Free = 0.0,
 ) -> FloatArray:
-    r"""Combined standard uncertainties of the standard's evaluation, by moving each reading in turn.
+    r"""Return the combined standard uncertainties, from a shift of each reading.
 
     .. math:: u^2(y) = \sum_i [y(x_i + u_i) - y(x_i)]^2
 
@@ -133,43 +135,45 @@ def standard_uncertainties(
     ----------
     JCGM 100:2008 (GUM), 5.1.3, note 2: the same numerically.
     """
-    sets = found.saturated, found.subsonic
-    warm = (found.critical_ratio, found.subsonic_index, found.cracking_pressure)
+    sets = evaluation.saturated, evaluation.subsonic
+    warm = (evaluation.critical_ratio, evaluation.subsonic_index, evaluation.cracking_pressure)
     total = np.zeros(4)
-    for moved in _moved(points, found):
-        again = _evaluate(moved, *sets, subsonic_index, cracking_pressure, warm)
-        total += (again.numbers - found.numbers) ** 2
+    for readings in _perturb_readings(points, evaluation):
+        shifted = _evaluate(readings, *sets, subsonic_index, cracking_pressure, warm)
+        total += (shifted.numbers - evaluation.numbers) ** 2
     return np.sqrt(total)
 
 
-class _Seen(NamedTuple):
-    """What the formulas see of the points."""
+class StandardReadings(NamedTuple):
+    """Readings that the formulas use."""
 
-    conductance: FloatArray  # effective one
+    conductance: FloatArray  # effective conductance
     ratio: FloatArray
     pressure_1: FloatArray
 
 
-def _seen(points: FlowPoints, shifts: Mapping[str, FloatArray]) -> _Seen:
-    """Readings with errors, not checked: a moved one may lie a little outside what a bench can show."""
+def _shift_readings(points: FlowPoints, shifts: Mapping[str, FloatArray]) -> StandardReadings:
+    """Return shifted readings, without a check: they can be slightly invalid."""
     flow, p_1, p_2, temperature = (getattr(points, c) + shifts.get(c, 0.0) for c in CHANNELS)
-    return _Seen(conductance_of(flow, p_1, temperature), p_2 / p_1, p_1)
+    return StandardReadings(conductance_of(flow, p_1, temperature), p_2 / p_1, p_1)
 
 
-def _moved(points: FlowPoints, found: StandardEvaluation) -> Iterator[_Seen]:
-    """The points with one error of one standard deviation each: per reading, then the common ones."""
-    used = (*found.saturated, *found.subsonic)
+def _perturb_readings(points: FlowPoints, evaluation: StandardEvaluation) -> Iterator[StandardReadings]:
+    """Yield readings with one error of one standard deviation: each reading, then each common error."""
+    indices = (*evaluation.saturated, *evaluation.subsonic)
     for channel in CHANNELS:
         reading = getattr(points, channel)
-        known = points.instrument(channel)
-        spread = np.hypot(known.absolute, known.relative * reading)
-        if channel == "mass_flow_rate" and not known.is_noisy and len(found.saturated) > 1:
-            plateau = points.effective_conductance[list(found.saturated)]
-            spread = np.full(len(points), np.std(plateau, ddof=1) / np.mean(plateau) * np.max(reading))
-        for k in used if spread.any() else ():
-            yield _seen(points, {channel: np.where(np.arange(len(points)) == k, spread, 0.0)})
+        instrument = points.instrument(channel)
+        sigma = np.hypot(instrument.absolute, instrument.relative * reading)
+        if channel == "mass_flow_rate" and not instrument.is_noisy and len(evaluation.saturated) > 1:
+            plateau = points.effective_conductance[list(evaluation.saturated)]
+            sigma = np.full(len(points), np.std(plateau, ddof=1) / np.mean(plateau) * np.max(reading))
+        for k in indices if sigma.any() else ():
+            yield _shift_readings(points, {channel: np.where(np.arange(len(points)) == k, sigma, 0.0)})
     for effect in points.effects():
-        yield _seen(points, {c: effect.offset + effect.calibration * getattr(points, c) for c in effect.channels})
+        yield _shift_readings(
+            points, {c: effect.offset + effect.calibration * getattr(points, c) for c in effect.channels}
+        )
 
 
 def _relative_scatter(points: FlowPoints) -> float:
@@ -178,7 +182,7 @@ def _relative_scatter(points: FlowPoints) -> float:
 
 
 def _plateau(points: FlowPoints) -> NDArray[np.int64]:
-    """Points from the lowest p2/p1 on, as long as the effective conductance stays."""
+    """Return the points from the lowest p2/p1 up to a fall of the effective conductance."""
     order = np.argsort(points.pressure_ratio, kind="stable")
     conductance = points.effective_conductance[order]
     tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
@@ -189,23 +193,23 @@ def _plateau(points: FlowPoints) -> NDArray[np.int64]:
 
 
 def _evaluate(
-    seen: _Seen,
+    readings: StandardReadings,
     saturated: tuple[int, ...],
     subsonic: tuple[int, ...],
     subsonic_index: float | Free,
     cracking_pressure: float | Free,
     warm: tuple[float, float, float] = (0.3, 0.5, 0.0),
 ) -> StandardEvaluation:
-    conductance = float(np.mean(seen.conductance[list(saturated)]))
-    every, ratio, pressure = (series[list(subsonic)] for series in seen)
-    flow_ratio = every / conductance
+    conductance = float(np.mean(readings.conductance[list(saturated)]))
+    conductances, ratio, pressure = (series[list(subsonic)] for series in readings)
+    flow_ratio = conductances / conductance
     free = {"subsonic_index": subsonic_index == "free", "cracking_pressure": cracking_pressure == "free"}
     index = warm[1] if subsonic_index == "free" else subsonic_index
     cracking = warm[2] if cracking_pressure == "free" else cracking_pressure
     if len(subsonic) < 1 + sum(free.values()):
         return StandardEvaluation(conductance, math.nan, index, cracking, saturated, subsonic)
     if any(free.values()):
-        numbers = _by_least_squares(ratio, flow_ratio, pressure, (warm[0], index, cracking), free)
+        numbers = _fit_ratio(ratio, flow_ratio, pressure, (warm[0], index, cracking), free)
     else:
         numbers = (_mean_critical_ratio(ratio, flow_ratio, index, cracking / pressure), index, cracking)
     return StandardEvaluation(conductance, *numbers, saturated, subsonic)
@@ -213,7 +217,7 @@ def _evaluate(
 
 def _mean_critical_ratio(ratio: FloatArray, flow_ratio: FloatArray, index: float, cracking: FloatArray) -> float:
     phi = np.minimum(flow_ratio, 1.0 - 1e-12)
-    # With a tiny m the points say nothing of b: it is NaN then.
+    # If m is very small, the points do not determine b, and the result is NaN.
     with np.errstate(all="ignore"):
         s = np.sqrt(1.0 - phi ** (1.0 / index))
         single = (ratio - s * (1.0 - cracking)) / (1.0 - s)
@@ -221,33 +225,35 @@ def _mean_critical_ratio(ratio: FloatArray, flow_ratio: FloatArray, index: float
         return float(np.sum(weight * single) / np.sum(weight))
 
 
-def _by_least_squares(
+def _fit_ratio(
     ratio: FloatArray,
     flow_ratio: FloatArray,
     pressure: FloatArray,
     warm: tuple[float, float, float],
     free: dict[str, bool],
 ) -> tuple[float, float, float]:
-    """b with m, cracking pressure or both, from the flow ratios."""
+    """Fit b with m, the cracking pressure or both to the flow ratios."""
     from scipy.optimize import least_squares
 
     size = float(np.mean(pressure))
-    used = [True, free["subsonic_index"], free["cracking_pressure"]]
+    is_free = [True, free["subsonic_index"], free["cracking_pressure"]]
     start = np.array([warm[0], warm[1], warm[2] / size])
     highest = 0.99 * float(np.min((1.0 - ratio) * pressure)) / size
     low, high = np.array([-1.0, 0.05, 0.0]), np.array([0.99, 3.0, max(highest, 1e-6)])
 
-    def numbers(free_ones: FloatArray) -> FloatArray:
+    def numbers(free_values: FloatArray) -> FloatArray:
         full = start.copy()
-        full[used] = free_ones
+        full[is_free] = free_values
         return full
 
-    def misfit(free_ones: FloatArray) -> FloatArray:
-        b, m, cracking = numbers(free_ones)
+    def misfit(free_values: FloatArray) -> FloatArray:
+        b, m, cracking = numbers(free_values)
         opens = 1.0 - cracking * size / pressure
         position = np.clip((1.0 - ratio - cracking * size / pressure) / (opens - b), 0.0, 1.0)
         return np.asarray((position * (2.0 - position)) ** m - flow_ratio)
 
-    inside = np.clip(start, low + 1e-9, high - 1e-9)[used]
-    found = numbers(least_squares(misfit, inside, bounds=(low[used], high[used]), xtol=1e-12, ftol=1e-12).x)
-    return float(found[0]), float(found[1]), float(found[2] * size)
+    start_point = np.clip(start, low + 1e-9, high - 1e-9)[is_free]
+    solution = numbers(
+        least_squares(misfit, start_point, bounds=(low[is_free], high[is_free]), xtol=1e-12, ftol=1e-12).x
+    )
+    return float(solution[0]), float(solution[1]), float(solution[2] * size)

@@ -1,13 +1,13 @@
-"""Stiffness and damping of bristles from what happens behind reversals.
+"""Stiffness and damping of bristles from the friction after reversals.
 
-Behind a reversal the bristles of the LuGre model bend over a way of the order of g/sigma_0, whatever the time that it
-takes. Where g hardly changes on that way their law has the solution
+After a reversal, the bristles of the LuGre model deflect within a distance of about g/sigma_0, independent of time. If
+g is almost constant over this distance, the solution is
 
     sigma_0 z(d) = g - (g + g_0) exp(-sigma_0 int dd/g)
 
-so that no equation has to be integrated; small strokes behind a large one begin where the one before ended. The damping
-adds sigma_1 times the rate of z. The levels g are those of the steady rows; what is sought is sigma_0, sigma_1, and
-where the way begins, for a turning point is the extreme of a position with noise.
+and needs no integration. Small strokes after a large stroke start at the deflection at which the previous stroke
+ended. The damping adds sigma_1 times the rate of z. The levels g are those of the steady rows. The unknowns are
+sigma_0, sigma_1 and the start of the distance, because the turning point is the extreme of a noisy position.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from poppet.identify.friction.coordinate import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
-from poppet.identify.friction.friction_fit import Solution
+from poppet.identify.friction.friction_fit import LawSolution
 from poppet.identify.friction.motion import BENT, WAYS, RecordedMotion, Reversal
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import WEAK
@@ -28,89 +28,91 @@ from poppet.laws.physics.friction import sliding_level
 from poppet.timeseries.checks import FloatArray
 
 FEWEST, STEPS = 3, 48
-"""Reversals, and stiffnesses that are tried."""
+"""Minimum number of reversals, and number of stiffnesses on the grid."""
 SHIFTS = np.linspace(-2.0, 2.0, 9)
-"""Begins of the way that are tried, in resolutions of the position."""
+"""Shifts of the start of the distance, in resolutions of the position."""
 FINE, SHARP = 3.0, 4.0
-"""Resolutions that the bristles have to bend over for their stiffness to be seen, and roundings of the corner."""
+"""Minimum bending distance, in resolutions of the position and in roundings of the corner."""
 SMEARED = 0.5
-"""Window of the velocities over the time in which bristles bend, above which their damping is smoothed away."""
+"""Ratio of velocity window to bending time above which the damping is not identifiable."""
 
 
 @dataclass(frozen=True)
 class Bristles:
-    """What the reversals say of stiffness and damping."""
+    """Estimate of stiffness and damping from reversals."""
 
     stiffness: float  # [N/m]
     low: float
     high: float
     error: float
-    way: float  # over which they bend, g/sigma_0 [m]
-    resolution: float  # of the position, one sigma [m]
-    rms: float  # missed behind reversals with bristles [N]
-    rms_without: float  # and with a force that changes sides at once
+    way: float  # bending distance g/sigma_0 [m]
+    resolution: float  # standard deviation of the position [m]
+    rms: float  # rms error after reversals with bristles [N]
+    rms_without: float  # rms error with a sudden change of the force [N]
     reversals: int
     damping: float  # [N s/m]
     damping_low: float
     damping_high: float
     damping_error: float
-    late: float  # damping that a sample between force and position looks like [N s/m]
-    window: float  # of the velocities behind reversals [s]
-    bending: float  # how long the bristles take to bend over [s]
+    late: float  # apparent damping by a delay of one sample [N s/m]
+    window: float  # window of the velocities after reversals [s]
+    bending: float  # bending time [s]
 
     @property
     def is_seen(self) -> bool:
-        """True where the position resolves the bending."""
+        """True if the position resolves the bending distance."""
         return self.way > FINE * self.resolution and math.isfinite(self.high)
 
     @property
     def is_coarse(self) -> bool:
-        """True where samples or velocities are too far apart for the damping, whatever comes out."""
+        """True if the sample time or the velocity window is too large for an estimate of the damping."""
         return self.window > SMEARED * self.bending or self.late > WEAK * abs(self.damping_high)
 
     @property
     def is_late(self) -> bool:
-        """True where the force follows the bending, which no damping does."""
+        """True if the force is delayed, which a damping cannot explain."""
         return self.damping_high < 0.0
 
     @property
     def is_damped(self) -> bool:
-        """True where the damping is known to be above zero."""
+        """True if the damping is significantly above zero."""
         return self.is_seen and not self.is_coarse and self.damping_low > 0.0
 
 
-def bristles_of(motions: Sequence[RecordedMotion], levels: Solution, distance: float) -> Bristles | None:
-    """Stiffness and damping at which friction behind reversals follows the LuGre model; None with too few of them.
+def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distance: float) -> Bristles | None:
+    """Fit stiffness and damping of the LuGre model to the friction after reversals.
 
-    `distance` is that behind which everything slides; so much is compared.
+    The fit uses samples up to `distance`, after which the body slides. The result is None for too few reversals.
     """
-    turns = usable(motions, levels, distance)
+    turns = usable_reversals(motions, levels, distance)
     if len(turns) < FEWEST or distance <= 0.0:
         return None
-    level = float(np.mean([each.level[-1] for each in turns]))
+    level = float(np.mean([turn.level[-1] for turn in turns]))
     resolution = max(motion.resolution for motion in motions)
-    ways = np.geomspace(distance, max(resolution / FINE, 1e-3 * distance), STEPS)
-    sums = _sums(turns, level / ways, resolution * SHIFTS)
-    group = [each.record for each in turns]
-    group = group if len(set(group)) >= FEWEST else [*range(len(turns))]
-    known, logarithms = sorted(set(group)), np.log(level / ways)
-    best, unshifted = _answer(logarithms, sums), _answer(logarithms, sums[:, SHIFTS.size // 2 : SHIFTS.size // 2 + 1])
-    left = np.array([_answer(logarithms, sums[:, :, np.array(group) != k])[:2] for k in known])
-    scatter = np.sqrt((len(known) - 1) / len(known) * np.sum((left - left.mean(axis=0)) ** 2, axis=0))
-    cover = coverage_factor(len(known) - 1.0)
+    distances = np.geomspace(distance, max(resolution / FINE, 1e-3 * distance), STEPS)
+    sums = _sums(turns, level / distances, resolution * SHIFTS)
+    group_of_turn = [turn.record for turn in turns]
+    group_of_turn = group_of_turn if len(set(group_of_turn)) >= FEWEST else [*range(len(turns))]
+    groups, logarithms = sorted(set(group_of_turn)), np.log(level / distances)
+    best, unshifted = (
+        _find_minimum(logarithms, sums),
+        _find_minimum(logarithms, sums[:, SHIFTS.size // 2 : SHIFTS.size // 2 + 1]),
+    )
+    jackknife = np.array([_find_minimum(logarithms, sums[:, :, np.array(group_of_turn) != k])[:2] for k in groups])
+    scatter = np.sqrt((len(groups) - 1) / len(groups) * np.sum((jackknife - jackknife.mean(axis=0)) ** 2, axis=0))
+    cover = coverage_factor(len(groups) - 1.0)
     stiffness = math.exp(best[0])
-    # The corner of a reversal is rounded off, which no scatter shows: half of that way is taken as unknown.
-    rounded = 0.5 * float(np.mean([each.rounding for each in turns])) / (level / stiffness)
-    # Over the logarithm: a stiffness is known to a factor. What the begin of the way changes is not known: the
-    # interval holds the answer without a shift too.
+    # The scatter does not show the rounding of the corner: half of it is an uncertainty.
+    rounded = 0.5 * float(np.mean([turn.rounding for turn in turns])) / (level / stiffness)
+    # The interval is logarithmic and includes the estimate without a shift, because the start is uncertain.
     half = math.hypot(cover * scatter[0], rounded)
-    late = stiffness * max(each.step for each in turns)
-    bending = level / stiffness / max(float(np.median([each.speed for each in turns])), 1e-300)
-    window = float(np.median([each.window for each in turns]))
-    # A velocity is smoothed over its window, in which the bristles bend on.
-    damped = math.hypot(cover * scatter[1], late, window / bending * best[1])
+    apparent_damping = stiffness * max(turn.step for turn in turns)
+    bending = level / stiffness / max(float(np.median([turn.speed for turn in turns])), 1e-300)
+    window = float(np.median([turn.window for turn in turns]))
+    # The window smooths the velocity while the bristles deflect.
+    half_damping = math.hypot(cover * scatter[1], apparent_damping, window / bending * best[1])
     is_end = best[0] >= logarithms[-1] - 1e-9
-    samples = sum(each.wanted.size for each in turns)
+    samples = sum(turn.measured.size for turn in turns)
     return Bristles(
         stiffness=stiffness,
         low=math.exp(min(best[0], unshifted[0]) - half),
@@ -119,68 +121,68 @@ def bristles_of(motions: Sequence[RecordedMotion], levels: Solution, distance: f
         way=level / stiffness,
         resolution=resolution,
         rms=math.sqrt(max(best[2], 0.0) / samples),
-        rms_without=math.sqrt(sum(each.at_once() for each in turns) / samples),
+        rms_without=math.sqrt(sum(turn.sudden_change_cost() for turn in turns) / samples),
         reversals=len(turns),
         damping=best[1],
-        damping_low=min(best[1], unshifted[1]) - damped,
-        damping_high=max(best[1], unshifted[1]) + damped,
+        damping_low=min(best[1], unshifted[1]) - half_damping,
+        damping_high=max(best[1], unshifted[1]) + half_damping,
         damping_error=float(scatter[1]),
-        late=late,
+        late=apparent_damping,
         window=window,
         bending=bending,
     )
 
 
-def usable(motions: Sequence[RecordedMotion], levels: Solution, distance: float) -> list[Turn]:
-    """Reversals whose corner the samples show, behind strokes on which all bristles bent over, or in a row from one."""
+def usable_reversals(motions: Sequence[RecordedMotion], levels: LawSolution, distance: float) -> list[ReversalData]:
+    """Return resolved reversals after a complete deflection, or in a chain that starts with one."""
     decay = distance / (WAYS * -math.log(0.5 * (1.0 - BENT)))
-    turns: list[Turn] = []
+    turns: list[ReversalData] = []
     for motion in motions:
         last = -2
-        for each in motion.reversals:
-            is_long = each.before > 2.0 * distance
-            if (is_long or each.stroke == last + 1) and SHARP * each.rounding < decay:
-                turn = Turn.of(each, levels, distance, is_chained=not is_long)
-                if turn.wanted.size >= FEWEST:
-                    turns.append(turn)
-                    last = each.stroke
+        for reversal in motion.reversals:
+            is_long = reversal.previous_length > 2.0 * distance
+            if (is_long or reversal.stroke == last + 1) and SHARP * reversal.rounding < decay:
+                model = ReversalData.of(reversal, levels, distance, is_chained=not is_long)
+                if model.measured.size >= FEWEST:
+                    turns.append(model)
+                    last = reversal.stroke
     return turns
 
 
 @dataclass(frozen=True, eq=False)
-class Turn:
-    """A reversal as the model needs it, arrays of shape (n,)."""
+class ReversalData:
+    """Data of a reversal for the bristle model, arrays of shape (n,)."""
 
-    way: FloatArray  # [m]
-    level: FloatArray  # g at its speed [N]
-    wanted: FloatArray  # what the bristles hold, along the motion [N]
-    rate: FloatArray  # speed along the motion as far as the damping has not faded with it [m/s]
-    lead: FloatArray  # ways from sample to sample before the reversal, for bristles that follow the speed [m]
-    lead_level: FloatArray  # [N]
+    distance: FloatArray  # [m]
+    level: FloatArray  # g at the speed of each sample [N]
+    measured: FloatArray  # measured bristle force along the motion [N]
+    rate: FloatArray  # speed along the motion, times the decay of the damping with speed [m/s]
+    lead_steps: FloatArray  # distances between samples before the reversal [m]
+    lead_level: FloatArray  # g before the reversal [N]
     record: int
-    rounding: float  # of its corner [m]
-    step: float  # from sample to sample [s]
-    speed: float  # the usual one [m/s]
-    window: float  # of the velocity [s]
-    is_chained: bool  # the bristles begin as the reversal before left them
+    rounding: float  # rounding of the corner [m]
+    step: float  # time between samples [s]
+    speed: float  # median speed [m/s]
+    window: float  # window of the velocity [s]
+    is_chained: bool  # True if the bristles start at the deflection of the previous reversal
 
     @classmethod
-    def of(cls, turn: Reversal, levels: Solution, distance: float, *, is_chained: bool) -> Turn:
-        """From the samples of a reversal up to a distance, and the levels of sliding."""
-        own, value, last = turn.distance <= distance, levels.values, turn.last
+    def of(cls, turn: Reversal, levels: LawSolution, distance: float, *, is_chained: bool) -> ReversalData:
+        """Return the data of a reversal up to a distance, with the levels of sliding."""
+        is_within, values, last = turn.distance <= distance, levels.values, turn.last
         assert last is not None
-        # Behind a small stroke the bristles go on from where its own samples ended, else from sliding.
-        lead = last.distance > (distance if is_chained else turn.before - distance)
-        speed = turn.velocity[own]
-        rest = levels.offsets.get(turn.record, 0.0) + value.get(VISCOUS, 0.0) * speed
-        fading = np.exp(-((speed / value[STRIBECK]) ** 2)) if STRIBECK in value else np.ones(speed.size)
+        # After a small stroke, the bristles start at its final deflection, otherwise at sliding.
+        is_lead = last.distance > (distance if is_chained else turn.previous_length - distance)
+        speed = turn.velocity[is_within]
+        offset_and_viscous = levels.offsets.get(turn.record, 0.0) + values.get(VISCOUS, 0.0) * speed
+        fading = np.exp(-((speed / values[STRIBECK]) ** 2)) if STRIBECK in values else np.ones(speed.size)
         return cls(
-            turn.distance[own],
-            _levels(turn, own, value),
-            turn.sign * (turn.friction[own] - rest),
+            turn.distance[is_within],
+            _dry_friction(turn, is_within, values),
+            turn.sign * (turn.friction[is_within] - offset_and_viscous),
             fading * np.maximum(turn.sign * speed, 0.0),
-            np.maximum(np.diff(last.distance[lead], prepend=distance if is_chained else 0.0), 0.0),
-            _levels(last, lead, value),
+            np.maximum(np.diff(last.distance[is_lead], prepend=distance if is_chained else 0.0), 0.0),
+            _dry_friction(last, is_lead, values),
             turn.record,
             turn.rounding,
             turn.step,
@@ -189,62 +191,62 @@ class Turn:
             is_chained,
         )
 
-    def squares(self, stiffness: FloatArray, shifts: FloatArray, held: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Sums of squares and products of what the bristles miss and of their rate, (3, n_shifts, n_stiffnesses).
+    def squares(self, stiffness: FloatArray, shifts: FloatArray, force: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return sums of squares and products of error and rate, (3, n_shifts, n_stiffnesses), and the final force.
 
-        They `held` so much when the samples before ended; what they hold at the end comes behind.
+        `force` is the bristle force at the end of the previous samples.
         """
         if not self.is_chained:
-            held = np.full(held.shape, (self.lead_level if self.lead_level.size else self.level)[0])
-        for way, level in zip(self.lead.tolist(), self.lead_level.tolist(), strict=True):
-            held = level + (held - level) * np.exp(-stiffness / level * way)
-        held = -held
-        ways = np.diff(np.maximum(self.way[:, None] - shifts, 0.0), axis=0, prepend=0.0)
-        sums = np.zeros((3, *held.shape))
+            force = np.full(force.shape, (self.lead_level if self.lead_level.size else self.level)[0])
+        for step, level in zip(self.lead_steps.tolist(), self.lead_level.tolist(), strict=True):
+            force = level + (force - level) * np.exp(-stiffness / level * step)
+        force = -force
+        steps = np.diff(np.maximum(self.distance[:, None] - shifts, 0.0), axis=0, prepend=0.0)
+        sums = np.zeros((3, *force.shape))
         for k, level in enumerate(self.level.tolist()):
-            held = level + (held - level) * np.exp(-stiffness / level * ways[k][:, None])
-            missed, rate = self.wanted[k] - held, self.rate[k] * (1.0 - held / level)
+            force = level + (force - level) * np.exp(-stiffness / level * steps[k][:, None])
+            missed, rate = self.measured[k] - force, self.rate[k] * (1.0 - force / level)
             sums += missed * missed, missed * rate, rate * rate
-        return sums, held
+        return sums, force
 
-    def at_once(self) -> float:
-        """Sum of squares missed by a force that changes sides where the way begins."""
-        held = np.where(self.way > 0.0, self.level, -self.level)
-        return float(np.sum((held - self.wanted) ** 2))
-
-
-def _levels(turn: Reversal, which: Any, value: Mapping[str, float]) -> FloatArray:
-    """Dry friction at the speeds of some samples [N]."""
-    dry = value[COULOMB], value.get(STATIC, value[COULOMB]), value.get(STRIBECK, 1.0)
-    more = value.get(SEAL, 0.0) * turn.pressure[which]
-    return np.asarray(np.maximum(sliding_level(turn.velocity[which], *dry) + more, 1e-9))
+    def sudden_change_cost(self) -> float:
+        """Return the sum of squared errors for a sudden change of the force."""
+        modelled = np.where(self.distance > 0.0, self.level, -self.level)
+        return float(np.sum((modelled - self.measured) ** 2))
 
 
-def _sums(turns: Sequence[Turn], stiffness: FloatArray, shifts: FloatArray) -> FloatArray:
-    """`Turn.squares` of all, shape (3, n_shifts, n_turns, n_stiffnesses)."""
-    found, held = [], np.zeros((shifts.size, stiffness.size))
+def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:
+    """Return the dry friction at the speeds of samples [N]."""
+    dry = values[COULOMB], values.get(STATIC, values[COULOMB]), values.get(STRIBECK, 1.0)
+    seal_friction = values.get(SEAL, 0.0) * turn.pressure[selected]
+    return np.asarray(np.maximum(sliding_level(turn.velocity[selected], *dry) + seal_friction, 1e-9))
+
+
+def _sums(turns: Sequence[ReversalData], stiffness: FloatArray, shifts: FloatArray) -> FloatArray:
+    """Return `squares` of all reversals, shape (3, n_shifts, n_turns, n_stiffnesses)."""
+    sums_of_turns, force = [], np.zeros((shifts.size, stiffness.size))
     for turn in turns:
-        sums, held = turn.squares(stiffness, shifts, held)
-        found.append(sums)
-    return np.stack(found, axis=2)
+        sums, force = turn.squares(stiffness, shifts, force)
+        sums_of_turns.append(sums)
+    return np.stack(sums_of_turns, axis=2)
 
 
-def _answer(places: FloatArray, sums: FloatArray) -> tuple[float, float, float]:
-    """Logarithm of the stiffness, damping and cost where the cost is least, over shifts too."""
+def _find_minimum(grid: FloatArray, sums: FloatArray) -> tuple[float, float, float]:
+    """Return logarithm of the stiffness, damping and cost at the minimum over stiffness and shift."""
     square, product, rates = sums.sum(axis=2)
-    damping = product / np.maximum(rates, 1e-300)  # below zero where the force comes late
+    damping = product / np.maximum(rates, 1e-300)  # negative if the force is delayed
     costs = square - damping * (2.0 * product - damping * rates)
-    shift, best = np.argmin(costs, axis=0), costs.min(axis=0)
-    place = _lowest(places, best)
-    return place, float(np.interp(place, places, damping[shift, np.arange(places.size)])), float(best.min())
+    shift, lowest_costs = np.argmin(costs, axis=0), costs.min(axis=0)
+    optimum = _parabola_minimum(grid, lowest_costs)
+    return optimum, float(np.interp(optimum, grid, damping[shift, np.arange(grid.size)])), float(lowest_costs.min())
 
 
-def _lowest(places: FloatArray, costs: FloatArray) -> float:
-    """Where a cost is least: the vertex of the parabola through the lowest place and its neighbours."""
+def _parabola_minimum(grid: FloatArray, costs: FloatArray) -> float:
+    """Return the vertex of the parabola through the minimum on a grid and its neighbours."""
     k = int(np.argmin(costs))
     if k in (0, costs.size - 1):
-        return float(places[k])
+        return float(grid[k])
     a, b, c = costs[k - 1 : k + 2]
     bend = a - 2.0 * b + c
-    step = float(places[k + 1] - places[k])
-    return float(places[k]) + (0.5 * step * float(a - c) / float(bend) if bend > 0.0 else 0.0)
+    step = float(grid[k + 1] - grid[k])
+    return float(grid[k]) + (0.5 * step * float(a - c) / float(bend) if bend > 0.0 else 0.0)

@@ -1,4 +1,4 @@
-"""What a friction is of, a body on a line or one that turns: names and units of its numbers."""
+"""Coordinates of a body with friction: names and units for translation and rotation."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ BRISTLES, DAMPING = "friction.bristle_stiffness", "friction.bristle_damping"
 
 @dataclass(frozen=True)
 class Coordinate:
-    """How a body moves; the laws are fitted alike, with torques and angles where it turns."""
+    """Kind of motion of a body; a rotation has torques and angles."""
 
     body: str  # kind of the part
     length: str  # SI unit of a position
-    effort: str  # what moves it
+    effort: str  # name of the force or torque
     effort_unit: str
     inertia: str
     inertia_unit: str
@@ -28,22 +28,22 @@ class Coordinate:
         return f"{self.length}/s"
 
     def name(self, number: str) -> str:
-        """A number of a law as the body calls it."""
+        """Return the name of a parameter of a law for this body."""
         return number.replace("_force", f"_{self.effort}")
 
     def unit(self, number: str) -> str:
-        """SI unit of a number of a law."""
+        """Return the SI unit of a parameter of a law."""
         effort, length = self.effort_unit, self.length
         units = {STRIBECK: self.speed, SEAL: "N/Pa", BRISTLES: f"{effort}/{length}"}
         units |= dict.fromkeys((VISCOUS, DAMPING), f"{effort} s/{length}")
         return units.get(number, effort)
 
-    def is_of(self, unit: str, wanted: str) -> bool:
-        """True where a unit is one of what this coordinate calls `position`, `velocity` or its effort."""
-        own = {"position": self.length, "velocity": self.speed, self.effort: self.effort_unit}[wanted]
-        return read_unit(unit).dimension == read_unit(own).dimension
+    def is_of(self, unit: str, quantity: str) -> bool:
+        """Return True if a unit is valid for `position`, `velocity` or the effort."""
+        si_unit = {"position": self.length, "velocity": self.speed, self.effort: self.effort_unit}[quantity]
+        return read_unit(unit).dimension == read_unit(si_unit).dimension
 
 
 ON_LINE = Coordinate("mass", "m", "force", "N", "mass", "kg")
 TURNING = Coordinate("joint", "rad", "torque", "N m", "inertia", "kg m^2")
-COORDINATES = {each.body: each for each in (ON_LINE, TURNING)}
+COORDINATES = {coordinate.body: coordinate for coordinate in (ON_LINE, TURNING)}

@@ -1,4 +1,4 @@
-"""Files that name measured friction: which columns are time, position or velocity, force and pressure."""
+"""Reader of files with measured friction: columns of time, position or velocity, force and pressure."""
 
 from __future__ import annotations
 
@@ -16,34 +16,36 @@ from poppet.core.errors import ErrorCollector, InputError
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind, quantity
-from poppet.identify import columns as shared
+from poppet.identify.columns import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
 from poppet.identify.friction.coordinate import ON_LINE, TURNING, Coordinate
 from poppet.identify.friction.records import FrictionRecord
 
 if TYPE_CHECKING:
     from poppet.timeseries.tables.reading import Table
 
-MOVED = ("position", "velocity")
 PRESSURES = ("pressure", "counter_pressure")
-COLUMNS = ("time", *MOVED, "force", "torque", *PRESSURES)
+COLUMNS = ("time", "position", "velocity", "force", "torque", *PRESSURES)
 TOP_LEVEL = {
-    **shared.TOP_LEVEL,
-    **dict.fromkeys(("cylinder", "law", "within"), Field()),
-    **dict.fromkeys(COLUMNS, Field(type="table")),
+    **FILE_FIELDS,
+    **dict.fromkeys(("cylinder", "law"), Field(type="text")),
+    "within": Field(),
+    **{name: channel_field(name) for name in COLUMNS},
     **dict.fromkeys(("bore", "rod_diameter", "pulley_radius"), Field(unit="m")),
     "area": Field(unit="m^2"),
-    "direction": Field(unit="1"),
+    "direction": Field(unit="1", default=1.0),
     "mass": Field(unit="kg"),
     "inertia": Field(unit="kg m^2"),
     "offset": Field(),
-    **dict.fromkeys(("smoothing", "skip", "until"), Field(unit="s")),
+    "smoothing": Field(unit="s"),
+    "skip": Field(unit="s", default=0.0),
+    "until": Field(unit="s", default=math.inf),
 }
 _FORCE = Field(
     meaning="force or torque",
     example='force = { column = "F", unit = "N" }, or torque = { column = "M", unit = "N m" }',
 )
 CHANNEL_FIELDS = ("column", "value", "unit", "uncertainty")
-OPTIONS = ("smoothing", "mass", "inertia", "pulley_radius")
+OPTIONS = ("smoothing", "mass", "inertia", "pulley_radius", "offset", "cylinder", "law", "part")
 
 
 def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str, Any]]:
@@ -64,17 +66,17 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
     Raises
     ------
     InputErrors
-        With all mistakes, each with its line where it can be told.
+        All errors of the file, each with its line.
 
     Notes
     -----
-    `file` is a table that `poppet` reads, or a list of them, relative to the file. Each channel names a `column`,
-    and its `unit` where the heading has none; a pressure may be a `value`, or a list with one for each file.
-    With a `bore` or an `area` the pressure pushes the body, towards larger positions where `direction` is 1, and what
-    it pushes is not friction. Positive forces act towards larger positions.
+    `file` is a table that `poppet` reads, or a list of tables, relative to the file. Each channel names a `column`; it
+    needs a `unit` if the heading has none. A pressure can also be a `value`, or a list with one value for each file.
+    Positive forces act towards larger positions. With a `bore` or an `area`, the force of the pressure is subtracted;
+    it acts towards larger positions if `direction` is 1.
 
-    A file with a `torque` instead of a force is of a joint: its positions are angles, its `inertia` takes the place of
-    the mass, and a pressure acts over a `pulley_radius`.
+    A file with a `torque` instead of a force describes a joint. Its positions are angles, `inertia` replaces the mass,
+    and a pressure acts at a `pulley_radius`.
 
     Examples
     --------
@@ -102,136 +104,153 @@ def _read(file: TomlFile) -> tuple[list[FrictionRecord], dict[str, Any]]:
     coordinate = TURNING if "torque" in content else ON_LINE
     with ErrorCollector() as errors:
         offset = {"offset": Field(unit=coordinate.effort_unit, choices=("free",))}
-        data = read_fields(errors, content, TOP_LEVEL | offset, table="friction file")
+        fields = read_fields(errors, content, TOP_LEVEL | offset, table="friction file")
         _check_body(errors, content, coordinate)
-        if "velocity" not in data and not {"position", "time"} <= data.keys():
+        if "velocity" not in fields and not {"position", "time"} <= fields.keys():
             errors.add("friction.no_velocity", "velocity")
-        if "bore" in data and "area" in data:
+        if "bore" in fields and "area" in fields:
             errors.add("friction.bore_or_area", "area")
-        if abs(float(data.get("direction", 1.0))) != 1.0:
-            errors.add("bodies.direction", "direction", value=float(data["direction"]))
+        if abs(fields.get("direction", 1.0)) != 1.0:
+            errors.add("bodies.direction", "direction", value=fields["direction"])
+        within = None
+        if "within" in fields:
+            with errors.collecting():
+                within = _read_range(fields["within"], coordinate)
+        names = fields["file"] if isinstance(fields.get("file"), list) else [fields.get("file", "")]
+        ambient_pressure = 0.0
         with errors.collecting():
-            within = _within(data, coordinate)
-        ambient, named_files = 0.0, data.get("file", "")
-        given = named_files if isinstance(named_files, list) else [named_files]
-        with errors.collecting():
-            ambient = shared.ambient_of(data)
-        own = {
-            name: _own(errors, name, data[name], len(given), ambient, coordinate) for name in COLUMNS if name in data
+            ambient_pressure = read_ambient(fields)
+        channels = {
+            channel: _read_channel(errors, channel, fields[channel], len(names), ambient_pressure, coordinate)
+            for channel in COLUMNS
+            if channel in fields
         }
     records, notes = [], list[Note]()
     with ErrorCollector() as errors:
-        for place, name in enumerate(given):
+        for index, name in enumerate(names):
             with errors.collecting():
-                table = shared.table_of(file.folder, name, data)
+                table = open_table(file.folder, name, fields)
                 notes += table.notes
-                records.append(_record(data, own, table, place, ambient, coordinate, Path(str(name)).stem))
-    named = {each: str(data[each]) for each in ("part", "cylinder", "law") if each in data}
-    options = {name: data[name] for name in (*OPTIONS, "offset") if name in data} | named | {"notes": tuple(notes)}
-    return records, options | {"title": str(data.get("title", Path(file.name).stem)), "within": within}
+                columns = _read_columns(channels, table, index, ambient_pressure, coordinate)
+                records.append(_make_record(fields, columns, channels, coordinate, Path(str(name)).stem))
+    options = {name: fields[name] for name in OPTIONS if name in fields}
+    return records, options | {
+        "title": fields.get("title", Path(file.name).stem),
+        "within": within,
+        "notes": tuple(notes),
+    }
 
 
-def _check_body(errors: ErrorCollector, content: Mapping[str, Any], own: Coordinate) -> None:
-    """What moves the body, and nothing of the other kind of body."""
+def _check_body(errors: ErrorCollector, content: Mapping[str, Any], coordinate: Coordinate) -> None:
+    """Check that the fields belong to one kind of body."""
     if "force" in content and "torque" in content:
         errors.add("friction.force_and_torque", "torque")
     unknown = [name for name in content if name not in TOP_LEVEL]
-    if own.effort not in content and not get_close_matches("force", unknown, n=1):
+    if coordinate.effort not in content and not get_close_matches("force", unknown, n=1):
         errors.extend([missing_field("force", _FORCE)])
-    other = ON_LINE if own is TURNING else TURNING
-    for name in (other.inertia, *["pulley_radius"] * (own is ON_LINE)):
+    opposite = ON_LINE if coordinate is TURNING else TURNING
+    for name in (opposite.inertia, *["pulley_radius"] * (coordinate is ON_LINE)):
         if name in content:
-            errors.add("friction.of_other_body", name, body=other.body, effort=own.effort, other=own.body)
-    if own is TURNING and "pressure" in content and "pulley_radius" not in content:
+            errors.add(
+                "friction.of_other_body", name, body=opposite.body, effort=coordinate.effort, other=coordinate.body
+            )
+    if coordinate is TURNING and "pressure" in content and "pulley_radius" not in content:
         errors.add("friction.no_radius", "pulley_radius")
 
 
-def _check_unit(errors: ErrorCollector, channel: str, unit: str, own: Coordinate) -> bool:
-    """False where a unit is that of the same channel of the other kind of body."""
-    other = ON_LINE if own is TURNING else TURNING
-    with suppress(InputError):  # an unknown unit is said where the column is read
-        if channel in (*MOVED, own.effort) and other.is_of(unit, other.effort if channel == own.effort else channel):
-            errors.add("friction.mixture", channel, unit=unit, effort=own.effort)
+def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate: Coordinate) -> bool:
+    """Return False, and add an error, if a unit belongs to the other kind of body."""
+    opposite = ON_LINE if coordinate is TURNING else TURNING
+    with suppress(InputError):  # `read_column` reports an unknown unit
+        if channel in ("position", "velocity", coordinate.effort) and opposite.is_of(
+            unit, opposite.effort if channel == coordinate.effort else channel
+        ):
+            errors.add("friction.mixture", channel, unit=unit, effort=coordinate.effort)
             return False
     return True
 
 
-def _within(data: Mapping[str, Any], own: Coordinate) -> tuple[float, float] | None:
-    given = data.get("within")
-    if given is None:
-        return None
-    with ErrorCollector() as errors:
-        is_pair = isinstance(given, list) and len(given) == 2
-        ends = [quantity(each, own.length, name="within").value for each in given] if is_pair else [0.0, 0.0]
-        if not ends[0] < ends[1]:
-            errors.add("friction.within", "within", value=given)
-    return ends[0], ends[1]
+def _read_range(raw: Any, coordinate: Coordinate) -> tuple[float, float]:
+    """Return the range of positions that the identification uses."""
+    is_pair = isinstance(raw, list) and len(raw) == 2
+    low, high = [quantity(end, coordinate.length, name="within").value for end in raw] if is_pair else [0.0, 0.0]
+    if not low < high:
+        raise InputError("friction.within", "within", value=raw)
+    return low, high
 
 
-def _own(
-    errors: ErrorCollector, channel: str, given: Mapping[str, Any], files: int, ambient: float, coordinate: Coordinate
+def _read_channel(
+    errors: ErrorCollector, channel: str, raw: Any, n_files: int, ambient_pressure: float, coordinate: Coordinate
 ) -> dict[str, Any]:
-    """What a channel says; the values of a pressure as a list, gauge."""
-    fields = dict.fromkeys(("column", "unit"), Field())
+    """Read the table of a channel; the values of a pressure become a list of gauge pressures."""
+    declared = dict.fromkeys(("column", "unit"), Field())
     if channel in PRESSURES:
-        fields["value"] = Field()
+        declared["value"] = Field()
     if channel == coordinate.effort:
-        fields["uncertainty"] = Field(unit=coordinate.effort_unit)
-    own = read_fields(errors, given, fields, channel, table="channel")
-    if ("column" in given) == ("value" in given):
+        declared["uncertainty"] = Field(unit=coordinate.effort_unit)
+    fields = read_fields(errors, raw, declared, channel, table="channel")
+    if ("column" in raw) == ("value" in raw):
         errors.add("friction.column_or_value" if channel in PRESSURES else "friction.no_column", channel)
-    if "unit" in own:
-        _check_unit(errors, channel, str(own["unit"]), coordinate)
-    if "value" in own:
-        values = own["value"] if isinstance(own["value"], list) else [own["value"]] * files
-        if len(values) != files:
-            errors.add("friction.values", f"{channel}.value", count=len(values), files=files)
+    if "unit" in fields:
+        _has_valid_unit(errors, channel, str(fields["unit"]), coordinate)
+    if "value" in fields:
+        values = fields["value"] if isinstance(fields["value"], list) else [fields["value"]] * n_files
+        if len(values) != n_files:
+            errors.add("friction.values", f"{channel}.value", count=len(values), files=n_files)
         with errors.collecting():
-            read = [quantity(each, "Pa", kind="pressure", name=f"{channel}.value") for each in values]
-            own["value"] = [each.value - (0.0 if each.reference == "gauge" else ambient) for each in read]
-    return own
+            pressures = [quantity(value, "Pa", kind="pressure", name=f"{channel}.value") for value in values]
+            fields["value"] = [p.value - (0.0 if p.reference == "gauge" else ambient_pressure) for p in pressures]
+    return fields
 
 
-def _record(
-    data: Mapping[str, Any],
-    own: Mapping[str, Mapping[str, Any]],
+def _read_columns(
+    channels: Mapping[str, Mapping[str, Any]],
     table: Table,
-    place: int,
-    ambient: float,
+    index: int,
+    ambient_pressure: float,
     coordinate: Coordinate,
-    name: str,
-) -> FrictionRecord:
-    """One table or recording, in SI, without what is skipped."""
-    found: dict[str, Any] = {}
+) -> dict[str, Any]:
+    """Read the channels of a table in SI units; pressures are gauge."""
+    columns: dict[str, Any] = {}
     units = {"time": "s", "position": coordinate.length, "velocity": coordinate.speed}
+    units |= dict.fromkeys(PRESSURES, "Pa")
     with ErrorCollector() as errors:
-        for channel, told in own.items():
-            if "value" in told:
-                found[channel] = np.full(table.columns[0].size, told["value"][place])
+        for channel, fields in channels.items():
+            if "value" in fields:
+                columns[channel] = np.full(table.columns[0].size, fields["value"][index])
                 continue
             with errors.collecting():
                 kind: Kind = "pressure" if channel in PRESSURES else "plain"
-                unit = "Pa" if channel in PRESSURES else units.get(channel, coordinate.effort_unit)
-                heading = "" if "unit" in told else table.units[table.index(told["column"])]
-                if _check_unit(errors, channel, heading, coordinate):
-                    values, _, _ = shared.column(channel, told, table, unit, kind, ambient)
-                    found[channel] = values - ambient if kind == "pressure" else values
-    if "time" in found:
-        since = found["time"] - found["time"][0]
-        kept = (since >= data.get("skip", 0.0)) & (since <= data.get("until", math.inf))
-        found = {channel: values[kept] for channel, values in found.items()}
-    gauge, counter = (found.pop(each, None) for each in PRESSURES)
-    more: dict[str, Any] = {}
+                heading_unit = "" if "unit" in fields else table.units[table.index(fields["column"])]
+                if _has_valid_unit(errors, channel, heading_unit, coordinate):
+                    unit = units.get(channel, coordinate.effort_unit)
+                    values = read_column(channel, fields, table, unit, kind, ambient_pressure).values
+                    columns[channel] = values - ambient_pressure if kind == "pressure" else values
+    return columns
+
+
+def _make_record(
+    fields: Mapping[str, Any],
+    columns: Mapping[str, Any],
+    channels: Mapping[str, Mapping[str, Any]],
+    coordinate: Coordinate,
+    name: str,
+) -> FrictionRecord:
+    """Return the record of a table, without the samples outside `skip` and `until`."""
+    arrays = dict(columns)
+    if "time" in arrays:
+        elapsed = arrays["time"] - arrays["time"][0]
+        is_selected = (elapsed >= fields["skip"]) & (elapsed <= fields["until"])
+        arrays = {channel: values[is_selected] for channel, values in arrays.items()}
+    gauge, counter = (arrays.pop(channel, None) for channel in PRESSURES)
     if gauge is not None:
-        behind = np.zeros(gauge.shape) if counter is None else counter
-        more["pressure"] = gauge - behind
-        area = data.get("area", 0.25 * math.pi * data.get("bore", 0.0) ** 2)
-        ring = area - 0.25 * math.pi * data.get("rod_diameter", 0.0) ** 2
+        counter = np.zeros(gauge.shape) if counter is None else counter
+        arrays["pressure"] = gauge - counter
+        area = fields.get("area", 0.25 * math.pi * fields.get("bore", 0.0) ** 2)
+        annulus = area - 0.25 * math.pi * fields.get("rod_diameter", 0.0) ** 2
         if area > 0.0:
-            more["pressure_force"] = (
-                data.get("pulley_radius", 1.0) * data.get("direction", 1.0) * (area * gauge - ring * behind)
-            )
-    if "uncertainty" in own[coordinate.effort]:
-        more["uncertainty"] = own[coordinate.effort]["uncertainty"]
-    more |= {"body": coordinate.body, "name": name}
-    return FrictionRecord(force=found.pop(coordinate.effort), **found, **more)
+            lever = fields.get("pulley_radius", 1.0) * fields["direction"]
+            arrays["pressure_force"] = lever * (area * gauge - annulus * counter)
+    if "uncertainty" in channels[coordinate.effort]:
+        arrays["uncertainty"] = channels[coordinate.effort]["uncertainty"]
+    return FrictionRecord(force=arrays.pop(coordinate.effort), **arrays, body=coordinate.body, name=name)

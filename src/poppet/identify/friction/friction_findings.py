@@ -1,4 +1,4 @@
-"""What a reader has to know of a friction that was found: the verdict on its law, and what the data do not say."""
+"""Findings of a friction identification: the supported law, and limits of the data."""
 
 from __future__ import annotations
 
@@ -18,75 +18,94 @@ from poppet.identify.gum import coverage_factor
 from poppet.identify.result import judged
 
 SMEARED = 1.5
-"""Misfit of lines over the windows, in noises, above which a motion is faster than its smoothing."""
-PLACES, UNEVEN = 8, 0.05
-"""Parts of the stroke that are compared, and the part of friction by which they have to differ to be said."""
+"""Residual of lines through the windows, in standard deviations, above which the window is too long."""
+ZONES, UNEVEN = 8, 0.05
+"""Number of ranges of the stroke, and minimum relative difference of their friction that is reported."""
 
 
-def findings(found: FrictionFits, asked: str) -> Iterator[Note]:
-    """The most important first, each with the units that its words show."""
-    own = found.coordinate
-    units = {"effort": own.effort, "effort_unit": own.effort_unit, "length": own.length, "speed": own.speed}
-    for note in _findings(found, asked):
+def findings(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
+    """Yield the findings, the most important first, with the units that their texts need."""
+    coordinate = analysis.coordinate
+    units = {
+        "effort": coordinate.effort,
+        "effort_unit": coordinate.effort_unit,
+        "length": coordinate.length,
+        "speed": coordinate.speed,
+    }
+    for note in _findings(analysis, requested_law):
         yield Note(note.code, note.address, **note.facts, **{n: units[n] for n in facts_of(note.code) & units.keys()})
 
 
-def _findings(found: FrictionFits, asked: str) -> Iterator[Note]:
-    yield from _verdict(found, asked)
-    yield from _open(found)
-    yield from _bristles(found)
-    yield from _pressure(found)
-    yield from _sides(found)
-    yield from _break_away(found)
-    yield from _places(found)
-    yield from _noise(found)
-    yield from _velocity(found)
-    at_zero = [found.coordinate.name(name) for name, value in found.fit.values.items() if value <= 0.0]
+def _findings(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
+    yield from _verdict(analysis, requested_law)
+    yield from _bounds(analysis)
+    yield from _bristles(analysis)
+    yield from _pressure(analysis)
+    yield from _sides(analysis)
+    yield from _break_away(analysis)
+    yield from _positions(analysis)
+    yield from _noise(analysis)
+    yield from _velocity(analysis)
+    at_zero = [analysis.coordinate.name(name) for name, value in analysis.fit.values.items() if value <= 0.0]
     if at_zero:
         yield Note("friction.at_zero", names=at_zero)
 
 
-def _verdict(found: FrictionFits, asked: str) -> Iterator[Note]:
-    fits, best = found.fits, min(found.fits, key=lambda name: found.fits[name].held_out_rms)
+def _verdict(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
+    fits, best = analysis.fits, min(analysis.fits, key=lambda name: analysis.fits[name].held_out_rms)
     errors = {name: fits[name].held_out_rms for name in sorted(fits, key=lambda name: fits[name].held_out_rms)}
-    facts = {"law": found.supported, "errors": errors, "axis": found.data.axis, "groups": int(found.data.groups.size)}
-    others = [name for name in found.alike if name != found.supported]
-    worse = [name for name in fits if name not in found.alike]
-    yield Note("friction.supported", **facts, others=others, worse=worse, best=best)
-    if found.chosen != found.supported and asked in fits:
-        yield Note("friction.not_supported", chosen=found.chosen, law=found.supported)
+    facts = {
+        "law": analysis.supported,
+        "errors": errors,
+        "axis": analysis.data.axis,
+        "groups": int(analysis.data.groups.size),
+    }
+    equivalent = [name for name in analysis.equivalent if name != analysis.supported]
+    worse = [name for name in fits if name not in analysis.equivalent]
+    yield Note("friction.supported", **facts, others=equivalent, worse=worse, best=best)
+    if analysis.selected != analysis.supported and requested_law in fits:
+        yield Note("friction.not_supported", chosen=analysis.selected, law=analysis.supported)
     if left_out := [name for name in LAWS if name not in fits]:
         yield Note("friction.not_told", laws=left_out)
-    others_at = found.fit.others
-    within = [each for each in others_at if each.cost <= max(e.cost for e in [*found.fit.allowed, found.fit.solution])]
-    if within:
-        here = {found.coordinate.name(name).partition(".")[2]: value for name, value in found.fit.values.items()}
-        there = {found.coordinate.name(name).partition(".")[2]: value for name, value in within[0].values.items()}
-        yield Note("friction.other_minimum", here=here, there=there)
+    minima = analysis.fit.other_minima
+    equivalent_minima = [
+        minimum
+        for minimum in minima
+        if minimum.cost <= max(e.cost for e in [*analysis.fit.allowed, analysis.fit.solution])
+    ]
+    if equivalent_minima:
+        best_values = {
+            analysis.coordinate.name(name).partition(".")[2]: value for name, value in analysis.fit.values.items()
+        }
+        other_values = {
+            analysis.coordinate.name(name).partition(".")[2]: value
+            for name, value in equivalent_minima[0].values.items()
+        }
+        yield Note("friction.other_minimum", here=best_values, there=other_values)
 
 
-def _open(found: FrictionFits) -> Iterator[Note]:
-    """Numbers that the law does not have, as far as the data bound them."""
-    low, high = found.speeds
-    if found.is_narrow:
+def _bounds(analysis: FrictionFits) -> Iterator[Note]:
+    """Yield bounds on parameters that the law does not have."""
+    low, high = analysis.speeds
+    if analysis.is_narrow:
         yield Note("friction.narrow", low=low, high=high, ratio=high / low)
-    missing = [name for name in (VISCOUS, STATIC, STRIBECK) if name not in found.fit.values]
+    missing = [name for name in (VISCOUS, STATIC, STRIBECK) if name not in analysis.fit.values]
     richer = {VISCOUS: "coulomb_viscous", STATIC: "stribeck", STRIBECK: "stribeck"}
     for name in missing:
-        law = "stribeck_viscous" if VISCOUS in found.fit.values or STATIC in found.fit.values else richer[name]
-        if law in found.fits:
-            fit = found.fits[law]
+        law = "stribeck_viscous" if VISCOUS in analysis.fit.values or STATIC in analysis.fit.values else richer[name]
+        if law in analysis.fits:
+            fit = analysis.fits[law]
             _, bottom, top = fit.interval(name)
             verdict = judged(max(top - fit.values[name], fit.values[name] - bottom), fit.values[name])
             adds = top * high if name == VISCOUS else None
-            bounds = {"low": bottom, "high": top, "unit": found.coordinate.unit(name), "adds": adds}
-            yield Note("friction.bounded", found.coordinate.name(name), **bounds, law=law, verdict=verdict)
+            bounds = {"low": bottom, "high": top, "unit": analysis.coordinate.unit(name), "adds": adds}
+            yield Note("friction.bounded", analysis.coordinate.name(name), **bounds, law=law, verdict=verdict)
 
 
-def _bristles(found: FrictionFits) -> Iterator[Note]:
-    bristles = found.bristles
+def _bristles(analysis: FrictionFits) -> Iterator[Note]:
+    bristles = analysis.bristles
     if bristles is None:
-        yield Note("friction.no_reversals", count=found.reversals)
+        yield Note("friction.no_reversals", count=analysis.reversals)
     elif bristles.is_seen:
         facts = {"way": bristles.way, "rms": bristles.rms, "without": bristles.rms_without}
         yield Note("friction.bristles", **facts, count=bristles.reversals, resolution=bristles.resolution)
@@ -101,62 +120,62 @@ def _bristles(found: FrictionFits) -> Iterator[Note]:
         yield Note("friction.bristles_unresolved", resolution=bristles.resolution, low=bristles.low)
 
 
-def _pressure(found: FrictionFits) -> Iterator[Note]:
-    rows = found.data.rows
-    levels = levels_of(found)
-    if not found.data.has_pressure:
-        if any(record.pressure is not None for record in found.records):
+def _pressure(analysis: FrictionFits) -> Iterator[Note]:
+    rows = analysis.data.rows
+    levels = levels_of(analysis)
+    if not analysis.data.has_pressure:
+        if any(record.pressure is not None for record in analysis.records):
             yield Note("friction.one_pressure", pressure=float(np.mean(rows.pressure)))
         else:
             yield Note("friction.no_pressure")
     elif len(levels) > 1:
-        off = [each["level"] - each["line"] for each in levels]
-        worst = int(np.argmax(np.abs(off)))
-        yield Note("friction.between", off=off[worst], name=levels[worst]["name"], count=len(levels))
+        deviations = [row["level"] - row["line"] for row in levels]
+        worst = int(np.argmax(np.abs(deviations)))
+        yield Note("friction.between", off=deviations[worst], name=levels[worst]["name"], count=len(levels))
         if len(levels) == 2:
             yield Note("friction.two_pressures")
-    told = [each for each in levels if "moves" in each and found.records[0].pressure_force is not None]
-    moved = [each["half_of_force"] - each["level"] for each in told]
-    if told and max(map(abs, moved)) > UNEVEN * max(each["level"] for each in told):
-        crude = [each["half_of_force"] for each in told]
-        moves = 2.0 * max(abs(each["moves"]) for each in told)
-        yield Note("friction.pressure_moves", crude=crude, level=[e["level"] for e in told], moves=moves)
+    bidirectional = [row for row in levels if "moves" in row and analysis.records[0].pressure_force is not None]
+    differences = [row["half_of_force"] - row["level"] for row in bidirectional]
+    if bidirectional and max(map(abs, differences)) > UNEVEN * max(row["level"] for row in bidirectional):
+        crude = [row["half_of_force"] for row in bidirectional]
+        moves = 2.0 * max(abs(row["moves"]) for row in bidirectional)
+        yield Note("friction.pressure_moves", crude=crude, level=[row["level"] for row in bidirectional], moves=moves)
 
 
-def _sides(found: FrictionFits) -> Iterator[Note]:
-    """Whether friction is the same both ways, as far as the zero of the force is known."""
-    data, rows = found.data, found.data.rows
-    if found.is_one_way:
-        yield Note("friction.one_side", assumed=not found.is_zero_given)
+def _sides(analysis: FrictionFits) -> Iterator[Note]:
+    """Yield findings on a difference of friction between the directions."""
+    data, rows = analysis.data, analysis.data.rows
+    if analysis.is_one_way:
+        yield Note("friction.one_side", assumed=not analysis.is_offset_known)
         return
     if data.free_offsets:
-        yield Note("friction.sides_open", offsets=[*found.fit.solution.offsets.values()])
+        yield Note("friction.sides_open", offsets=[*analysis.fit.solution.offsets.values()])
         return
-    law, values = found.fit.solution.law, found.fit.values
+    law, values = analysis.fit.solution.law, analysis.fit.values
     columns = design(rows, law, values.get(STRIBECK, 1.0), (), has_pressure=data.has_pressure)
     matrix = np.column_stack([np.ones(len(rows)), columns]) * np.sqrt(rows.weight)[:, None]
     linear, *_ = np.linalg.lstsq(matrix, rows.friction * np.sqrt(rows.weight), rcond=None)
     errors = matrix @ linear - rows.friction * np.sqrt(rows.weight)
     spread = clustered(matrix, errors, data.group, 1)
     half = coverage_factor(float(spread.freedom[0])) * math.sqrt(float(spread.covariance[0, 0]))
-    level = max(float(np.mean(np.abs(found.fit.solution.friction(rows)))), 1e-300)
+    level = max(float(np.mean(np.abs(analysis.fit.solution.friction(rows)))), 1e-300)
     facts = {"value": float(linear[0]), "half": half, "part": 100.0 * float(linear[0]) / level}
     yield Note("friction.lopsided" if abs(linear[0]) > half else "friction.even", **facts)
 
 
-def _break_away(found: FrictionFits) -> Iterator[Note]:
-    """Peaks at the begin of strokes, over what chance makes of as many blocks in their middle."""
-    rows, solution, excess, levels = found.all_rows, found.fit.solution, [], []
-    along = rows.sign * (rows.friction - solution.zero(rows))
+def _break_away(analysis: FrictionFits) -> Iterator[Note]:
+    """Yield a finding on peaks at the start of strokes that exceed those in their middle."""
+    rows, solution, excess, levels = analysis.all_rows, analysis.fit.solution, [], []
+    friction_along_motion = rows.sign * (rows.friction - solution.zero(rows))
     for k in np.unique(rows.stroke[rows.stroke >= 0]):
-        own = np.flatnonzero(rows.stroke == k)
-        first = own[rows.distance[own] <= 3.0 * found.distance]
-        rest = own[rows.distance[own] > 3.0 * found.distance]
-        if first.size >= 2 and rest.size >= 2 * first.size:
-            middle = (rest.size - first.size) // 2
-            control = rest[middle : middle + first.size]
-            excess.append(float(np.max(along[first]) - np.max(along[control])))
-            levels.append(float(np.median(along[rest])))
+        indices = np.flatnonzero(rows.stroke == k)
+        first = indices[rows.distance[indices] <= 3.0 * analysis.distance]
+        steady = indices[rows.distance[indices] > 3.0 * analysis.distance]
+        if first.size >= 2 and steady.size >= 2 * first.size:
+            middle = (steady.size - first.size) // 2
+            control = steady[middle : middle + first.size]
+            excess.append(float(np.max(friction_along_motion[first]) - np.max(friction_along_motion[control])))
+            levels.append(float(np.median(friction_along_motion[steady])))
     if len(excess) < 4:
         return
     mean, error = float(np.mean(excess)), float(np.std(excess, ddof=1)) / math.sqrt(len(excess))
@@ -164,43 +183,48 @@ def _break_away(found: FrictionFits) -> Iterator[Note]:
         yield Note("friction.break_away", excess=mean, error=error, level=float(np.mean(levels)), count=len(excess))
 
 
-def _places(found: FrictionFits) -> Iterator[Note]:
-    """Whether friction is the same all over the stroke."""
-    rows = found.data.rows
+def _positions(analysis: FrictionFits) -> Iterator[Note]:
+    """Yield a finding on friction that depends on the position."""
+    rows = analysis.data.rows
     if np.isnan(rows.position).any() or (rows.stroke < 0).all():
         return
     ends = np.quantile(rows.position, [0.0, 1.0])
-    part = np.minimum((PLACES * (rows.position - ends[0]) / np.ptp(ends)).astype(int), PLACES - 1)
-    more = -rows.sign * found.fit.errors  # measurement above the law
-    means = np.array([np.mean(more[part == k]) if (part == k).sum() > 3 else math.nan for k in range(PLACES)])
+    zone = np.minimum((ZONES * (rows.position - ends[0]) / np.ptp(ends)).astype(int), ZONES - 1)
+    excess = -rows.sign * analysis.fit.errors  # measurement minus law
+    means = np.array([np.mean(excess[zone == k]) if (zone == k).sum() > 3 else math.nan for k in range(ZONES)])
     if np.isnan(means).all():
         return
-    level = max(float(np.mean(np.abs(found.fit.solution.friction(rows)))), 1e-300)
+    level = max(float(np.mean(np.abs(analysis.fit.solution.friction(rows)))), 1e-300)
     worst = int(np.nanargmax(np.abs(means)))
     if abs(means[worst]) > UNEVEN * level:
-        place = [float(ends[0] + (worst + each) / PLACES * np.ptp(ends)) for each in (0, 1)]
-        yield Note("friction.places", off=float(means[worst]), part=100.0 * float(means[worst]) / level, place=place)
+        range_of_positions = [float(ends[0] + (worst + end) / ZONES * np.ptp(ends)) for end in (0, 1)]
+        yield Note(
+            "friction.places",
+            off=float(means[worst]),
+            part=100.0 * float(means[worst]) / level,
+            place=range_of_positions,
+        )
 
 
-def _noise(found: FrictionFits) -> Iterator[Note]:
-    stated = [record.uncertainty for record in found.records if record.uncertainty is not None]
+def _noise(analysis: FrictionFits) -> Iterator[Note]:
+    stated = [record.uncertainty for record in analysis.records if record.uncertainty is not None]
     if stated:
-        noise, rms = float(np.median(np.concatenate(stated))), float(np.sqrt(np.mean(found.fit.errors**2)))
+        noise, rms = float(np.median(np.concatenate(stated))), float(np.sqrt(np.mean(analysis.fit.errors**2)))
         if rms > 2.0 * noise:
             yield Note("friction.misfit", rms=rms, noise=noise, factor=rms / noise)
 
 
-def _velocity(found: FrictionFits) -> Iterator[Note]:
-    timed = [(r.name, m) for r, m in zip(found.records, found.motions, strict=True) if r.is_motion]
+def _velocity(analysis: FrictionFits) -> Iterator[Note]:
+    timed = [(r.name, m) for r, m in zip(analysis.records, analysis.motions, strict=True) if r.is_motion]
     if not timed:
         return
-    windows = [each for _, motion in timed for each in motion.windows]
-    noise = max(each for _, motion in timed for each in motion.velocity_noise)
+    windows = [value for _, motion in timed for value in motion.windows]
+    noise = max(value for _, motion in timed for value in motion.velocity_noise)
     facts = {
         "windows": [min(windows), max(windows)],
         "bandwidths": [HALF_POWER / w for w in (max(windows), min(windows))],
     }
-    yield Note("friction.velocity", **facts, noise=noise, distance=found.distance)
+    yield Note("friction.velocity", **facts, noise=noise, distance=analysis.distance)
     if left_out := sum(motion.left_out for _, motion in timed):
         yield Note("friction.short_strokes", count=left_out, least=FEWEST * SHORTEST)
     if smeared := [name for name, motion in timed if motion.smear > SMEARED]:

@@ -1,4 +1,4 @@
-"""From records to fitted laws: what slides, what is held out, which law the data support."""
+"""Selection of sliding rows from records, and fits of all friction laws."""
 
 from __future__ import annotations
 
@@ -11,86 +11,85 @@ from typing import Any
 import numpy as np
 
 from poppet.core.errors import ErrorCollector, InputError
-from poppet.identify.friction.bristles import Bristles, bristles_of
+from poppet.identify.friction.bristles import Bristles, fit_bristles
 from poppet.identify.friction.coordinate import Coordinate
-from poppet.identify.friction.friction_fit import LAWS, Data, LawFit, fit_law, supported
+from poppet.identify.friction.friction_fit import LAWS, FrictionData, FrictionLawFit, fit_friction_law, select_law
 from poppet.identify.friction.motion import (
     RecordedMotion,
-    Rows,
+    SlidingRows,
     bending_distances,
     is_steady,
-    of_motion,
-    of_table,
-    stacked,
+    rows_of_recording,
+    rows_of_table,
+    stack_rows,
 )
 from poppet.identify.friction.records import FrictionRecord
 from poppet.timeseries.checks import FloatArray
 
 LUGRE = "lugre"
 NARROW = 5.0
-"""Fastest over slowest speed below which neither a viscous part nor a Stribeck velocity can be told apart."""
+"""Ratio of speeds below which a viscous part and a Stribeck velocity are not identifiable."""
 LEVELS_DIFFER, LEAST_PRESSURE = 0.1, 2e3
-"""Part of the largest pressure difference over which they have to go for the seals' part to be sought, and a pressure
-that gauges resolve [Pa]."""
+"""Minimum range of pressure differences for a fit of the seal friction: relative to the maximum, and absolute [Pa]."""
 
 
 @dataclass(frozen=True, eq=False)
 class FrictionFits:
-    """Everything that was found, for findings, pictures and the result."""
+    """Fits of all laws, with the data for findings, figures and the result."""
 
     records: tuple[FrictionRecord, ...]
     motions: tuple[RecordedMotion, ...]
-    data: Data
-    distance: float  # way behind a reversal that is no steady sliding, the usual one [m]
-    fits: Mapping[str, LawFit]
-    supported: str  # the simplest law that no other beats
-    alike: tuple[str, ...]  # laws that cannot be told from the best
-    chosen: str
-    is_zero_given: bool = True  # of the force, or free: else it was taken for right
+    data: FrictionData
+    distance: float  # median distance after a reversal before steady sliding [m]
+    fits: Mapping[str, FrictionLawFit]
+    supported: str  # simplest law that no other law improves significantly
+    equivalent: tuple[str, ...]  # laws that are equivalent to the best
+    selected: str  # law of the result
+    is_offset_known: bool = True  # True if the offset of the force is given or free
 
     @property
     def coordinate(self) -> Coordinate:
-        """How the body moves."""
+        """Kind of motion of the body."""
         return self.records[0].coordinate
 
     @property
     def is_one_way(self) -> bool:
-        """True where all data slide in one direction."""
+        """True if all rows slide in one direction."""
         return bool(np.ptp(self.data.rows.sign) == 0.0)
 
     @property
-    def fit(self) -> LawFit:
-        """The law that was taken."""
-        return self.fits[self.chosen]
+    def fit(self) -> FrictionLawFit:
+        """Fit of the selected law."""
+        return self.fits[self.selected]
 
     @cached_property
     def speeds(self) -> tuple[float, float]:
-        """The slowest and the fastest, but for the outermost fiftieths [m/s]."""
+        """Quantiles of the speed at 2 % and 98 % [m/s]."""
         low, high = np.quantile(np.abs(self.data.rows.velocity), [0.02, 0.98]).tolist()
         return low, high
 
     @property
     def is_narrow(self) -> bool:
-        """True where the speeds do not tell the parts of friction."""
+        """True if the range of speeds is too small for the parts of friction."""
         return self.speeds[1] < NARROW * self.speeds[0]
 
     @cached_property
-    def all_rows(self) -> Rows:
-        """Those in which bristles bend among them."""
-        return stacked([motion.rows for motion in self.motions])
+    def all_rows(self) -> SlidingRows:
+        """All rows, including those with deflecting bristles."""
+        return stack_rows([motion.rows for motion in self.motions])
 
     @cached_property
     def bristles(self) -> Bristles | None:
-        """What reversals say of the bristles."""
-        return bristles_of(self.motions, self.fit.solution, self.distance)
+        """Estimate of the bristles from the reversals."""
+        return fit_bristles(self.motions, self.fit.solution, self.distance)
 
     @property
     def reversals(self) -> int:
-        """How often a body turned round."""
+        """Number of reversals."""
         return sum(len(motion.reversals) for motion in self.motions)
 
 
-def found_in(
+def fit_records(
     records: Sequence[FrictionRecord],
     law: str,
     offset: float | str | None,
@@ -98,88 +97,101 @@ def found_in(
     within: tuple[float, float] | None,
     mass: float,
 ) -> FrictionFits:
-    """All laws fitted to what slides in some records."""
-    records = tuple(_less(record, offset) for record in records)
+    """Fit all laws to the sliding rows of records."""
+    records = tuple(_subtract_offset(record, offset) for record in records)
     motions, strokes = [], 0
-    for place, record in enumerate(records):
-        motion = of_motion(record, place, strokes, smoothing, mass) if record.is_motion else of_table(record, place)
+    for index, record in enumerate(records):
+        motion = (
+            rows_of_recording(record, index, strokes, smoothing, mass)
+            if record.is_motion
+            else rows_of_table(record, index)
+        )
         strokes = int(np.max(motion.rows.stroke, initial=strokes - 1)) + 1
         motions.append(motion)
     distances = bending_distances(motions)
     distance = float(np.median(list(distances.values()))) if distances else 0.0
-    rows = stacked([motion.rows for motion in motions])
-    behind = np.array([distances[int(k)] for k in rows.stroke])
-    slides = (rows.distance > behind) & (rows.sign != 0.0) & is_steady(rows, behind)
+    rows = stack_rows([motion.rows for motion in motions])
+    distance_of_row = np.array([distances[int(k)] for k in rows.stroke])
+    slides = (rows.distance > distance_of_row) & (rows.sign != 0.0) & is_steady(rows, distance_of_row)
     if within is not None:
         slides &= np.isnan(rows.position) | ((rows.position >= within[0]) & (rows.position <= within[1]))
     rows = rows.of(slides)
-    unknown = [k for k, r in enumerate(records) if offset == "free" or (offset is None and r.is_motion)]
+    free_offsets = [k for k, r in enumerate(records) if offset == "free" or (offset is None and r.is_motion)]
     with ErrorCollector() as errors:
-        for one, other in itertools.combinations(records, 2):
-            if all(_same(getattr(one, name), getattr(other, name)) for name in ("force", "velocity", "position")):
-                errors.add("friction.same_twice", "file", name=one.name, other=other.name)
+        for first_record, second_record in itertools.combinations(records, 2):
+            if all(
+                _are_equal(getattr(first_record, name), getattr(second_record, name))
+                for name in ("force", "velocity", "position")
+            ):
+                errors.add("friction.same_twice", "file", name=first_record.name, other=second_record.name)
         for k, record in enumerate(records):
             if record.body != records[0].body:
                 errors.add("friction.bodies", record.name, body=record.body, other=records[0].body)
-            own = rows.record == k
-            signs = set(rows.sign[own].tolist())
-            if not rows.velocity[own].any():
+            is_record = rows.record == k
+            signs = set(rows.sign[is_record].tolist())
+            if not rows.velocity[is_record].any():
                 errors.add("friction.at_rest", "position" if record.is_motion else "velocity", name=record.name)
-            elif k in unknown and len(signs) < 2:
+            elif k in free_offsets and len(signs) < 2:
                 errors.add("friction.one_way", "offset", name=record.name, unit=record.coordinate.effort_unit)
             elif len(signs) > 1 and not np.ptp(record.force):
                 own_facts = {"value": float(record.force[0]), "unit": record.coordinate.effort_unit}
                 errors.add("friction.still", record.coordinate.effort, name=record.name, **own_facts)
-            elif _helps(rows.of(own), is_free=k in unknown):
+            elif _acts_along_motion(rows.of(is_record), is_free=k in free_offsets):
                 errors.add("friction.helps", record.coordinate.effort, name=record.name)
     span = float(np.ptp(rows.pressure)) if len(rows) else 0.0
     has_pressure = span > max(LEVELS_DIFFER * float(np.max(rows.pressure, initial=0.0)), LEAST_PRESSURE)
-    data = Data.of(rows, unknown, has_pressure=has_pressure)
-    fits = {name: fit for name, each in LAWS.items() if (fit := fit_law(data, each)) is not None}
+    data = FrictionData.of(rows, free_offsets, has_pressure=has_pressure)
+    fits = {name: fit for name, candidate in LAWS.items() if (fit := fit_friction_law(data, candidate)) is not None}
     if not fits:
         raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
-    simplest, alike = supported(fits)
-    chosen = simplest if law in ("best", LUGRE) else law
-    if chosen not in fits:
-        raise InputError("friction.law_not_told", "law", value=chosen)
-    is_zero_given = offset is not None or any(record.is_motion for record in records)
-    return FrictionFits(records, tuple(motions), data, distance, fits, simplest, tuple(alike), chosen, is_zero_given)
+    simplest, equivalent = select_law(fits)
+    selected = simplest if law in ("best", LUGRE) else law
+    if selected not in fits:
+        raise InputError("friction.law_not_told", "law", value=selected)
+    is_offset_known = offset is not None or any(record.is_motion for record in records)
+    return FrictionFits(
+        records, tuple(motions), data, distance, fits, simplest, tuple(equivalent), selected, is_offset_known
+    )
 
 
-def _same(one: FloatArray | None, other: FloatArray | None) -> bool:
-    return one is other is None or (one is not None and other is not None and np.array_equal(one, other))
+def _are_equal(a: FloatArray | None, b: FloatArray | None) -> bool:
+    return a is b is None or (a is not None and b is not None and np.array_equal(a, b))
 
 
-def _helps(rows: Rows, *, is_free: bool) -> bool:
-    """True where what should be friction acts along the motion: some sign is wrong."""
-    ways = [float(np.mean(rows.friction[rows.sign == way])) for way in (1.0, -1.0) if (rows.sign == way).any()]
-    zero = float(np.mean(ways)) if is_free else 0.0
-    along = rows.sign * (rows.friction - zero)
-    return float(np.mean(along)) < -0.5 * float(np.sqrt(np.mean(along**2)))
+def _acts_along_motion(rows: SlidingRows, *, is_free: bool) -> bool:
+    """Return True if the force acts along the motion: a sign is wrong."""
+    means = [
+        float(np.mean(rows.friction[rows.sign == direction]))
+        for direction in (1.0, -1.0)
+        if (rows.sign == direction).any()
+    ]
+    zero = float(np.mean(means)) if is_free else 0.0
+    friction_along_motion = rows.sign * (rows.friction - zero)
+    return float(np.mean(friction_along_motion)) < -0.5 * float(np.sqrt(np.mean(friction_along_motion**2)))
 
 
-def _less(record: FrictionRecord, offset: float | str | None) -> FrictionRecord:
-    """A record without a zero of its force that is known."""
+def _subtract_offset(record: FrictionRecord, offset: float | str | None) -> FrictionRecord:
+    """Return a record whose force is corrected for a known offset."""
     if not isinstance(offset, float | int) or offset == 0.0:
         return record
-    given = {name: getattr(record, name) for name in record.__dataclass_fields__}
-    return FrictionRecord(**given | {"force": record.force - float(offset)})
+    fields = {name: getattr(record, name) for name in record.__dataclass_fields__}
+    return FrictionRecord(**fields | {"force": record.force - float(offset)})
 
 
-def levels_of(found: FrictionFits) -> list[dict[str, Any]]:
-    """Each table or recording for itself: its level of friction, where the law puts it, and what the force says."""
-    rows, solution, result = found.data.rows, found.fit.solution, []
+def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
+    """Return measured and modelled friction of each table or recording."""
+    rows, solution, result = analysis.data.rows, analysis.fit.solution, []
     missed = solution.missed(rows)
-    for k, record in enumerate(found.records):
-        own = rows.record == k
-        sign, ways = rows.sign[own], [rows.sign[own] > 0.0, rows.sign[own] < 0.0]
-        line = float(np.mean(sign * solution.friction(rows)[own]))
-        row = {"name": record.name, "pressure": float(np.mean(rows.pressure[own])), "rows": int(own.sum())}
-        row |= {"level": line - float(np.mean(sign * missed[own])), "line": line}
+    for k, record in enumerate(analysis.records):
+        is_record = rows.record == k
+        sign, masks = rows.sign[is_record], [rows.sign[is_record] > 0.0, rows.sign[is_record] < 0.0]
+        line = float(np.mean(sign * solution.friction(rows)[is_record]))
+        row = {"name": record.name, "pressure": float(np.mean(rows.pressure[is_record])), "rows": int(is_record.sum())}
+        row |= {"level": line - float(np.mean(sign * missed[is_record])), "line": line}
         row |= {"offset": solution.offsets.get(k, 0.0)}
-        row |= {"speeds": [float(np.mean(np.abs(rows.velocity[own][way]))) for way in ways if way.any()]}
-        if all(way.any() for way in ways):
-            row["half_of_force"] = 0.5 * float(-np.diff([np.mean(rows.force[own][way]) for way in ways])[0])
-            row["moves"] = 0.5 * float(-np.diff([np.mean(rows.pressure[own][way]) for way in ways])[0])
+        row |= {"speeds": [float(np.mean(np.abs(rows.velocity[is_record][mask]))) for mask in masks if mask.any()]}
+        if all(mask.any() for mask in masks):
+            row["half_of_force"] = 0.5 * float(-np.diff([np.mean(rows.force[is_record][mask]) for mask in masks])[0])
+            row["moves"] = 0.5 * float(-np.diff([np.mean(rows.pressure[is_record][mask]) for mask in masks])[0])
         result.append(row)
     return result

@@ -1,8 +1,8 @@
-"""What a recording of a motion says of friction: velocity over stated windows, strokes, reversals, the rows of a fit.
+"""Evaluation of recorded motions: velocities, strokes, reversals and rows for the fit of a friction law.
 
-A stroke is a stretch of one direction between two reversals. It is cut into blocks one window long, and each block is
-one row: the slope of a straight line through its positions, and the means of the rest. So velocity and force are
-smoothed alike, and the noise of no two rows has a sample in common.
+A stroke is the motion in one direction between two reversals. It is divided into blocks of one window. Each block gives
+one row: the slope of a line through its positions, and the means of the other channels. Velocity and force therefore
+have equal smoothing, and two rows have no sample in common.
 """
 
 from __future__ import annotations
@@ -19,62 +19,66 @@ from poppet.identify.friction.records import FrictionRecord
 from poppet.timeseries.checks import FloatArray
 
 STEADY = 0.03
-"""Noise of a velocity, over the usual speed of its stroke, that a window is made for."""
+"""Noise of a velocity, relative to the typical speed of its stroke, for which a window is chosen."""
 SHORTEST, FEWEST = 5, 4
-"""Samples of the shortest window, and windows that a stroke has at least."""
+"""Minimum number of samples of a window, and minimum number of windows of a stroke."""
 TURNS = 8.0
-"""Noises of a smoothed position by which it has to go back before it counts as a reversal."""
+"""Minimum way back at a reversal, in standard deviations of the smoothed position."""
 MOVING = 3.0
-"""Noises of a velocity above which a body moves."""
+"""Velocity above which a body moves, in standard deviations."""
 CREEPS = 0.005
-"""Part of the usual speed of a stroke below which it does not."""
+"""Speed below which a body is at rest, as a fraction of the typical speed of a stroke."""
 HALF_POWER = 0.5777
-"""Frequency times window at which the slope of a line through a window has lost half of its power: with u = pi f W the
-slope of a sine is 3 (sin u - u cos u)/u^3 of the true one."""
+"""Frequency times window at which the power of a slope is halved.
+
+With u = pi f W, the slope of a sine is 3 (sin u - u cos u)/u^3 of the true slope."""
 BENT, WAYS = 0.9, 3.0
-"""Part of the way from one sliding force to the other, and how many distances to there are no steady sliding: of
-bristles that bend as exp(-d/delta) 0.1 % of the change is left then."""
+"""Fraction of the change between two sliding forces, and factor on the distance of that fraction.
+
+Steady sliding starts at this multiple: of a change as exp(-d/delta), 0.1 % then remains."""
 CHANGED = 2.0
-"""Speed over that on the way before it beyond which a row is no steady sliding."""
+"""Ratio of speeds within the bending distance above which a row is not steady sliding."""
 SMALL = 0.1
-"""Part of the longest stroke below which one says nothing of the way that bristles take."""
+"""Length below which a stroke is ignored for the bending distance, as a fraction of the longest stroke."""
 PARABOLA = np.array([-3.0, 12.0, 17.0, 12.0, -3.0]) / 35.0
-"""Weights of five samples in the value of a parabola through them, in their middle (Savitzky & Golay 1964)."""
+"""Weights of five samples for the value of a parabola in their middle (Savitzky & Golay 1964)."""
 ROUNDED = 12.0 / 35.0
-"""Ways of one sample by which that parabola rounds off the corner of a sudden reversal."""
+"""Rounding of the corner of a sudden reversal by that parabola, in distances between samples."""
 
 
 @dataclass(frozen=True, eq=False)
-class Rows:
-    """What a law is fitted to: points of a table, or blocks of recordings; arrays of shape (n,)."""
+class SlidingRows:
+    """Points of a table, or blocks of recordings, for the fit of a law; arrays of shape (n,)."""
 
     velocity: FloatArray  # [m/s]
-    friction: FloatArray  # force against the motion, signed as the velocity, with whatever offset the gauge has [N]
-    pressure: FloatArray  # difference across the seals, without its sign [Pa]
+    friction: (
+        FloatArray  # force against the motion with the sign of the velocity, including the offset of the sensor [N]
+    )
+    pressure: FloatArray  # magnitude of the difference across the seals [Pa]
     force: FloatArray  # as measured [N]
     weight: FloatArray
-    time: FloatArray  # not-a-number in a table
-    position: FloatArray  # not-a-number where none is known
-    distance: FloatArray  # since the last stop or reversal; infinite in a table [m]
+    time: FloatArray  # NaN in a table
+    position: FloatArray  # NaN if it is unknown
+    distance: FloatArray  # distance since the last stop or reversal; infinite in a table [m]
     record: NDArray[np.int_]
-    stroke: NDArray[np.int_]  # counted over all recordings; -1 in a table
+    stroke: NDArray[np.int_]  # number over all recordings; -1 in a table
 
     def __len__(self) -> int:
         return int(self.velocity.size)
 
-    def of(self, which: NDArray[np.bool_]) -> Rows:
-        """Some of them."""
-        return Rows(*(getattr(self, each.name)[which] for each in fields(self)))
+    def of(self, selected: NDArray[np.bool_]) -> SlidingRows:
+        """Return selected rows."""
+        return SlidingRows(*(getattr(self, field.name)[selected] for field in fields(self)))
 
     @property
     def sign(self) -> FloatArray:
-        """Direction of the motion; at a velocity of zero that of the friction."""
+        """Sign of the velocity, or of the friction if the velocity is zero."""
         return np.where(self.velocity != 0.0, np.sign(self.velocity), np.sign(self.friction))
 
 
 @dataclass(frozen=True, eq=False)
 class Reversal:
-    """The samples of a stroke behind a reversal, on which bristles bend over; arrays of shape (n,)."""
+    """Samples of a stroke after a reversal, while bristles deflect; arrays of shape (n,)."""
 
     distance: FloatArray  # [m]
     friction: FloatArray  # [N]
@@ -83,132 +87,152 @@ class Reversal:
     record: int
     stroke: int
     sign: float
-    before: float  # length of the stroke the other way before it [m]
-    rounding: float  # of the corner, by smoothing [m]
-    step: float  # from sample to sample [s]
-    window: float  # of the velocity [s]
-    last: Reversal | None  # the stroke before it, however that began
+    previous_length: float  # length of the previous stroke, in the opposite direction [m]
+    rounding: float  # rounding of the corner by smoothing [m]
+    step: float  # time between samples [s]
+    window: float  # window of the velocity [s]
+    last: Reversal | None  # previous stroke
 
 
 @dataclass(frozen=True, eq=False)
 class RecordedMotion:
-    """One recording, smoothed and cut into strokes."""
+    """Recording that is smoothed and divided into strokes."""
 
-    rows: Rows
+    rows: SlidingRows
     reversals: tuple[Reversal, ...]
-    windows: tuple[float, ...] = ()  # of each stroke [s]
-    velocity_noise: tuple[float, ...] = ()  # one sigma of the velocity of a row of each stroke [m/s]
-    resolution: float = 0.0  # of a smoothed position, one sigma [m]
-    smear: float = 1.0  # misfit of straight lines over the windows, in noises
-    left_out: int = 0  # strokes that are too short
+    windows: tuple[float, ...] = ()  # window of each stroke [s]
+    velocity_noise: tuple[float, ...] = ()  # standard deviation of a velocity of each stroke [m/s]
+    resolution: float = 0.0  # standard deviation of a smoothed position [m]
+    smear: float = 1.0  # rms residual of the lines through the windows, in standard deviations
+    left_out: int = 0  # number of omitted strokes, which are too short
 
 
-def of_table(record: FrictionRecord, place: int) -> RecordedMotion:
-    """The points of a table as they are."""
+def rows_of_table(record: FrictionRecord, index: int) -> RecordedMotion:
+    """Return the points of a table as rows."""
     assert record.velocity is not None
-    n, nothing = len(record), np.full(len(record), math.nan)
+    n, unknown = len(record), np.full(len(record), math.nan)
     weight = np.ones(n) if record.uncertainty is None else record.uncertainty**-2.0
-    position = nothing if record.position is None else record.position
+    position = unknown if record.position is None else record.position
     friction, pressure = _friction(record), _pressure(record)
-    ends = np.full(n, math.inf), np.full(n, place), np.full(n, -1)
-    return RecordedMotion(Rows(record.velocity, friction, pressure, record.force, weight, nothing, position, *ends), ())
+    ends = np.full(n, math.inf), np.full(n, index), np.full(n, -1)
+    return RecordedMotion(
+        SlidingRows(record.velocity, friction, pressure, record.force, weight, unknown, position, *ends), ()
+    )
 
 
-def of_motion(
-    record: FrictionRecord, place: int, first_stroke: int, window: float | None, mass: float
+def rows_of_recording(
+    record: FrictionRecord, index: int, first_stroke: int, window: float | None, mass: float
 ) -> RecordedMotion:
-    """A recording cut into strokes and blocks; each stroke has a window by its own speed where none is given."""
+    """Divide a recording into strokes and blocks.
+
+    The default window of a stroke depends on its speed.
+    """
     time = record.time
     assert time is not None
     step = float(np.median(np.diff(time)))
     position = record.position
     if position is None:
         assert record.velocity is not None
-        ways = 0.5 * (record.velocity[1:] + record.velocity[:-1]) * np.diff(time)
-        position = np.concatenate([[0.0], np.cumsum(ways)])
-    noise = _noise(time, position)
-    # The window of a velocity would round the corner of a reversal off.
+        steps = 0.5 * (record.velocity[1:] + record.velocity[:-1]) * np.diff(time)
+        position = np.concatenate([[0.0], np.cumsum(steps)])
+    noise = _position_noise(time, position)
+    # The window of a velocity would round the corner of a reversal.
     smooth = position.copy()
     smooth[2:-2] = np.convolve(position, PARABOLA, "valid")
     resolution = noise * float(np.linalg.norm(PARABOLA))
-    pieces, left_out = _pieces(time, position, smooth, max(TURNS * resolution, 1e-3 * float(np.ptp(smooth))))
+    pieces, left_out = _split_strokes(time, position, smooth, max(TURNS * resolution, 1e-3 * float(np.ptp(smooth))))
     rows, reversals = [], []
-    told: list[tuple[float, float, float]] = []
+    statistics: list[tuple[float, float, float]] = []
     last: Reversal | None = None
     for k, piece in enumerate(pieces):
-        own = slice(piece.first, piece.end)
-        width = max(window, 3.0 * step) if window else _window(time[own], position[own], noise, step)
+        samples = slice(piece.first, piece.end)
+        width = max(window, 3.0 * step) if window else _choose_window(time[samples], position[samples], noise, step)
         sigma = noise * math.sqrt(12.0 / (width / step) ** 3) / step
-        _, speed, misfit = _lines(time[own], position[own], 0.5 * width)
-        friction = _friction(record)[own] - (mass * np.gradient(speed, time[own]) if mass else 0.0)
-        series = time[own], position[own], smooth[own], speed, friction, _pressure(record)[own], record.force[own]
-        stroke = _Stroke(*series, piece.sign, piece.before, place, first_stroke + k)
+        _, speed, misfit = _fit_lines(time[samples], position[samples], 0.5 * width)
+        friction = _friction(record)[samples] - (mass * np.gradient(speed, time[samples]) if mass else 0.0)
+        series = (
+            time[samples],
+            position[samples],
+            smooth[samples],
+            speed,
+            friction,
+            _pressure(record)[samples],
+            record.force[samples],
+        )
+        stroke = _StrokeSamples(*series, piece.sign, piece.previous_length, index, first_stroke + k)
         rows.append(stroke.blocks(width, sigma))
-        last = stroke.reversal(step, width, last if piece.before > 0.0 else None)
-        if piece.before > 0.0:
+        last = stroke.reversal(step, width, last if piece.previous_length > 0.0 else None)
+        if piece.previous_length > 0.0:
             reversals.append(last)
-        told.append((width, sigma, misfit))
-    windows, noises, misfits = np.array(told).reshape(-1, 3).T.tolist()
+        statistics.append((width, sigma, misfit))
+    windows, noises, misfits = np.array(statistics).reshape(-1, 3).T.tolist()
     smear = float(np.median(misfits)) / noise if noise > 0.0 and misfits else 1.0
-    return RecordedMotion(stacked(rows), tuple(reversals), tuple(windows), tuple(noises), resolution, smear, left_out)
+    return RecordedMotion(
+        stack_rows(rows), tuple(reversals), tuple(windows), tuple(noises), resolution, smear, left_out
+    )
 
 
-def stacked(rows: Sequence[Rows]) -> Rows:
-    """Rows behind each other."""
-    return Rows(*(np.concatenate([getattr(r, e.name) for r in rows] or [np.zeros(0)]) for e in fields(Rows)))
+def stack_rows(rows: Sequence[SlidingRows]) -> SlidingRows:
+    """Return the concatenation of rows."""
+    return SlidingRows(
+        *(
+            np.concatenate([getattr(part, field.name) for part in rows] or [np.zeros(0)])
+            for field in fields(SlidingRows)
+        )
+    )
 
 
 @dataclass(frozen=True)
-class _Piece:
-    """A stretch of one direction."""
+class _StrokeRange:
+    """Range of samples in one direction."""
 
-    first: int  # sample
-    end: int  # behind the last
+    first: int  # index of the first sample
+    end: int  # index after the last sample
     sign: float
-    before: float = 0.0  # length of the one before it, the other way; zero where there is none [m]
+    previous_length: float = 0.0  # length of the previous stroke; 0 if there is none [m]
 
 
 @dataclass(frozen=True, eq=False)
-class _Stroke:
-    """The samples of a stroke, shape (n,)."""
+class _StrokeSamples:
+    """Samples of a stroke, shape (n,)."""
 
     time: FloatArray
     position: FloatArray
-    smooth: FloatArray  # position
+    smooth: FloatArray  # smoothed position
     speed: FloatArray
     friction: FloatArray
     pressure: FloatArray
     force: FloatArray
     sign: float
-    before: float
-    place: int
+    previous_length: float
+    record: int
     number: int
 
     @property
     def distance(self) -> FloatArray:
-        """Way since the reversal before it."""
+        """Distance since the reversal."""
         return np.asarray(np.maximum(self.sign * (self.smooth - self.smooth[0]), 0.0))
 
     def reversal(self, step: float, window: float, last: Reversal | None) -> Reversal:
-        """What tells of bristles."""
+        """Return the data on the deflection of bristles."""
         series = self.sign * (self.smooth - self.smooth[0]), self.friction, self.speed, self.pressure
         rounding = ROUNDED * step * float(np.median(np.abs(self.speed)))
         return Reversal(
             *series,
-            self.place,
+            self.record,
             self.number,
             self.sign,
-            self.before,
+            self.previous_length,
             rounding,
             step,
             window,
             last and replace(last, last=None),
         )
 
-    def blocks(self, width: float, sigma: float) -> Rows:
-        """Blocks one window long: the slope of the positions, the means of the rest.
+    def blocks(self, width: float, sigma: float) -> SlidingRows:
+        """Return blocks of one window: the slope of the positions, and the means of the other channels.
 
-        The first and the last are left out, in which the body turns round, and those in which it rests.
+        The first and the last block contain reversals and are omitted, and so are blocks at rest.
         """
         block = np.floor((self.time - self.time[0]) / width + 1e-9).astype(int)
         starts = np.flatnonzero(np.diff(block, prepend=-1))
@@ -221,13 +245,15 @@ class _Stroke:
         x = self.position - np.repeat(mean(self.position), count)
         spread = np.add.reduceat(t * t, starts)
         slope = np.add.reduceat(t * x, starts) / np.where(spread > 0.0, spread, 1.0)
-        usual = float(np.quantile(np.abs(slope), 0.75))
-        kept = self.sign * slope > max(MOVING * sigma, CREEPS * usual)
-        kept[[0, -1]] = False
-        means = [mean(each) for each in (self.friction, self.pressure, self.force)]
-        places = [mean(each) for each in (self.time, self.position, self.distance)]
-        whose = (np.full(count.size, each) for each in (self.place, self.number))
-        return Rows(*(each[kept] for each in (slope, *means, count.astype(float), *places, *whose)))
+        typical = float(np.quantile(np.abs(slope), 0.75))
+        is_sliding = self.sign * slope > max(MOVING * sigma, CREEPS * typical)
+        is_sliding[[0, -1]] = False
+        means = [mean(values) for values in (self.friction, self.pressure, self.force)]
+        coordinates = [mean(values) for values in (self.time, self.position, self.distance)]
+        numbers = (np.full(count.size, values) for values in (self.record, self.number))
+        return SlidingRows(
+            *(values[is_sliding] for values in (slope, *means, count.astype(float), *coordinates, *numbers))
+        )
 
 
 def _friction(record: FrictionRecord) -> FloatArray:
@@ -238,13 +264,13 @@ def _pressure(record: FrictionRecord) -> FloatArray:
     return np.zeros(len(record)) if record.pressure is None else np.abs(record.pressure)
 
 
-def _lines(time: FloatArray, position: FloatArray, half: float) -> tuple[FloatArray, FloatArray, float]:
-    """Straight lines through the samples up to `half` away: their values, slopes, and rms misfit."""
+def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[FloatArray, FloatArray, float]:
+    """Return values, slopes and rms residual of lines through the samples within `half` of each time."""
     first = np.searchsorted(time, time - half * (1.0 + 1e-9))
     end = np.searchsorted(time, time + half * (1.0 + 1e-9), side="right")
-    # At the ends the window becomes one-sided, not shorter than three samples.
+    # At the ends the window is one-sided, with at least three samples.
     first, end = np.minimum(first, np.maximum(end - 3, 0)), np.maximum(end, np.minimum(first + 3, time.size))
-    t, x = (np.asarray(each - each.mean(), dtype=np.longdouble) for each in (time, position))
+    t, x = (np.asarray(series - series.mean(), dtype=np.longdouble) for series in (time, position))
 
     def total(values: NDArray[np.longdouble]) -> NDArray[np.longdouble]:
         sums = np.concatenate([[0.0], np.cumsum(values)])
@@ -254,33 +280,35 @@ def _lines(time: FloatArray, position: FloatArray, half: float) -> tuple[FloatAr
     mean_t, mean_x = total(t) / n, total(x) / n
     spread = total(t * t) - n * mean_t**2
     slope = (total(t * x) - n * mean_t * mean_x) / spread
-    left = np.maximum(total(x * x) - n * mean_x**2 - slope**2 * spread, 0.0) / np.maximum(n - 2.0, 1.0)
+    mean_squares = np.maximum(total(x * x) - n * mean_x**2 - slope**2 * spread, 0.0) / np.maximum(n - 2.0, 1.0)
     value = mean_x + slope * (t - mean_t) + position.mean()
-    return np.asarray(value, float), np.asarray(slope, float), math.sqrt(float(np.mean(left)))
+    return np.asarray(value, float), np.asarray(slope, float), math.sqrt(float(np.mean(mean_squares)))
 
 
-def _noise(time: FloatArray, position: FloatArray) -> float:
-    """One sigma of single positions: misfit of lines over five samples, and not below the resolution."""
+def _position_noise(time: FloatArray, position: FloatArray) -> float:
+    """Return the standard deviation of a position: residual of lines through five samples, at least the resolution."""
     levels = np.unique(position)
     steps = np.diff(levels)
-    # Of a position in steps, many samples share a level; else the least difference is chance.
+    # Many samples of a quantised position are equal; otherwise the minimum difference is random.
     resolution = float(steps.min()) / math.sqrt(12.0) if 0 < steps.size < 0.8 * position.size else 0.0
     half = 2.0 * float(np.median(np.diff(time)))
-    return max(_lines(time, position, half)[2], resolution)
+    return max(_fit_lines(time, position, half)[2], resolution)
 
 
-def _window(time: FloatArray, position: FloatArray, noise: float, step: float) -> float:
-    """The shortest window at which the velocities of a stroke are known to `STEADY` of its usual one."""
+def _choose_window(time: FloatArray, position: FloatArray, noise: float, step: float) -> float:
+    """Return the shortest window for a relative velocity noise of `STEADY`."""
     samples, longest = float(SHORTEST), max(time.size / FEWEST, SHORTEST)
     while True:
-        usual = float(np.quantile(np.abs(_lines(time, position, 0.5 * samples * step)[1]), 0.75))
-        if noise * math.sqrt(12.0 / samples**3) / step <= STEADY * usual or 1.3 * samples > longest:
+        typical = float(np.quantile(np.abs(_fit_lines(time, position, 0.5 * samples * step)[1]), 0.75))
+        if noise * math.sqrt(12.0 / samples**3) / step <= STEADY * typical or 1.3 * samples > longest:
             return samples * step
         samples *= 1.3
 
 
-def _pieces(time: FloatArray, position: FloatArray, smooth: FloatArray, back: float) -> tuple[list[_Piece], int]:
-    """Stretches between reversals, where the body goes back by more than noise does; how many are too short."""
+def _split_strokes(
+    time: FloatArray, position: FloatArray, smooth: FloatArray, back: float
+) -> tuple[list[_StrokeRange], int]:
+    """Return the strokes between reversals that exceed the noise, and the number of omitted strokes."""
     turns, sign = [0], 0.0
     lowest = highest = 0
     for k, x in enumerate(smooth.tolist()):
@@ -292,53 +320,57 @@ def _pieces(time: FloatArray, position: FloatArray, smooth: FloatArray, back: fl
             turns += [lowest] if sign else []
             sign, highest = 1.0, k
     turns.append(time.size - 1)
-    found: list[_Piece] = []
+    strokes: list[_StrokeRange] = []
     left_out = 0
     for first, last in itertools.pairwise(turns):
-        way = float(smooth[last] - smooth[first])
-        if abs(way) > back and last + 1 - first < FEWEST * SHORTEST:
+        distance = float(smooth[last] - smooth[first])
+        if abs(distance) > back and last + 1 - first < FEWEST * SHORTEST:
             left_out += 1
-        elif abs(way) > back:
-            is_turn = bool(found) and found[-1].end == first + 1 and found[-1].sign != math.copysign(1.0, way)
-            before = abs(float(smooth[first] - smooth[found[-1].first])) if is_turn else 0.0
-            found.append(_Piece(first, last + 1, math.copysign(1.0, way), before))
-    return found, left_out
+        elif abs(distance) > back:
+            is_turn = (
+                bool(strokes) and strokes[-1].end == first + 1 and strokes[-1].sign != math.copysign(1.0, distance)
+            )
+            previous_length = abs(float(smooth[first] - smooth[strokes[-1].first])) if is_turn else 0.0
+            strokes.append(_StrokeRange(first, last + 1, math.copysign(1.0, distance), previous_length))
+    return strokes, left_out
 
 
 def bending_distances(motions: Sequence[RecordedMotion]) -> dict[int, float]:
-    """Way at the begin of each stroke that is no steady sliding [m], by its number.
+    """Return the distance before steady sliding for each stroke [m].
 
-    Where a stroke does not show it, that of the others.
+    A stroke that does not show it has the median of the others.
     """
-    ways = {}
-    # On strokes far shorter than the others bristles bend, and nothing slides.
-    long = SMALL * max((each.before for motion in motions for each in motion.reversals), default=0.0)
+    distances = {}
+    # On strokes that are much shorter than the others, bristles deflect without sliding.
+    min_length = SMALL * max(
+        (reversal.previous_length for motion in motions for reversal in motion.reversals), default=0.0
+    )
     for motion in motions:
         rows = motion.rows
-        for each in motion.reversals:
-            if min(each.before, float(np.max(each.distance, initial=0.0))) < long:
+        for reversal in motion.reversals:
+            if min(reversal.previous_length, float(np.max(reversal.distance, initial=0.0))) < min_length:
                 continue
-            own, last = rows.stroke == each.stroke, rows.stroke == each.stroke - 1
-            if own.sum() < 4 or last.sum() < 4:
+            is_stroke, is_previous = rows.stroke == reversal.stroke, rows.stroke == reversal.stroke - 1
+            if is_stroke.sum() < 4 or is_previous.sum() < 4:
                 continue
-            after, before = (float(np.median(rows.friction[which])) for which in (own, last))
-            if each.sign * (after - before) <= 0.0:
+            force_after, force_before = (float(np.median(rows.friction[mask])) for mask in (is_stroke, is_previous))
+            if reversal.sign * (force_after - force_before) <= 0.0:
                 continue
-            there = np.flatnonzero((each.friction - before) / (after - before) >= BENT)
-            if there.size:
-                ways[each.stroke] = WAYS * max(float(each.distance[there[0]]), 0.0)
-    usual = float(np.median(list(ways.values()))) if ways else 0.0
+            indices = np.flatnonzero((reversal.friction - force_before) / (force_after - force_before) >= BENT)
+            if indices.size:
+                distances[reversal.stroke] = WAYS * max(float(reversal.distance[indices[0]]), 0.0)
+    typical = float(np.median(list(distances.values()))) if distances else 0.0
     strokes = {int(k) for motion in motions for k in motion.rows.stroke}
-    return {k: max(ways.get(k, usual), usual) for k in strokes}
+    return {k: max(distances.get(k, typical), typical) for k in strokes}
 
 
-def is_steady(rows: Rows, behind: FloatArray) -> NDArray[np.bool_]:
-    """False for rows before which the speed was another on the way that bristles need to follow, behind a stop, say."""
+def is_steady(rows: SlidingRows, distance_of_row: FloatArray) -> NDArray[np.bool_]:
+    """Return False for rows after a change of speed within the bending distance."""
     result, speed = np.ones(len(rows), dtype=bool), np.abs(rows.velocity)
     for k in np.unique(rows.stroke[rows.stroke >= 0]):
-        own = np.flatnonzero(rows.stroke == k)
-        first = np.searchsorted(rows.distance[own], rows.distance[own] - behind[own])
-        for place, begin in enumerate(first.tolist()):
-            before = speed[own[begin : place + 1]]
-            result[own[place]] = before.max() < CHANGED * before[-1] and before[-1] < CHANGED * before.min()
+        indices = np.flatnonzero(rows.stroke == k)
+        first = np.searchsorted(rows.distance[indices], rows.distance[indices] - distance_of_row[indices])
+        for k_row, start in enumerate(first.tolist()):
+            speeds = speed[indices[start : k_row + 1]]
+            result[indices[k_row]] = speeds.max() < CHANGED * speeds[-1] and speeds[-1] < CHANGED * speeds.min()
     return result

@@ -1,4 +1,4 @@
-"""Measured friction: tables of force over velocity, and recordings of bodies that are pulled."""
+"""Measured friction: tables of force versus velocity, and recordings of moved bodies."""
 
 from __future__ import annotations
 
@@ -11,38 +11,38 @@ from poppet.identify.friction.coordinate import COORDINATES, Coordinate
 from poppet.timeseries.checks import FloatArray, first_bad_time, numbers
 
 LEAST = 3
-"""Points, below which there is nothing to fit."""
+"""Minimum number of points."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FrictionRecord:
-    """One table of steady sliding, or one recording of a body that is moved.
+    """Table of steady sliding, or recording of a moved body.
 
     Parameters
     ----------
     force : (n,) array
-        What moves the body, positive towards larger positions [N]; of a joint a torque [N m].
+        Force on the body, positive towards larger positions [N]; for a joint a torque [N m].
     velocity : (n,) array, optional
-        [m/s] or [rad/s]; of a recording it may be left out where there are positions.
+        Velocity [m/s] or [rad/s]; optional for a recording with positions.
     position : (n,) array, optional
-        Of a recording [m] or [rad].
+        Position in a recording [m] or [rad].
     time : (n,) array, optional
-        Rising; makes it a recording [s].
+        Increasing times; they make the record a recording [s].
     pressure : (n,) array or float, optional
         Pressure difference across the seals [Pa].
     pressure_force : (n,) array, optional
-        Force or torque of the gas on the body, towards larger positions [N] or [N m].
+        Force or torque of the gas on the body, positive towards larger positions [N] or [N m].
     uncertainty : float or (n,) array, optional
-        One sigma of a single force, in a table: points then weigh by it [N] or [N m].
+        Standard deviation of a force in a table; it gives the weights of the points [N] or [N m].
     body : str, optional
-        `mass` (default) on a line, or `joint`, which turns: then positions are angles and forces torques.
+        `mass` (default) for translation, or `joint` for rotation; positions are then angles, and forces torques.
     name : str, optional
-        For people.
+        Name for messages.
 
     Raises
     ------
     InputErrors
-        Lengths that differ, values that are not finite, times that do not rise, no velocity and no positions.
+        Different lengths, values that are not finite, times that do not increase, no velocity and no positions.
 
     Examples
     --------
@@ -65,8 +65,8 @@ class FrictionRecord:
         force = np.atleast_1d(numbers("force", self.force))
         arrays = {"force": force}
         for name in ("velocity", "position", "time", "pressure", "pressure_force", "uncertainty"):
-            if (given := getattr(self, name)) is not None:
-                array = numbers(name, given)
+            if (values := getattr(self, name)) is not None:
+                array = numbers(name, values)
                 arrays[name] = np.full(force.shape, float(array)) if array.ndim == 0 else array
         with ErrorCollector() as errors:
             if self.body not in COORDINATES:
@@ -88,8 +88,8 @@ class FrictionRecord:
                 errors.add("friction.no_velocity", "velocity")
             if "uncertainty" in arrays and not (arrays["uncertainty"] > 0.0).all():
                 errors.add("friction.no_uncertainty", "uncertainty", value=float(np.min(arrays["uncertainty"])))
-            if "time" in arrays and (bad := first_bad_time(arrays["time"], self.name)):
-                errors.extend([bad[1]])
+            if "time" in arrays and (time_error := first_bad_time(arrays["time"], self.name)):
+                errors.extend([time_error[1]])
         if not np.ptp(arrays.get("velocity", arrays.get("position", force))) and "time" in arrays:
             raise InputError("friction.at_rest", "position", name=self.name)
         for name, array in arrays.items():
@@ -97,7 +97,7 @@ class FrictionRecord:
 
     @property
     def coordinate(self) -> Coordinate:
-        """How the body moves."""
+        """Kind of motion of the body."""
         return COORDINATES[self.body]
 
     def __len__(self) -> int:
@@ -105,5 +105,5 @@ class FrictionRecord:
 
     @property
     def is_motion(self) -> bool:
-        """True for a recording: its samples follow each other."""
+        """True for a recording, whose samples are in order of time."""
         return self.time is not None

@@ -1,4 +1,4 @@
-"""Identify the force of a muscle: every law fitted, ranked by what it misses of held-out points."""
+"""Identification of the force law of a muscle; validation errors rank the laws."""
 
 from __future__ import annotations
 
@@ -10,28 +10,28 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note, notes_of
-from poppet.core.errors import InputError
+from poppet.core.errors import InputError, NameSuggestion
 from poppet.identify.file_argument import or_file
 from poppet.identify.gum import correlations, coverage_factor
 from poppet.identify.muscle.muscle_file import read_muscle_file
-from poppet.identify.muscle.muscle_fit import CANDIDATES, HYSTERESIS, LawFit, error_at, fit_law, rms
+from poppet.identify.muscle.muscle_fit import CANDIDATES, HYSTERESIS, ForceLawFit, error_at, fit_force_law, rms
 from poppet.identify.muscle.points import MusclePoints, levels
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged
 
 ALIKE = 1.2
-"""Ratio of held-out errors below which two laws cannot be told apart."""
+"""Ratio of validation errors below which two laws are not distinguishable."""
 CURVES = 6
-"""Pressures, or contractions, of which the page draws a curve."""
+"""Maximum number of curves in the report."""
 ATMOSPHERE = 1e5
-"""By which pressures are off that were read as gauge, or as absolute, and are not [Pa]."""
+"""Error of gauge pressures that were read as absolute [Pa]."""
 BETTER = 2.0
-"""How many times less a law has to miss with other pressures for these to be suspected."""
+"""Ratio of rms errors above which shifted pressures are reported."""
 CLIPPED = 3
-"""Points at exactly the largest force from which on, at several pressures, the sensor is suspected."""
+"""Number of points with exactly the maximum force that suggests a saturated sensor."""
 USUAL_FORCE = 0.1, 100.0
-"""Largest force of a muscle over the push of its largest pressure on its inner section."""
+"""Plausible ratio of the maximum force to the maximum pressure times the inner section."""
 LEAST_CONTRACTION = 0.01
-"""Largest contraction of a map below which fractions may have been read as per cent."""
+"""Maximum contraction below which the unit of the contractions is probably wrong."""
 PROPORTIONAL = ("chou_hannaford", "tondu_lopez")
 
 
@@ -44,25 +44,25 @@ def identify_muscle(
     title: str = "muscle",
     notes: Sequence[Note] = (),
 ) -> Result:
-    """Find the law of a muscle's force from a force map or from recordings.
+    """Identify the force law of a muscle from a force map or recordings.
 
     Parameters
     ----------
     points : MusclePoints, str or Path
-        The points, or a file as `read_muscle_file` reads it.
+        Points, or a file for `read_muscle_file`.
     law : str, optional
         `best` (default) or the name of a law, `sarosi`, `table`, `tondu_lopez`, `chou_hannaford`.
     part : str, optional
-        Name of the muscle in circuits; put before the addresses of the result.
+        Name of the muscle in a circuit; it becomes the first part of each address.
     title : str, optional
-        For people.
+        Title of the result.
     notes : sequence of Note, optional
-        What was said while reading.
+        Notes on the points.
 
     Returns
     -------
     Result
-        Numbers of the law as the part takes them, with intervals; all laws under `comparison["forces"]`.
+        Parameters of the law with intervals; `comparison["forces"]` has all laws.
 
     Raises
     ------
@@ -71,12 +71,11 @@ def identify_muscle(
 
     Notes
     -----
-    Only taut points are fitted. A slack muscle's force is zero whatever its law says, so that slack points say no more
-    than that the law is not above zero there; fitted, they would bend it.
+    The fit uses taut points only: the force of a slack muscle is zero, whatever the law gives.
 
-    Each group of points (recording, level of pressure) is held out once, and on a map the inner levels of contraction
-    as well. The laws are ranked by the root mean square of all these errors. The intervals are a jackknife over the
-    first kind of groups with Student's t.
+    Each group of points (recording or level of pressure) is withheld once; on a map, the inner levels of contraction
+    are also withheld. The rms of all validation errors ranks the laws. The intervals are a jackknife over the first
+    kind of groups, with Student's t.
 
     References
     ----------
@@ -92,17 +91,18 @@ def identify_muscle(
     >>> {name: round(found.value, 6) for name, found in result.parameters.items()}
     {'braid_angle': 0.4, 'end_factor': 1.3}
     """
-    assert isinstance(points, MusclePoints)  # a file was read at the door
+    assert isinstance(points, MusclePoints)  # `or_file` has read a file
     if law not in ("best", *CANDIDATES):
-        raise InputError("force_map.unknown_law", "law", value=law, names=["best", *CANDIDATES])
-    fits = {name: fit for name in CANDIDATES if (fit := fit_law(points, name)) is not None}
+        near = NameSuggestion(law, ["best", *CANDIDATES])
+        raise InputError("fields.not_an_option", "law", value=law, meaning="law", near=near)
+    fits = {name: fit for name in CANDIDATES if (fit := fit_force_law(points, name)) is not None}
     if law not in ("best", *fits) or not fits:
         raise InputError("force_map.too_few", "force", count=int(points.taut.sum()), least=len(points.groups[0]))
     ranked = sorted(fits, key=lambda name: fits[name].score)
-    chosen = ranked[0] if law == "best" else law
-    fit, prefix = fits[chosen], f"{part}." if part else ""
+    selected = ranked[0] if law == "best" else law
+    fit, prefix = fits[selected], f"{part}." if part else ""
     doubts = (*_doubts(points, fit),)
-    estimates = {f"{prefix}{name}": each for name, each in _estimates(fit, is_doubted=bool(doubts)).items()}
+    estimates = {f"{prefix}{name}": estimate for name, estimate in _estimates(fit, is_doubted=bool(doubts)).items()}
     taut = points.taut
     return Result(
         method="muscle",
@@ -110,48 +110,48 @@ def identify_muscle(
         parameters=estimates,
         residuals={"points.force": ResidualSummary.of(fit.modelled[taut], points.force[taut], "N")},
         correlation=correlations([*estimates], fit.covariance),
-        comparison={"law": chosen, "held_out_by": [*fit.held_out], "forces": _table(fits, ranked, points)},
-        remarks=(*doubts, *_findings(points, fits, ranked, chosen), *notes_of(notes)),
+        comparison={"law": selected, "held_out_by": [*fit.held_out], "forces": _table(fits, ranked, points)},
+        remarks=(*doubts, *_findings(points, fits, ranked, selected), *notes_of(notes)),
         conditions=_conditions(points, fit),
         series=_series(points, fit),
     )
 
 
-def _doubts(points: MusclePoints, fit: LawFit) -> Iterator[Note]:
-    """What makes every number doubtful, however narrow its interval."""
+def _doubts(points: MusclePoints, fit: ForceLawFit) -> Iterator[Note]:
+    """Yield findings that make all estimates doubtful."""
     taut = points.taut
     pressure, force = points.pressure[taut], points.force[taut]
-    most = float(np.max(force))
+    maximum = float(np.max(force))
     shifts = {"force_map.gauge_as_absolute": ATMOSPHERE, "force_map.absolute_as_gauge": -ATMOSPHERE}
-    # A law in proportion to the pressure that misses a force without pressure would gain by the same shift.
+    # A shift also improves a proportional law if there is a force without pressure.
     for code, shift in shifts.items() if fit.candidate.name not in PROPORTIONAL else ():
-        factor = rms(fit.errors) / max(error_at(fit, shift), 1e-9 * most)
+        factor = rms(fit.errors) / max(error_at(fit, shift), 1e-9 * maximum)
         if factor > BETTER:
             yield Note(code, "pressure", shift=shift, factor=factor)
-    at_top = force == most
+    at_top = force == maximum
     if at_top.sum() >= CLIPPED and np.ptp(pressure[at_top]) > 0.0:
-        yield Note("force_map.clipped", "force", value=most, count=int(at_top.sum()), total=len(points))
-    ratio = most / max(0.25 * math.pi * points.nominal_diameter**2 * float(np.max(pressure)), 1e-300)
+        yield Note("force_map.clipped", "force", value=maximum, count=int(at_top.sum()), total=len(points))
+    ratio = maximum / max(0.25 * math.pi * points.nominal_diameter**2 * float(np.max(pressure)), 1e-300)
     if not USUAL_FORCE[0] <= ratio <= USUAL_FORCE[1]:
-        yield Note("force_map.unusual", "force", value=most, ratio=ratio)
+        yield Note("force_map.unusual", "force", value=maximum, ratio=ratio)
     if (largest := float(np.max(np.abs(points.contraction)))) < LEAST_CONTRACTION:
         yield Note("force_map.small", "contraction", percent=100.0 * largest)
 
 
-def _estimates(fit: LawFit, *, is_doubted: bool) -> dict[str, Estimate]:
+def _estimates(fit: ForceLawFit, *, is_doubted: bool) -> dict[str, Estimate]:
     units = fit.candidate.units() | HYSTERESIS
     factor = coverage_factor(len(fit.without) - 1)
-    found = {}
+    estimates = {}
     for (name, value), error in zip(fit.values.items(), np.sqrt(np.diag(fit.covariance)), strict=True):
         half = factor * float(error)
         verdict = "at bound" if fit.is_at_bound(name) else judged(half, abs(value))
         if is_doubted and verdict == "determined":
             verdict = "weak"
-        found[name] = Estimate(value, units[name], float(error), value - half, value + half, verdict)
-    return found
+        estimates[name] = Estimate(value, units[name], float(error), value - half, value + half, verdict)
+    return estimates
 
 
-def _table(fits: Mapping[str, LawFit], ranked: Sequence[str], points: MusclePoints) -> list[dict[str, Any]]:
+def _table(fits: Mapping[str, ForceLawFit], ranked: Sequence[str], points: MusclePoints) -> list[dict[str, Any]]:
     largest = float(np.max(points.force))
     return [
         {
@@ -169,13 +169,15 @@ def _table(fits: Mapping[str, LawFit], ranked: Sequence[str], points: MusclePoin
     ]
 
 
-def _findings(points: MusclePoints, fits: Mapping[str, LawFit], ranked: Sequence[str], chosen: str) -> Iterator[Note]:
+def _findings(
+    points: MusclePoints, fits: Mapping[str, ForceLawFit], ranked: Sequence[str], selected: str
+) -> Iterator[Note]:
     largest, best = float(np.max(points.force)), fits[ranked[0]]
     errors = {name: fits[name].score for name in ranked}
     facts = {"law": ranked[0], "error": best.score, "part": 100.0 * best.score / largest, "errors": errors}
     yield Note("force_map.ranked", **facts, axes=[*best.held_out])
-    if chosen != ranked[0]:
-        yield Note("force_map.not_the_best", chosen=chosen, law=ranked[0], factor=errors[chosen] / best.score)
+    if selected != ranked[0]:
+        yield Note("force_map.not_the_best", chosen=selected, law=ranked[0], factor=errors[selected] / best.score)
     elif len(ranked) > 1 and errors[ranked[1]] < ALIKE * best.score:
         yield Note("force_map.alike", law=ranked[0], other=ranked[1], factor=errors[ranked[1]] / best.score)
     yield from _reasons(points, fits, ranked)
@@ -184,35 +186,37 @@ def _findings(points: MusclePoints, fits: Mapping[str, LawFit], ranked: Sequence
         yield Note("force_map.not_told", laws=left_out)
     slack = ~points.taut
     if slack.any():
-        above = float(np.max(fits[chosen].modelled[slack]))
-        facts = {"count": int(slack.sum()), "total": len(points), "below": points.slack_force, "above": above}
+        highest = float(np.max(fits[selected].modelled[slack]))
+        facts = {"count": int(slack.sum()), "total": len(points), "below": points.slack_force, "above": highest}
         yield Note("force_map.slack", **facts)
     if points.time is not None and points.direction is None:
         yield Note("force_map.at_rest")
 
 
-def _reasons(points: MusclePoints, fits: Mapping[str, LawFit], ranked: Sequence[str]) -> Iterator[Note]:
-    """Why laws that were left behind miss the points."""
-    behind = [name for name in ranked[1:] if fits[name].score > ALIKE * fits[ranked[0]].score]
-    proportional = [name for name in behind if name in PROPORTIONAL]
+def _reasons(points: MusclePoints, fits: Mapping[str, ForceLawFit], ranked: Sequence[str]) -> Iterator[Note]:
+    """Yield the reasons for the errors of inferior laws."""
+    inferior = [name for name in ranked[1:] if fits[name].score > ALIKE * fits[ranked[0]].score]
+    proportional = [name for name in inferior if name in PROPORTIONAL]
     if proportional and ranked[0] not in PROPORTIONAL:
         best, taut = fits[ranked[0]], points.taut
         passive = best.law.passive(points.contraction[taut])
         drive = np.abs(points.pressure[taut] * best.law.slope(points.contraction[taut]))
         facts = {"low": float(np.min(passive)), "high": float(np.max(passive))}
         yield Note("force_map.proportional", laws=proportional, **facts, part=100.0 * float(rms(passive) / rms(drive)))
-    if "table" in behind and "contraction" in fits["table"].held_out:
-        by = {axis: rms(errors) for axis, errors in fits["table"].held_out.items()}
-        yield Note("force_map.straight", between=by["contraction"], at=by.get("pressure", math.nan))
-    if "sarosi" in behind:
+    if "table" in inferior and "contraction" in fits["table"].held_out:
+        error_by_axis = {axis: rms(errors) for axis, errors in fits["table"].held_out.items()}
+        yield Note(
+            "force_map.straight", between=error_by_axis["contraction"], at=error_by_axis.get("pressure", math.nan)
+        )
+    if "sarosi" in inferior:
         yield Note("force_map.other_shape", numbers=6, error=fits["sarosi"].score)
 
 
-def _conditions(points: MusclePoints, fit: LawFit) -> dict[str, Any]:
+def _conditions(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
     taut = points.taut
     ranges = {
-        shown: [float(np.min(getattr(points, name)[taut])), float(np.max(getattr(points, name)[taut]))]
-        for shown, name in (("gauge_pressure", "pressure"), ("contraction", "contraction"), ("force", "force"))
+        key: [float(np.min(getattr(points, name)[taut])), float(np.max(getattr(points, name)[taut]))]
+        for key, name in (("gauge_pressure", "pressure"), ("contraction", "contraction"), ("force", "force"))
     }
     rows = {"rows_of_contraction": fit.candidate.rows} if hasattr(fit.candidate, "rows") else {}
     return {
@@ -226,33 +230,33 @@ def _conditions(points: MusclePoints, fit: LawFit) -> dict[str, Any]:
     }
 
 
-def _series(points: MusclePoints, fit: LawFit) -> dict[str, Any]:
-    """Curves over contraction at some pressures, with the points beside them; all points where there are no levels."""
+def _series(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
+    """Return curves with their points at some levels, or all points if there are no levels."""
     axis, taut = points.groups[0], points.taut
     if axis not in ("pressure", "contraction"):
         order = np.argsort(points.contraction[taut], kind="stable")
-        columns = (each[taut][order] for each in (points.contraction, points.force, fit.modelled))
+        columns = (column[taut][order] for column in (points.contraction, points.force, fit.modelled))
         names = dict(zip(("x", "measured", "model"), columns, strict=True))
         return {"points.force": names | {"unit": "N", "x_unit": "1", "x_name": "contraction"}}
-    other = "contraction" if axis == "pressure" else "pressure"
+    x_axis = "contraction" if axis == "pressure" else "pressure"
     level = levels(getattr(points, axis))
-    # One point is no curve.
-    chosen = np.array([k for k in np.unique(level[taut]) if np.sum(level[taut] == k) > 1], dtype=int)
-    if not chosen.size:
+    # A curve needs two points.
+    selected = np.array([k for k in np.unique(level[taut]) if np.sum(level[taut] == k) > 1], dtype=int)
+    if not selected.size:
         return {}
-    chosen = chosen[np.unique(np.linspace(0, chosen.size - 1, CURVES).round().astype(int))][::-1]
-    span = getattr(points, other)[taut]
-    found = {}
-    for k in chosen:
-        own = taut & (level == k)
-        held = float(np.mean(getattr(points, axis)[own]))
-        x = np.linspace(float(span.min()), float(getattr(points, other)[own].max()), 80)
-        law = fit.law.force(held, x) if axis == "pressure" else fit.law.force(x, held)
-        shown = f"{held / 1e5:.4g} bar g" if axis == "pressure" else f"contraction {held:.4g}"
-        row = {"x": x, "y": law, "points_x": getattr(points, other)[own], "points_y": points.force[own]}
-        found[f"{shown}.force"] = row | {
+    selected = selected[np.unique(np.linspace(0, selected.size - 1, CURVES).round().astype(int))][::-1]
+    span = getattr(points, x_axis)[taut]
+    curves = {}
+    for k in selected:
+        is_curve = taut & (level == k)
+        level_value = float(np.mean(getattr(points, axis)[is_curve]))
+        x = np.linspace(float(span.min()), float(getattr(points, x_axis)[is_curve].max()), 80)
+        law = fit.law.force(level_value, x) if axis == "pressure" else fit.law.force(x, level_value)
+        label = f"{level_value / 1e5:.4g} bar g" if axis == "pressure" else f"contraction {level_value:.4g}"
+        row = {"x": x, "y": law, "points_x": getattr(points, x_axis)[is_curve], "points_y": points.force[is_curve]}
+        curves[f"{label}.force"] = row | {
             "unit": "N",
-            "x_unit": "1" if other == "contraction" else "Pa",
-            "x_name": other,
+            "x_unit": "1" if x_axis == "contraction" else "Pa",
+            "x_name": x_axis,
         }
-    return found
+    return curves

@@ -1,22 +1,17 @@
-"""Files that name the measured force of a muscle: which columns are pressure, contraction or length, and force."""
+"""Reader of files with the measured force of a muscle: columns of pressure, contraction or length, and force."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector
 from poppet.core.tables import Field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind
-from poppet.identify import columns as shared
-from poppet.identify.muscle.points import MusclePoints, joined
-from poppet.timeseries.checks import FloatArray
-
-if TYPE_CHECKING:
-    from poppet.timeseries.tables.reading import Table
+from poppet.identify.columns import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
+from poppet.identify.muscle.points import MusclePoints, join_tables
 
 COLUMNS: dict[str, tuple[str, Kind]] = {
     "pressure": ("Pa", "pressure"),
@@ -25,21 +20,22 @@ COLUMNS: dict[str, tuple[str, Kind]] = {
     "force": ("N", "plain"),
     "time": ("s", "plain"),
 }
-TOP_LEVEL = {
-    **shared.TOP_LEVEL,
-    "law": Field(),
-    **{
-        name: Field(type="table", is_required=True, example=f'{name} = {{ column = "...", unit = "..." }}')
-        for name in ("pressure", "force")
-    },
-    **dict.fromkeys(("contraction", "length", "time"), Field(type="table")),
-    **dict.fromkeys(("nominal_length", "nominal_diameter"), Field(unit="m", is_required=True)),
+_SIZES = {
+    "nominal_length": Field(unit="m", is_required=True, example='nominal_length = "300 mm"'),
+    "nominal_diameter": Field(unit="m", is_required=True, example='nominal_diameter = "20 mm"'),
     "slack_below": Field(unit="N"),
 }
+TOP_LEVEL = {
+    **FILE_FIELDS,
+    "law": Field(type="text", default="best"),
+    **{name: channel_field(name, is_required=name in ("pressure", "force")) for name in COLUMNS},
+    **_SIZES,
+}
+CHANNEL_FIELDS = {"column": Field(is_required=True, example='column = "F"'), "unit": Field()}
 
 
 def read_muscle_file(path: str | Path) -> tuple[MusclePoints, dict[str, Any]]:
-    """Read a file that names a force map, or recordings, of a muscle.
+    """Read a file that names a force map or recordings of a muscle.
 
     Parameters
     ----------
@@ -56,13 +52,13 @@ def read_muscle_file(path: str | Path) -> tuple[MusclePoints, dict[str, Any]]:
     Raises
     ------
     InputErrors
-        With all mistakes, each with its line where it can be told.
+        All errors of the file, each with its line.
 
     Notes
     -----
-    `file` is a table that `poppet` reads, or a list of recordings, relative to the file. Each column has a `unit` where
-    its heading has none. `contraction` may be a `length` instead. With a column `time` the recordings are samples in
-    order, and the direction of the motion tells the hysteresis.
+    `file` is a table that `poppet` reads, or a list of recordings, relative to the file. A column needs a `unit` if
+    its heading has none. `length` may replace `contraction`. With a column `time`, the rows are samples in order; the
+    direction of the motion then gives the hysteresis.
 
     Examples
     --------
@@ -89,35 +85,28 @@ def read_muscle_file(path: str | Path) -> tuple[MusclePoints, dict[str, Any]]:
 
 def _read(file: TomlFile) -> tuple[MusclePoints, dict[str, Any]]:
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, table="force map file")
+        fields = read_fields(errors, file.content, TOP_LEVEL, table="force map file")
         if ("contraction" in file.content) == ("length" in file.content):
             errors.add("force_map.contraction_or_length", "contraction")
-    ambient = shared.ambient_of(data)
-    given = data["file"] if isinstance(data["file"], list) else [data["file"]]
-    sizes = {name: data[name] for name in ("nominal_length", "nominal_diameter", "slack_below") if name in data}
-    tables, notes = [], list[Note]()
-    for name in given:
-        table = shared.table_of(file.folder, name, data)
+    ambient_pressure = read_ambient(fields)
+    names = fields["file"] if isinstance(fields["file"], list) else [fields["file"]]
+    sizes = {name: fields[name] for name in _SIZES if name in fields}
+    maps, notes = [], list[Note]()
+    for name in names:
+        table = open_table(file.folder, name, fields)
         notes += table.notes
         columns: dict[str, Any] = {}
         with ErrorCollector() as errors:
-            for channel in [each for each in COLUMNS if each in data]:
+            for channel, (unit, kind) in COLUMNS.items():
+                if channel not in fields:
+                    continue
                 with errors.collecting():
-                    columns[channel] = _column(channel, data[channel], table, ambient)
+                    with ErrorCollector() as channel_errors:
+                        options = read_fields(channel_errors, fields[channel], CHANNEL_FIELDS, channel, table="channel")
+                    columns[channel] = read_column(channel, options, table, unit, kind, ambient_pressure).values
+        columns["pressure"] = columns["pressure"] - ambient_pressure
         if "length" in columns:
-            columns["contraction"] = 1.0 - columns.pop("length") / float(data["nominal_length"])
-        tables.append(MusclePoints(**columns, **sizes))
-    points = tables[0] if len(tables) == 1 else joined(tables)
-    named = {"title": str(data.get("title", Path(file.name).stem)), "part": str(data.get("part", ""))}
-    return points, named | {"law": str(data.get("law", "best")), "notes": tuple(notes)}
-
-
-def _column(channel: str, given: Mapping[str, Any], table: Table, ambient: float) -> FloatArray:
-    """Readings in SI, pressures gauge."""
-    unit, kind = COLUMNS[channel]
-    with ErrorCollector() as errors:
-        own = read_fields(
-            errors, given, {"column": Field(is_required=True, example='column = "F"'), "unit": Field()}, channel
-        )
-    values, _, _ = shared.column(channel, own, table, unit, kind, ambient)
-    return values - ambient if kind == "pressure" else values
+            columns["contraction"] = 1.0 - columns.pop("length") / float(fields["nominal_length"])
+        maps.append(MusclePoints(**columns, **sizes))
+    options = {"title": fields.get("title", Path(file.name).stem), "part": fields["part"], "law": fields["law"]}
+    return maps[0] if len(maps) == 1 else join_tables(maps), options | {"notes": tuple(notes)}

@@ -1,8 +1,8 @@
-"""Fits of the laws of a muscle's force: least squares over taut points, each group held out once.
+"""Least-squares fits of the force laws of a muscle to taut points, with each group withheld once.
 
-In every law all numbers but one at most are linear: the one is sought on a line, the others follow from it (variable
-projection). The refits without one group give both the held-out error and, as a jackknife over groups, the intervals:
-what the points of one pressure or of one recording have in common does not make the intervals too narrow.
+At most one parameter of a law is nonlinear: a scalar search finds it, and the others follow from it (variable
+projection). The refits without one group give the validation error and, as a jackknife over groups, the intervals.
+Common errors of one pressure or recording therefore do not make the intervals too narrow.
 """
 
 from __future__ import annotations
@@ -23,39 +23,39 @@ from poppet.timeseries.checks import FloatArray
 
 HYSTERESIS = {"hysteresis.force": "N", "hysteresis.force_per_pressure": "N/Pa"}
 MOST_ROWS, ROWS = 12, 6
-"""Levels of contraction that become rows of a table; where there are more, that many rows at equal distances."""
+"""Maximum number of levels of contraction that become rows of a table, and number of rows for more levels."""
 _SEARCHED = 24
 
 
-class Candidate(ABC):
-    """A law with its numbers free."""
+class ForceLawCandidate(ABC):
+    """Force law with free parameters."""
 
     name: ClassVar[str]
     shapes: ClassVar[tuple[float, float] | None] = None
-    """Range of the number that does not enter linearly."""
+    """Range of the nonlinear parameter, or None."""
 
-    def __init__(self, points: MusclePoints, which: NDArray[np.bool_] | None = None) -> None:
+    def __init__(self, points: MusclePoints, selected: NDArray[np.bool_] | None = None) -> None:
         self.diameter, self.length = points.nominal_diameter, points.nominal_length
 
     @abstractmethod
     def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
-        """The part of the force that is fixed, and what the linear numbers multiply."""
+        """Return the fixed part of the force, and the factors of the linear parameters."""
 
     @abstractmethod
     def units(self) -> dict[str, str]:
-        """Address of each number with its unit."""
+        """Return the unit of each parameter by its address."""
 
     def numbers(self, linear: FloatArray, shape: float) -> list[float]:
-        """The numbers as the part takes them, in the order of `units`."""
+        """Return the parameters of the part, in the order of `units`."""
         return [*linear.tolist(), *([] if self.shapes is None else [shape])]
 
     @abstractmethod
     def law(self, values: Mapping[str, float]) -> ForceLaw:
-        """The law of numbers by address."""
+        """Return the law for parameters by address."""
 
 
-class SarosiCandidate(Candidate):
-    """Sarosi's law."""
+class SarosiCandidate(ForceLawCandidate):
+    """Force law of Sarosi."""
 
     name = "sarosi"
     shapes = (-300.0, -5.0)
@@ -74,8 +74,8 @@ class SarosiCandidate(Candidate):
         return Sarosi(*(values[f"sarosi.a{k}"] for k in range(1, 7)))
 
 
-class BraidCandidate(Candidate):
-    """Chou and Hannaford: b = 1/sin^2 of the angle is the one number, and linear."""
+class BraidCandidate(ForceLawCandidate):
+    """Force law of Chou and Hannaford, linear in b = 1/sin^2 of the braid angle."""
 
     name = "chou_hannaford"
 
@@ -88,7 +88,7 @@ class BraidCandidate(Candidate):
         return {"braid_angle": "rad"}
 
     def numbers(self, linear: FloatArray, shape: float) -> list[float]:
-        # Below 1 no angle has it: a right angle is the nearest.
+        # Below 1 there is no such angle; a right angle is the nearest.
         angle = math.asin(1.0 / math.sqrt(max(float(linear[0]), 1.0)))
         return [angle, *([] if self.shapes is None else [shape])]
 
@@ -97,7 +97,7 @@ class BraidCandidate(Candidate):
 
 
 class TonduCandidate(BraidCandidate):
-    """Tondu and Lopez: k as well."""
+    """Force law of Tondu and Lopez, with the end factor k."""
 
     name = "tondu_lopez"
     shapes = (0.2, 6.0)
@@ -109,14 +109,14 @@ class TonduCandidate(BraidCandidate):
         return TonduLopez(self.diameter, values["braid_angle"], values["end_factor"])
 
 
-class TableCandidate(Candidate):
-    """Lines over pressure at each level of contraction, straight between."""
+class TableCandidate(ForceLawCandidate):
+    """Table of lines versus pressure at levels of contraction, with linear interpolation."""
 
     name = "table"
 
-    def __init__(self, points: MusclePoints, which: NDArray[np.bool_] | None = None) -> None:
+    def __init__(self, points: MusclePoints, selected: NDArray[np.bool_] | None = None) -> None:
         super().__init__(points)
-        taut = points.contraction[points.taut if which is None else points.taut & which]
+        taut = points.contraction[points.taut if selected is None else points.taut & selected]
         level = levels(taut)
         count = int(level.max()) + 1
         if count <= MOST_ROWS:
@@ -141,65 +141,68 @@ class TableCandidate(Candidate):
         return ForceTable(self.rows, slopes, passives)
 
 
-CANDIDATES: dict[str, type[Candidate]] = {
+CANDIDATES: dict[str, type[ForceLawCandidate]] = {
     kind.name: kind for kind in (SarosiCandidate, TableCandidate, TonduCandidate, BraidCandidate)
 }
 
 
 @dataclass(frozen=True, eq=False)
-class LawFit:
-    """A law fitted to all taut points, and without each group."""
+class ForceLawFit:
+    """Fit of a force law to all taut points, and without each group."""
 
-    candidate: Candidate
+    candidate: ForceLawCandidate
     points: MusclePoints
     values: Mapping[str, float]
-    without: FloatArray  # numbers of the fits without each group, (n_groups, n_numbers)
-    # By axis: law minus measurement of taut points by the fit without their group.
+    without: FloatArray  # parameters of the fits without each group, (n_groups, n_parameters)
+    # By axis: law minus measurement of the withheld taut points [N].
     held_out: Mapping[str, FloatArray]
 
     @cached_property
     def law(self) -> ForceLaw:
-        """The law itself."""
+        """Fitted force law."""
         return self.candidate.law(self.values)
 
     def is_at_bound(self, name: str) -> bool:
-        """Whether the search for the number that is not linear ended at an end of its range, or no angle fits."""
+        """Return True if the nonlinear parameter is at an end of its range, or no angle fits."""
         value, shapes = self.values[name], self.candidate.shapes or ()
         at_end = name in ("sarosi.a3", "end_factor") and any(abs(value - end) < 1e-3 * abs(end) for end in shapes)
         return at_end or (name == "braid_angle" and value == 0.5 * math.pi)
 
     @cached_property
     def modelled(self) -> FloatArray:
-        """Force at every point, hysteresis included [N]."""
+        """Modelled force at each point, including hysteresis [N]."""
         return _force(self.candidate, self.points, self.values)
 
     @cached_property
     def covariance(self) -> FloatArray:
-        """Of the numbers: jackknife over groups."""
+        """Covariance of the parameters, from a jackknife over groups."""
         count = len(self.without)
         centred = self.without - self.without.mean(axis=0)
         return np.asarray((count - 1) / count * centred.T @ centred)
 
     @cached_property
     def errors(self) -> FloatArray:
-        """Law minus measurement of taut points [N]."""
+        """Law minus measurement at taut points [N]."""
         return np.asarray((self.modelled - self.points.force)[self.points.taut])
 
     @cached_property
     def score(self) -> float:
-        """By which laws are ranked: root mean square of all held-out errors [N]."""
+        """Root mean square of all validation errors, by which laws are ranked [N]."""
         return rms(np.concatenate([*self.held_out.values()]))
 
 
 def rms(errors: FloatArray) -> float:
-    """Root mean square."""
+    """Return the root mean square."""
     return float(np.sqrt(np.mean(errors**2)))
 
 
-def fit_law(points: MusclePoints, name: str) -> LawFit | None:
-    """A law fitted to taut points, or None where these cannot tell its numbers, all of them or without one group."""
+def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
+    """Fit a law to the taut points.
+
+    The result is None if the points, or the points without one group, do not determine its parameters.
+    """
     candidate, taut = CANDIDATES[name](points), points.taut
-    values = _fitted(candidate, points, taut)
+    values = _fit_parameters(candidate, points, taut)
     if values is None:
         return None
     held_out: dict[str, FloatArray] = {}
@@ -207,28 +210,28 @@ def fit_law(points: MusclePoints, name: str) -> LawFit | None:
     for axis, group in filter(None, (points.groups, points.crossed)):
         errors = []
         for k in np.unique(group[taut & (group >= 0)]):
-            own = taut & (group == k)
-            # What a table has rows for changes with what is held out.
-            other_kind = candidate if axis == points.groups[0] else type(candidate)(points, ~own)
-            other = _fitted(other_kind, points, taut & ~own)
-            if other is None:
+            withheld = taut & (group == k)
+            # The rows of a table depend on the remaining points.
+            refit_candidate = candidate if axis == points.groups[0] else type(candidate)(points, ~withheld)
+            refit = _fit_parameters(refit_candidate, points, taut & ~withheld)
+            if refit is None:
                 return None
-            errors.append((_force(other_kind, points, other) - points.force)[own])
+            errors.append((_force(refit_candidate, points, refit) - points.force)[withheld])
             if axis == points.groups[0]:
-                without.append([*other.values()])
+                without.append([*refit.values()])
         held_out[axis] = np.concatenate(errors)
-    return LawFit(candidate, points, values, np.array(without), held_out)
+    return ForceLawFit(candidate, points, values, np.array(without), held_out)
 
 
-def error_at(fit: LawFit, shift: float) -> float:
-    """Root mean square of what the law misses of taut points whose pressures are moved [N]."""
-    moved = replace(fit.points, pressure=fit.points.pressure + shift)
-    values = _fitted(fit.candidate, moved, moved.taut)
-    assert values is not None  # the points told the numbers before
-    return rms((_force(fit.candidate, moved, values) - moved.force)[moved.taut])
+def error_at(fit: ForceLawFit, shift: float) -> float:
+    """Return the rms error of a refit to shifted pressures [N]."""
+    shifted = replace(fit.points, pressure=fit.points.pressure + shift)
+    values = _fit_parameters(fit.candidate, shifted, shifted.taut)
+    assert values is not None  # the points determined the parameters before
+    return rms((_force(fit.candidate, shifted, values) - shifted.force)[shifted.taut])
 
 
-def _force(candidate: Candidate, points: MusclePoints, values: Mapping[str, float]) -> FloatArray:
+def _force(candidate: ForceLawCandidate, points: MusclePoints, values: Mapping[str, float]) -> FloatArray:
     static = candidate.law(values).force(points.pressure, points.contraction)
     if points.direction is None:
         return np.asarray(static)
@@ -236,41 +239,43 @@ def _force(candidate: Candidate, points: MusclePoints, values: Mapping[str, floa
     return np.asarray(static - points.direction * (level + per_pressure * points.pressure))
 
 
-def _fitted(candidate: Candidate, points: MusclePoints, which: NDArray[np.bool_]) -> dict[str, float] | None:
-    """Numbers by address, of some of the points; None where they do not tell them all."""
-    pressure, contraction, force = (each[which] for each in (points.pressure, points.contraction, points.force))
-    more: list[FloatArray] = []
+def _fit_parameters(
+    candidate: ForceLawCandidate, points: MusclePoints, selected: NDArray[np.bool_]
+) -> dict[str, float] | None:
+    """Return the parameters that fit selected points, or None if these do not determine them."""
+    pressure, contraction, force = (array[selected] for array in (points.pressure, points.contraction, points.force))
+    hysteresis: list[FloatArray] = []
     if points.direction is not None:
-        more = [-points.direction[which], -points.direction[which] * pressure]
+        hysteresis = [-points.direction[selected], -points.direction[selected] * pressure]
 
-    def solved(shape: float) -> tuple[float, FloatArray, int]:
+    def solve(shape: float) -> tuple[float, FloatArray, int]:
         fixed, columns = candidate.columns(pressure, contraction, shape)
-        matrix = np.stack([*columns, *more], axis=1)
+        matrix = np.stack([*columns, *hysteresis], axis=1)
         sizes = np.maximum(np.linalg.norm(matrix, axis=0), 1e-300)
         linear, _, rank, _ = np.linalg.lstsq(matrix / sizes, force - fixed, rcond=1e-10)
         linear = linear / sizes
         error = fixed + matrix @ linear - force
         return float(error @ error), linear, int(rank)
 
-    shape = 0.0 if candidate.shapes is None else _best(lambda x: solved(x)[0], *candidate.shapes)
-    _, linear, rank = solved(shape)
+    shape = 0.0 if candidate.shapes is None else _minimise(lambda x: solve(x)[0], *candidate.shapes)
+    _, linear, rank = solve(shape)
     units = candidate.units()
     if rank < linear.size or force.size <= len(units):
         return None
-    own = linear.size - len(more)
-    values = dict(zip(units, candidate.numbers(linear[:own], shape), strict=True))
-    return values | dict(zip(HYSTERESIS, linear[own:].tolist(), strict=False))
+    n_law = linear.size - len(hysteresis)
+    values = dict(zip(units, candidate.numbers(linear[:n_law], shape), strict=True))
+    return values | dict(zip(HYSTERESIS, linear[n_law:].tolist(), strict=False))
 
 
-def _best(cost: Callable[[float], float], low: float, high: float) -> float:
-    """Where a cost is least, its sign that of the limits: steps of equal ratio first, then between the neighbours."""
+def _minimise(cost: Callable[[float], float], low: float, high: float) -> float:
+    """Return the minimum of a cost between limits of equal sign: a geometric grid, then a local search."""
     from scipy.optimize import minimize_scalar
 
-    places = np.sign(low) * np.geomspace(abs(low), abs(high), _SEARCHED)
-    k = int(np.argmin([cost(float(x)) for x in places]))
-    ends = float(places[max(k - 1, 0)]), float(places[min(k + 1, _SEARCHED - 1)])
+    grid = np.sign(low) * np.geomspace(abs(low), abs(high), _SEARCHED)
+    k = int(np.argmin([cost(float(x)) for x in grid]))
+    ends = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, _SEARCHED - 1)])
     return float(
         minimize_scalar(
-            cost, bounds=(min(ends), max(ends)), method="bounded", options={"xatol": 1e-7 * abs(float(places[k]))}
+            cost, bounds=(min(ends), max(ends)), method="bounded", options={"xatol": 1e-7 * abs(float(grid[k]))}
         ).x
     )

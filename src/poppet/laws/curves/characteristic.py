@@ -173,10 +173,8 @@ class Characteristic:
             Characteristic with updated derived values.
         """
         numbers = self.numbers()
-        unknown = [key for key in changes if key not in numbers]
-        collect(
-            [InputError("curves.no_number", key, name=self.name, near=NameSuggestion(key, numbers)) for key in unknown]
-        )
+        meaning, unknown = f"a parameter of {self.name}", [key for key in changes if key not in numbers]
+        collect([InputError("names.unknown", k, meaning=meaning, near=NameSuggestion(k, numbers)) for k in unknown])
         curves: dict[str, Any] = {curve: self._curve(curve).with_numbers(_under(curve, changes)) for curve in _CURVES}
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
@@ -330,7 +328,13 @@ class Characteristic:
                 points = _span(first, last)
                 yield OutOfRangeError("curves.beyond_points", domain=_span(*self.domain), symbol=symbol, points=points)
         if self.edge not in EDGES:
-            yield InputError("curves.edge", value=self.edge, near=NameSuggestion(self.edge, EDGES))
+            yield InputError(
+                "fields.not_an_option",
+                "edge",
+                meaning="edge policy",
+                value=self.edge,
+                near=NameSuggestion(self.edge, EDGES),
+            )
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 

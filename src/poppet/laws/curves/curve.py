@@ -93,7 +93,8 @@ class Curve(ABC):
         """
         numbers = self.numbers()
         unknown = [name for name in changes if name not in numbers]
-        collect([InputError("curves.no_number_of_curve", name, near=NameSuggestion(name, numbers)) for name in unknown])
+        meaning = "a parameter of this curve"
+        collect([InputError("names.unknown", n, meaning=meaning, near=NameSuggestion(n, numbers)) for n in unknown])
         return self._with_values(list({**numbers, **changes}.values()))
 
     def __call__(self, x: Any) -> Any:

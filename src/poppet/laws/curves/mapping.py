@@ -9,6 +9,7 @@ from typing import Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
 from poppet.core.provenance import SOURCE_KINDS, Number, Source
+from poppet.core.tables import Field, missing_field
 from poppet.core.units import convert, quantity
 from poppet.laws.curves.characteristic import EDGES, Characteristic, Edge
 from poppet.laws.curves.curve import Curve
@@ -91,11 +92,16 @@ class _Reader:
         """Add an error with the address of the field."""
         self.errors.add(code, f"{self.name}.{field}", field=field, **facts)
 
+    def complain_missing(self, field: str, meaning: str, example: str = "") -> None:
+        """Add the error of a missing field."""
+        self.errors.extend([missing_field(f"{self.name}.{field}", Field(meaning=meaning, example=example))])
+
     def refuse_unknown(self) -> None:
         valid = _FIELDS[self.kind]
         for field in self.table:
             if field not in valid:
-                self.complain("curves.unknown_field", field, kind=self.kind, near=NameSuggestion(field, valid))
+                table = f"characteristic of kind {self.kind}"
+                self.complain("fields.unknown", field, table=table, near=NameSuggestion(field, valid))
 
     def number(self, raw: Any, unit: str, field: str) -> Number | None:
         with self.errors.collecting():
@@ -111,7 +117,7 @@ class _Reader:
 
     def curve(self, field: str) -> Curve | None:
         if field not in self.table:
-            self.complain("curves.missing", field, kind=self.kind)
+            self.complain_missing(field, f"{field} of a {self.kind}")
         else:
             with self.errors.collecting(f"{self.name}.{field}"):
                 return self._curve(field)
@@ -138,7 +144,7 @@ class _Reader:
         given = self.table.get("domain")
         if given is None:
             if self.kind == "polynomial":
-                self.complain("curves.missing_domain", "domain")
+                self.complain_missing("domain", "range in which the polynomial was fitted", 'domain = ["0 mm", "1 mm"]')
             return unbounded
         if not _is_list(given) or len(given) != 2:
             self.complain("curves.not_a_pair", "domain", value=given)
@@ -154,7 +160,9 @@ class _Reader:
             self.complain("curves.not_a_truth", "monotone", value=monotone)
         edge: Edge = self.table.get("edge", "hold")
         if edge not in EDGES:
-            self.complain("curves.edge", "edge", value=edge, near=NameSuggestion(str(edge), EDGES))
+            self.complain(
+                "fields.not_an_option", "edge", meaning="edge policy", value=edge, near=NameSuggestion(str(edge), EDGES)
+            )
         return {"edge": edge, "closing": closing, "monotone": monotone, "source": self.source}
 
     def _source(self) -> Source:
@@ -176,7 +184,7 @@ class _Reader:
     def _argument_scale(self) -> float | None:
         unit, address = self.table.get("argument_unit"), f"{self.name}.argument_unit"
         if unit is None:
-            self.errors.add("curves.missing_argument_unit", address)
+            self.complain_missing("argument_unit", "unit of x in a polynomial", 'argument_unit = "mm"')
             return None
         try:
             return float(convert(1.0, "m", unit))
@@ -188,8 +196,10 @@ class _Reader:
     def _strokes(self) -> tuple[float, ...] | None:
         """Return the strokes of a table, None if they are invalid."""
         if not _is_list(self.table.get("stroke")):
-            code = "curves.not_strokes" if "stroke" in self.table else "curves.missing_strokes"
-            self.errors.add(code, f"{self.name}.stroke", value=self.table.get("stroke"))
+            if "stroke" in self.table:
+                self.complain("curves.not_strokes", "stroke", value=self.table["stroke"])
+            else:
+                self.complain_missing("stroke", "stroke of a table", 'stroke = ["0 mm", "0.5 mm", "1 mm"]')
             return None
         numbers = self.numbers("stroke", "m")
         return None if numbers is None else tuple(float(number) for number in numbers)

@@ -9,7 +9,7 @@ import numpy as np
 
 
 def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
-    r"""Slopes of the monotone piecewise cubic at its knots.
+    r"""Return the slopes of the monotone piecewise cubic at its knots.
 
     Inside, the weighted harmonic mean of the neighbouring chords' slopes m (zero where they differ in sign),
 
@@ -60,7 +60,7 @@ def _harmonic(h0: float, h1: float, m0: float, m1: float) -> float:
 
 
 def _end_slope(h0: float, h1: float, m0: float, m1: float) -> float:
-    """Three-point slope at an end, limited so that the first segment stays monotone."""
+    """Return the three-point slope at an end, limited so that the first segment stays monotone."""
     slope = ((2.0 * h0 + h1) * m0 - h0 * m1) / (h0 + h1)
     if np.sign(slope) != np.sign(m0):
         return 0.0

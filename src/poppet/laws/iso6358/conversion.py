@@ -79,7 +79,7 @@ def conductance_from_effective_area(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
     gas_constant: float = AIR_GAS_CONSTANT,
 ) -> Conductance:
-    r"""Sonic conductance of an effective area, by its choked flow.
+    r"""Return the sonic conductance of an effective area, by its choked flow.
 
     .. math::
 
@@ -130,7 +130,7 @@ def effective_area_from_conductance(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
     gas_constant: float = AIR_GAS_CONSTANT,
 ) -> float:
-    r"""Area of the ideal nozzle with the same choked flow.
+    r"""Return the area of the ideal nozzle with the same choked flow.
 
     .. math::
 
@@ -205,7 +205,7 @@ def factors_from_air(isentropic_exponent: float, gas_constant: float) -> tuple[f
 def conductance_from_flow_coefficient_cv(
     flow_coefficient_cv: float, *, critical_ratio: float | None = None, definition: Definition = "pneumatic"
 ) -> Conductance:
-    r"""Sonic conductance from the flow coefficient Cv, equal at small pressure drops.
+    r"""Return the sonic conductance from the flow coefficient Cv, equal at small pressure drops.
 
     .. math::
 
@@ -246,7 +246,9 @@ def conductance_from_flow_coefficient_cv(
 def conductance_from_flow_coefficient_kv(
     flow_coefficient_kv: float, *, critical_ratio: float | None = None, definition: Definition = "pneumatic"
 ) -> Conductance:
-    r"""Sonic conductance from the flow coefficient Kv; all else as in `conductance_from_flow_coefficient_cv`.
+    r"""Return the sonic conductance from the flow coefficient Kv.
+
+    All other properties are those of `conductance_from_flow_coefficient_cv`.
 
     .. math:: C = C(C_v), \quad C_v = K_v/0.865
 
@@ -277,7 +279,7 @@ def conductance_from_flow_coefficient_kv(
 def flow_coefficient_cv_from_conductance(
     sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
 ) -> float:
-    r"""Flow coefficient Cv of a passage.
+    r"""Return the flow coefficient Cv of a passage.
 
     .. math:: C_v = C/(C/C_v)
 
@@ -305,7 +307,7 @@ def flow_coefficient_cv_from_conductance(
 def flow_coefficient_kv_from_conductance(
     sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
 ) -> float:
-    r"""Flow coefficient Kv of a passage.
+    r"""Return the flow coefficient Kv of a passage.
 
     .. math:: K_v = 0.865\, C_v
 
@@ -336,7 +338,7 @@ def conductance_from_nominal_flow(
     subsonic_index: float = 0.5,
     atmosphere: float = STANDARD_ATMOSPHERE,
 ) -> Conductance:
-    r"""Sonic conductance from the nominal flow qNn, stated from 6 bar to 5 bar gauge at 20 degC.
+    r"""Return the sonic conductance from the nominal flow qNn, stated from 6 bar to 5 bar gauge at 20 degC.
 
     .. math:: C = q_{Nn} \Big/ \frac{q_m(C = 1;\ 6\,\text{bar g},\ 5\,\text{bar g},\ T_0)}{\rho_0}
 
@@ -385,7 +387,7 @@ def nominal_flow_from_conductance(
     subsonic_index: float = 0.5,
     atmosphere: float = STANDARD_ATMOSPHERE,
 ) -> float:
-    r"""Nominal flow qNn of a passage, from 6 bar to 5 bar gauge at 20 degC.
+    r"""Return the nominal flow qNn of a passage, from 6 bar to 5 bar gauge at 20 degC.
 
     .. math:: q_{Nn} = q_m(6\,\text{bar g},\ 5\,\text{bar g},\ T_0)/\rho_0
 
@@ -411,7 +413,7 @@ def nominal_flow_from_conductance(
 
 
 def volume_from_mass_flow_rate(mass_flow_rate: float, atmosphere: ReferenceAtmosphere = ANR) -> float:
-    r"""Volume flow rate of a mass flow rate, referred to a stated atmosphere.
+    r"""Return the volume flow rate of a mass flow rate at a reference atmosphere.
 
     .. math:: Q = q_m/\rho_\mathrm{ref}
 
@@ -440,7 +442,7 @@ def volume_from_mass_flow_rate(mass_flow_rate: float, atmosphere: ReferenceAtmos
 
 
 def mass_from_volume_flow_rate(volume_flow_rate: float, atmosphere: ReferenceAtmosphere = ANR) -> float:
-    r"""Mass flow rate of a volume flow rate that is referred to a stated atmosphere.
+    r"""Return the mass flow rate of a volume flow rate at a reference atmosphere.
 
     .. math:: q_m = \rho_\mathrm{ref} Q
 
@@ -499,12 +501,16 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
         # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
         return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(AIR_GAS_CONSTANT))
     raise InputError(
-        "iso6358.definition", "definition", value=definition, near=NameSuggestion(definition, _DEFINITIONS)
+        "fields.not_an_option",
+        "definition",
+        value=definition,
+        meaning="definition of the flow coefficient",
+        near=NameSuggestion(definition, _DEFINITIONS),
     )
 
 
 def _nominal_flow_per_conductance(critical_ratio: float, subsonic_index: float, atmosphere: float) -> float:
-    """Volume flow rate ANR of a passage with C = 1 at the nominal pressures [Pa]."""
+    """Return the volume flow rate ANR of a passage with C = 1 at the nominal pressures [Pa]."""
     # The law is linear in C, and both nominal pressures lie well outside the regularised zone.
     flow = flow_law(
         NOMINAL_INLET_GAUGE + atmosphere,

@@ -123,7 +123,7 @@ def upstream_pressure(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Pressure before a passage that drives a given flow against a downstream pressure.
+    r"""Return the upstream pressure for a given flow and downstream pressure.
 
     With :math:`\pi = q_m/(C \rho_0 \sqrt{T_0/T_1})`, m = 0.5 and no cracking pressure
 
@@ -201,7 +201,7 @@ def sonic_conductance_from_flow(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Sonic conductance with which a passage of known b carries a measured flow.
+    r"""Return the sonic conductance of a flow path with known b from a measured flow.
 
     .. math:: C = q_m / q_m(C = 1)
 
@@ -273,7 +273,7 @@ def effective_conductance(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Conductance that would carry the flow if it were choked.
+    r"""Return the sonic conductance that gives the flow if choked.
 
     .. math:: C_e = \frac{q_m}{\rho_0 p_1 \sqrt{T_0/T_1}}
 
@@ -314,7 +314,7 @@ def effective_conductance(
 
 
 def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_index: Any = 0.5) -> Any:
-    r"""Critical pressure ratio from one subsonic point of a flow bench.
+    r"""Return the critical pressure ratio from one subsonic point of a flow bench.
 
     .. math:: b = \frac{r - s}{1 - s} = 1 - \frac{1 - r}{1 - s}, \quad s = \sqrt{1 - \varphi^{1/m}}
 
@@ -360,7 +360,7 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
 
 
 def _checked_arrays(arguments: dict[str, Any], domains: dict[str, Domain] = _DOMAINS) -> dict[str, Any]:
-    """All numbers checked and as float arrays, zero-dimensional for floats."""
+    """Check all arguments and return them as float arrays, zero-dimensional for floats."""
     check(arguments, domains)
     return {name: np.asarray(value, dtype=float) for name, value in arguments.items()}
 
@@ -371,7 +371,7 @@ def _choked_flow_per_pressure(number: dict[str, Any]) -> Any:
 
 
 def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
-    """Pressure drop that carries the fraction `ratio` < 1 of the choked flow [Pa]."""
+    """Return the pressure drop that carries the fraction `ratio` < 1 of the choked flow [Pa]."""
     width = 1.0 - number["laminar_ratio"]
     cracking = number["cracking_pressure"] / number["pressure_1"]
     span, edge, slope = edge_of_zone(number["critical_ratio"], number["subsonic_index"], cracking, width)
@@ -392,7 +392,10 @@ def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
 
 
 def _upstream_in_closed_form(choking: Any, number: dict[str, Any]) -> Any:
-    """Upstream pressure outside the zone for m = 0.5; `choking` is what would carry the flow choked [Pa]."""
+    """Return the upstream pressure outside the zone for m = 0.5 [Pa].
+
+    `choking` is the upstream pressure that gives the flow if choked.
+    """
     b = number["critical_ratio"]
     # at p2 = b choking the formula gives just `choking`, so raising p2 to it covers the choked branch
     pressure_2 = np.maximum(number["pressure_2"], b * choking)

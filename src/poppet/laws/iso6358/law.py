@@ -35,7 +35,7 @@ def mass_flow_rate(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Mass flow rate through an ISO 6358 passage, positive from port 1 to port 2.
+    r"""Return the mass flow rate of an ISO 6358 flow path, positive from port 1 to port 2.
 
     .. math::
 
@@ -156,7 +156,7 @@ def flow(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> tuple[Any, Any]:
-    r"""Mass flow rate and the temperature it carries, sharing their common work.
+    r"""Return the mass flow rate and the temperature of the flow.
 
     .. math:: (q_m, T_\mathrm{up})
 
@@ -231,7 +231,9 @@ def upstream_temperature(
     *,
     laminar_ratio: Any = LAMINAR_RATIO,
 ) -> Any:
-    r"""Stagnation temperature of the gas that flows: that of the upstream side, rounded where the flow turns.
+    r"""Return the stagnation temperature of the flow.
+
+    It is the temperature of the upstream side, smoothed at flow reversal.
 
     .. math::
 

@@ -9,7 +9,9 @@ from poppet.laws.iso6358.regularisation import carried_temperature
 
 
 def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critical_ratio: Any) -> Any:
-    r"""Coefficient K of the loss :math:`K q |q|` that equals p1 - p2 at the flow of ISO 6358, with m = 0.5.
+    r"""Return K, the coefficient of the loss :math:`K q |q|` that equals p1 - p2.
+
+    The flow is that of ISO 6358 with m = 0.5.
 
     .. math:: K = \frac{(1 - b)\, p_1}{q_c^2} \frac{\max(1, x)}{2 - \min(1, x)}, \qquad
               x = \frac{|p_1 - p_2|}{(1 - b)\, p_1}
@@ -48,7 +50,9 @@ def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critica
 
 
 def temperature_of_flow(mass_flow_rate: Any, choked_flow: Any, temperature_1: Any, temperature_2: Any) -> Any:
-    """Stagnation temperature of gas whose flow is a state: that of the side it comes from, rounded at the turn.
+    """Return the stagnation temperature of a flow that is a state.
+
+    It is the temperature of the upstream side, smoothed at flow reversal.
 
     Parameters
     ----------

@@ -20,7 +20,7 @@ NOZZLE_DOMAINS = DOMAINS | {
 
 
 def nozzle_critical_ratio(isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT) -> float:
-    r"""Pressure ratio at and below which an ideal nozzle is choked.
+    r"""Return the pressure ratio at and below which an ideal nozzle is choked.
 
     .. math:: b = \left(\frac{2}{\kappa + 1}\right)^{\kappa/(\kappa - 1)}
 
@@ -46,7 +46,7 @@ def nozzle_critical_ratio(isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT) 
 def nozzle_choked_flux(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT, gas_constant: float = AIR_GAS_CONSTANT
 ) -> float:
-    r"""Choked mass flow rate of an ideal nozzle per area and pressure, times the root of the temperature.
+    r"""Return the choked mass flow rate of an ideal nozzle per area and pressure, times sqrt(T).
 
     .. math:: \frac{q_m \sqrt{T_1}}{A\,p_1} = \sqrt{\frac{\kappa}{R}}
               \left(\frac{2}{\kappa + 1}\right)^{(\kappa + 1)/(2 (\kappa - 1))}
@@ -81,7 +81,7 @@ def nozzle_mass_flow_rate(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
     gas_constant: float = AIR_GAS_CONSTANT,
 ) -> Any:
-    r"""Mass flow rate through an ideal nozzle, positive from port 1 to port 2.
+    r"""Return the mass flow rate through an ideal nozzle, positive from port 1 to port 2.
 
     .. math::
 

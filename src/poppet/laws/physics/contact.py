@@ -34,7 +34,7 @@ def saturation(value: Any) -> Any:
 
 
 def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipation: Any) -> Any:
-    r"""Force with which an end stop pushes back.
+    r"""Return the force of an end stop.
 
     .. math:: F = k\, d^{3/2} \left(1 + \frac{s}{\sqrt{1 + s^2}}\right),\quad s = \lambda\, \dot d
 
@@ -77,7 +77,7 @@ def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipat
 
 
 def seat_fraction(stroke: Any, width: Any) -> Any:
-    r"""Part of the lower spring's force that the poppet, and not the seat, passes to the plate.
+    r"""Return the fraction of the lower spring force that acts on the plate through the poppet.
 
     .. math:: f = 3 s^2 - 2 s^3,\quad s = \min(\max(1 + x/w, 0), 1)
 
@@ -113,7 +113,7 @@ def stribeck_friction(
     transition_velocity: Any,
     viscous_damping: Any,
 ) -> Any:
-    r"""Friction force of a sliding seal.
+    r"""Return the friction force of a sliding seal.
 
     .. math:: F = \left[F_c + (F_s - F_c) e^{-(v/v_s)^2}\right] \tanh(v/v_t) + \sigma_2 v
 

@@ -8,7 +8,7 @@ from poppet.core.symbolic import exp
 
 
 def sliding_level(velocity: Any, coulomb_force: Any, static_force: Any, stribeck_velocity: Any) -> Any:
-    r"""Dry friction at a steady speed, without its sign.
+    r"""Return the dry friction at a steady speed, without its sign.
 
     .. math:: g(v) = F_c + (F_s - F_c)\, e^{-(v/v_s)^2}
 
@@ -72,7 +72,7 @@ def bristle_rate(deflection: Any, velocity: Any, level: Any, stiffness: Any) -> 
 def lugre_force(
     deflection: Any, deflection_rate: Any, velocity: Any, stiffness: Any, damping: Any, stribeck_velocity: Any
 ) -> Any:
-    r"""Friction of the LuGre model without its viscous part.
+    r"""Return the friction of the LuGre model without its viscous part.
 
     .. math:: F = \sigma_0 z + \sigma_1 e^{-(v/v_s)^2}\, \dot z
 

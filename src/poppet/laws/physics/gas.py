@@ -41,7 +41,7 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
 
 
 def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
-    r"""Temperature of a mass of gas in a volume.
+    r"""Return the temperature of a mass of gas in a volume.
 
     .. math:: T = \frac{p V}{m R}
 
@@ -66,7 +66,7 @@ def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_G
 
 
 def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
-    r"""Density of the gas.
+    r"""Return the density of the gas.
 
     .. math:: \varrho = \frac{p}{R T}
 
@@ -95,7 +95,7 @@ def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTAN
 def isochoric_heat_capacity(
     gas_constant: Any = AIR_GAS_CONSTANT, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
 ) -> Any:
-    r"""Specific heat capacity at constant volume.
+    r"""Return the specific heat capacity at constant volume.
 
     .. math:: c_v = \frac{R}{\kappa - 1}
 
@@ -120,7 +120,7 @@ def isochoric_heat_capacity(
 def isobaric_heat_capacity(
     gas_constant: Any = AIR_GAS_CONSTANT, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
 ) -> Any:
-    r"""Specific heat capacity at constant pressure.
+    r"""Return the specific heat capacity at constant pressure.
 
     .. math:: c_p = \frac{\kappa R}{\kappa - 1}
 
@@ -148,7 +148,7 @@ def internal_energy(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Internal energy of a mass of gas, zero at 0 K.
+    r"""Return the internal energy of a mass of gas, zero at 0 K.
 
     .. math:: U = m c_v T = \frac{p V}{\kappa - 1}
 
@@ -178,7 +178,7 @@ def enthalpy_flow(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Enthalpy that a flow of gas carries, zero at 0 K.
+    r"""Return the enthalpy that a flow of gas carries, zero at 0 K.
 
     .. math:: \dot H = q_m c_p T
 

@@ -44,7 +44,7 @@ AIR_CONDUCTIVITY = Sutherland(0.0241, 273.0, 194.0, "White, Viscous Fluid Flow, 
 
 
 def sutherland(temperature: Any, law: Sutherland) -> Any:
-    r"""Viscosity or thermal conductivity of a gas at low pressure.
+    r"""Return the viscosity or thermal conductivity of a gas at low pressure.
 
     .. math:: y = y_0 \left(\frac{T}{T_0}\right)^{3/2} \frac{T_0 + S}{T + S}
 
@@ -89,7 +89,7 @@ def natural_conductance(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Wall conductance of natural convection in a vessel.
+    r"""Return the wall conductance of natural convection in a vessel.
 
     .. math:: \mathrm{Nu} = c\, \mathrm{Ra}_H^{1/3},\quad h A = \mathrm{Nu}\, \frac{\lambda A}{H}
 
@@ -144,7 +144,7 @@ def charging_conductance(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Wall conductance in a vessel that is charged through a jet.
+    r"""Return the wall conductance in a vessel that is charged through a jet.
 
     .. math:: \mathrm{Nu}_H = 0.56\, \mathrm{Re}_d^{0.67} + 0.104\, \mathrm{Ra}_H^{0.352},\quad
               \mathrm{Re}_d = \frac{4 q_m}{\pi d \mu},\quad h A = \mathrm{Nu}_H\, \frac{\lambda A}{H}
@@ -193,7 +193,10 @@ def charging_conductance(
 def _rayleigh(
     pressure: Any, temperature: Any, wall_temperature: Any, height: Any, gas_constant: Any, isentropic_exponent: Any
 ) -> tuple[Any, Any]:
-    """Rayleigh number over the height, and thermal conductivity [W/(m K)], of air at the film temperature."""
+    """Return Rayleigh number over the height and thermal conductivity [W/(m K)] of air.
+
+    Both refer to the film temperature.
+    """
     film = 0.5 * (temperature + wall_temperature)
     difference = temperature - wall_temperature
     rounded = sqrt(difference * difference + SMALLEST_DIFFERENCE**2)

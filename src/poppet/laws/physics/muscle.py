@@ -22,7 +22,7 @@ class ForceLaw(ABC):
 
     @abstractmethod
     def slope(self, contraction: Any) -> Any:
-        """Force per gauge pressure f1.
+        """Return the force per gauge pressure f1.
 
         Parameters
         ----------
@@ -36,7 +36,7 @@ class ForceLaw(ABC):
         """
 
     def passive(self, contraction: Any) -> Any:
-        """Force without gauge pressure f0, of the hose itself.
+        """Return the force f0 of the hose without gauge pressure.
 
         Parameters
         ----------
@@ -52,7 +52,7 @@ class ForceLaw(ABC):
 
     @abstractmethod
     def swept(self, contraction: Any) -> Any:
-        """Integral of `slope` from no contraction on.
+        """Return the integral of `slope` from zero contraction.
 
         Parameters
         ----------
@@ -66,7 +66,7 @@ class ForceLaw(ABC):
         """
 
     def force(self, pressure: Any, contraction: Any) -> Any:
-        """Pull of the muscle.
+        """Return the pulling force of the muscle.
 
         Parameters
         ----------
@@ -83,7 +83,7 @@ class ForceLaw(ABC):
         return pressure * self.slope(contraction) + self.passive(contraction)
 
     def pressure_for(self, force: Any, contraction: Any) -> Any:
-        """The gauge pressure at which the muscle pulls with a force.
+        """Return the gauge pressure for a given pulling force.
 
         Parameters
         ----------
@@ -144,7 +144,7 @@ class ChouHannaford(ForceLaw):
     braid_angle: Any
 
     def _braid(self) -> tuple[Any, Any]:
-        """Square of the thread's length b, and 4 pi n^2."""
+        """Return the square of the thread's length b, and 4 pi n^2."""
         thread = self.nominal_length / cos(self.braid_angle)
         turns = thread * sin(self.braid_angle) / (math.pi * self.nominal_diameter)
         return thread**2, 4.0 * math.pi * turns**2
@@ -198,7 +198,7 @@ class TonduLopez(ForceLaw):
     end_factor: Any
 
     def _numbers(self) -> tuple[Any, Any, Any]:
-        """Area pi r0^2, a and b."""
+        """Return the area pi r0^2, a and b."""
         b = 1.0 / sin(self.braid_angle) ** 2
         return 0.25 * math.pi * self.nominal_diameter**2, 3.0 * (b - 1.0), b
 

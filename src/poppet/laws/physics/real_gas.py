@@ -132,7 +132,7 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
 
 
 def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
-    """Density over pc/(R Tc) of the gas, None of a liquid."""
+    """Return the density of the gas relative to pc/(R Tc), None for a liquid."""
     reduced = temperature / gas.critical_temperature
     share = pressure / gas.critical_pressure
     if reduced < 1.0 and math.log(max(share, 1e-300)) > 5.373 * (1.0 + gas.acentric_factor) * (1.0 - 1.0 / reduced):

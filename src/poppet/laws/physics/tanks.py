@@ -18,7 +18,7 @@ from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 def discharge_time_constant(
     volume: Any, sonic_conductance: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT
 ) -> Any:
-    r"""Time constant of a choked discharge.
+    r"""Return the time constant of a choked discharge.
 
     .. math:: \tau = \frac{V}{C \varrho_0 R \sqrt{T_0 T}}
 
@@ -47,7 +47,7 @@ def discharge_time_constant(
 
 
 def isothermal_discharge_pressure(time: Any, initial_pressure: Any, time_constant: Any) -> Any:
-    r"""Pressure during a choked discharge at constant temperature.
+    r"""Return the pressure during a choked discharge at constant temperature.
 
     .. math:: p = p_i\, e^{-t/\tau}
 
@@ -82,7 +82,7 @@ def isothermal_discharge_pressure(time: Any, initial_pressure: Any, time_constan
 def adiabatic_discharge_pressure(
     time: Any, initial_pressure: Any, time_constant: Any, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
 ) -> Any:
-    r"""Pressure during a choked discharge without heat transfer.
+    r"""Return the pressure during a choked discharge without heat transfer.
 
     .. math:: p = p_i \left(1 + \frac{\kappa - 1}{2}\, \frac{t}{\tau}\right)^{-2 \kappa/(\kappa - 1)}
 
@@ -116,7 +116,7 @@ def adiabatic_discharge_pressure(
 def charging_rate(
     volume: Any, sonic_conductance: Any, temperature: Any, supply_temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT
 ) -> Any:
-    r"""Rate at which p/p1 rises while a vessel of constant temperature is charged through a choked passage.
+    r"""Return the rate of p/p1 while a vessel of constant temperature is charged by choked flow.
 
     .. math:: K = \frac{R T C \varrho_0}{V} \sqrt{\frac{T_0}{T_s}}
 
@@ -149,7 +149,7 @@ def charging_rate(
 
 
 def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any) -> Any:
-    r"""Pressure in a vessel of constant temperature that is charged from a constant supply.
+    r"""Return the pressure in a vessel of constant temperature that is charged from a constant supply.
 
     .. math:: r = r_0 + K t \;(r \le b),\quad
               r = b + (1-b) \sin\!\left(\frac{K (t - t_b)}{1-b}\right) \;(r > b)
@@ -189,7 +189,7 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
 
 
 def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any) -> Any:
-    r"""Time until a vessel of constant temperature, charged from a constant supply, reaches a pressure.
+    r"""Return the charging time of a vessel of constant temperature to a given pressure.
 
     .. math:: t = \frac{\min(r, b) - \min(r_0, b)}{K} + \frac{1-b}{K} \left[\arcsin\frac{r - b}{1-b}
               - \arcsin\frac{r_0 - b}{1-b}\right]_{r, r_0 \ge b}
@@ -236,7 +236,7 @@ def adiabatic_charging_temperature(
     initial_temperature: Any,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Temperature in a vessel that was charged without heat transfer.
+    r"""Return the temperature in a vessel that was charged without heat transfer.
 
     .. math:: T = \frac{\kappa T_s}{1 + \frac{p_0}{p} \left(\kappa \frac{T_s}{T_0} - 1\right)}
 
@@ -271,7 +271,7 @@ def adiabatic_charging_temperature(
 def isentrope_temperature(
     pressure: Any, initial_pressure: Any, initial_temperature: Any, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
 ) -> Any:
-    r"""Temperature of a closed gas that is compressed or expanded without heat transfer.
+    r"""Return the temperature of a closed gas that is compressed or expanded without heat transfer.
 
     .. math:: T = T_0 \left(\frac{p}{p_0}\right)^{(\kappa - 1)/\kappa}
 
@@ -310,7 +310,7 @@ def isentrope_choked_charging_time(
     rate: Any,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Time in which the isentrope tank of Varga & Keski-Honkola 2012 is charged through a choked passage.
+    r"""Return the charging time of the isentrope tank (Varga & Keski-Honkola 2012) by choked flow.
 
     .. math:: t = \frac{p_0}{K p_1} \left[\left(\frac{p}{p_0}\right)^{1/\kappa} - 1\right]
 

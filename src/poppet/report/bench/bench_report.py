@@ -13,24 +13,13 @@ from poppet.bench.iso10094.evaluation import VERIFY, CharacteristicValue
 from poppet.report.bench import bench_figures
 from poppet.report.bench.bench_text import DESCRIPTIONS, NOTHING, conditions_text, figure_text, value_text, verdict
 from poppet.report.html_page import Section, document, findings, head, paragraph, picture, write_page
+from poppet.report.styles import stylesheet
 from poppet.report.tables import Column, Markup, Table, numeric, with_detail
 from poppet.timeseries.plotting.figures import style
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_STYLE = """
-.summary { border: 1px solid var(--line); border-left: .4rem solid #1f5fa8; border-radius: .4rem;
-  background: var(--wash); padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
-.summary p { margin: .35rem 0; max-width: none; }
-main { max-width: 70rem; } .figures table { width: 100%; }
-.figures td:last-child { font-size: .86rem; line-height: 1.4; }
-.figures td:first-child { white-space: nowrap; } .figures td strong { display: inline-block; padding-top: .6rem; }
-.summary p { display: grid; grid-template-columns: 12rem 1fr; } p { max-width: 56rem; }
-@media (max-width: 40rem) { .summary { padding: .4rem .7rem; } .summary p { display: block; }
-  .summary strong { display: block; } .figures td:last-child { flex-basis: 100%; } }
-.findings { max-width: 56rem; } .findings li { margin: .3rem 0; }
-"""
 _FIGURES: Mapping[str, Callable[[BenchResult, BenchResult | None], Figure]] = {
     "characteristic": bench_figures.characteristic_figure,
     "resolution": bench_figures.resolution_figure,
@@ -68,7 +57,7 @@ def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
             Section("Conditions", _condition_table(result)),
             Section("About the standard", _STANDARD),
         ]
-    return document(result.title, sections, style=_STYLE)
+    return document(result.title, sections, style=stylesheet("bench"))
 
 
 def _head(result: BenchResult, reference: BenchResult | None, tests: list[str]) -> str:

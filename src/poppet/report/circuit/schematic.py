@@ -1,4 +1,4 @@
-"""The picture of a circuit: stores and passages as boxes, joined from port to port."""
+"""Schematic of a circuit: gas nodes and flow paths as boxes, connected from port to port."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from poppet.parts import Part, Reservoir, Store, Tube
+from poppet.parts import Reservoir, Store, Tube
+from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
 from poppet.parts.part import AMBIENT, Body, Controller
-from poppet.report.circuit.captions import ASSUMED, caption, connection_caption, shown_value, signal_caption
-from poppet.report.circuit.layout import Drawing, Edge, Graph, Place, layers_of
-from poppet.report.circuit.symbols import Pen, symbol, variable_restriction, vent
+from poppet.parts.symbols import OPEN_END, Symbol, rectangle
+from poppet.report.circuit.layout import BoxPosition, Edge, Graph, Layout, assign_layers
 from poppet.timeseries.plotting.figures import (
     ACCENT,
     GREY,
@@ -41,17 +41,18 @@ _PORT_NUMBERS = {
 }  # fmt: skip
 _STORE_FILL, _RESERVOIR_FILL, _PASSAGE_FILL, _PIPE = "#eaf2fb", "#f3f4f6", "white", "#49525e"
 _CONTROLLER_FILL, _BODY_FILL = "#f4effa", "#fbf6e9"
+_LINE_WIDTH = 1.1  # of symbols [pt]
 BODY = "body"
-"""The edge from an actuator to what it moves."""
+"""Port name of the edge from an actuator to its body."""
 
 
 def draw_circuit(circuit: Circuit, path: str | Path | None = None) -> Figure:
-    """Draw a circuit: where gas comes from at the left, where it goes at the right.
+    """Draw a circuit with the gas supplies at the left.
 
     Notes
     -----
-    Arrows show the direction that counts as positive flow, not how the gas flows. Symbols follow the habit of
-    ISO 1219-1; the picture explains a circuit and is no circuit diagram of that standard.
+    Arrows show the direction of positive flow, not the flow of a run. The symbols follow ISO 1219-1, but the drawing is
+    not a circuit diagram of that standard.
 
     Examples
     --------
@@ -64,14 +65,14 @@ def draw_circuit(circuit: Circuit, path: str | Path | None = None) -> Figure:
     if path is not None:
         check_format(path)
     with style("A picture of a circuit"):
-        figure = _Picture(circuit).draw()
+        figure = _Schematic(circuit).draw()
     if path is not None:
         save_figure(figure, path)
     return figure
 
 
-class Room(NamedTuple):
-    """A free line in the box of a part: its centre, and its size, in points of the picture from its upper left."""
+class EmptyLine(NamedTuple):
+    """Centre and size of an empty line in the box of a part [pt], from the upper left of the figure."""
 
     part: str
     x: float
@@ -80,21 +81,54 @@ class Room(NamedTuple):
     height: float
 
 
-def draw_with_room(circuit: Circuit, lines: Mapping[str, int], wide: float) -> tuple[Figure, list[Room]]:
-    """A circuit whose boxes have free lines, at least so wide [in], and where these are."""
+def draw_with_empty_lines(
+    circuit: Circuit, counts: Mapping[str, int], min_width: float
+) -> tuple[Figure, list[EmptyLine]]:
+    """Draw a circuit with empty lines in its boxes, at least `min_width` wide [in]; return the lines too."""
     with style("A picture of a circuit"):
-        picture = _Picture(circuit, lines, wide)
-        figure = picture.draw()
-    left, top = picture.axes.get_xlim()[0], picture.axes.get_ylim()[1]
+        schematic = _Schematic(circuit, counts, min_width)
+        figure = schematic.draw()
+    left, top = schematic.axes.get_xlim()[0], schematic.axes.get_ylim()[1]
     return figure, [
-        Room(name, 72.0 * (x - left), 72.0 * (top - y), 72.0 * width, 72.0 * _LINE)
-        for name, x, y, width in picture.room
+        EmptyLine(name, 72.0 * (x - left), 72.0 * (top - y), 72.0 * width, 72.0 * _LINE)
+        for name, x, y, width in schematic.empty_lines
     ]
+
+
+def signal_caption(circuit: Circuit, address: str) -> str:
+    """Return the kind and the range of the signal that drives an input.
+
+    Examples
+    --------
+    >>> from poppet import Chamber, Circuit, Orifice
+    >>> from poppet.timeseries.signals import Steps
+    >>> vent = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3)
+    >>> tank = Chamber(volume="10 l")
+    >>> steps = Steps([0.0, 1.0], [0.0, 0.5])
+    >>> signal_caption(Circuit({"tank": tank, "vent": vent}, {"vent.opening": steps}), "vent.opening")
+    'opening: steps, 0 ... 0.5'
+    """
+    signal = circuit.signals[address]
+    part, _, local = address.partition(".")
+    unit = next(item.unit for item in circuit.parts[part].inputs() if item.name == local)
+    low, high = (format_value(bound, unit) for bound in signal.bounds())
+    limits = high if low == high else f"{low.partition(' ')[0]} ... {high}"  # the unit once, behind both
+    return f"{local.replace('_', ' ')}: {type(signal).__name__.lower()}, {limits}"
+
+
+def part_caption(circuit: Circuit, name: str) -> list[str]:
+    """Return the caption of a part."""
+    signals = frozenset(key.partition(".")[2] for key in circuit.signals if key.startswith(f"{name}."))
+
+    def parameter(local: str) -> float:
+        return circuit.parameters[f"{name}.{local}"]
+
+    return circuit.parts[name].caption(CaptionNumbers(parameter, signals, circuit.surroundings.pressure))
 
 
 @dataclass(frozen=True)
 class _Box:
-    """What stands in a box, and how large it is [in]."""
+    """Content and size of a box [in]."""
 
     name: str
     lines: tuple[str, ...]
@@ -105,37 +139,39 @@ class _Box:
 
     @property
     def body(self) -> float:
-        """Height without the tags of the signals above."""
+        """Height without the tags of signals above it."""
         return self.height - _TAG * len(self.tags)
 
     @property
     def port_height(self) -> float:
-        """Where pipes meet it, above its centre."""
+        """Height of the ends of pipes above the centre."""
         middle = self.body - _PAD - self.symbol_height / 2.0 if self.symbol_height else self.body / 2.0
         return middle - self.height / 2.0
 
 
-class _Picture:
-    def __init__(self, circuit: Circuit, free: Mapping[str, int] | None = None, wide: float = 0.0) -> None:
-        self.circuit, self.free, self.wide = circuit, free or {}, wide
-        self.room: list[tuple[str, float, float, float]] = []  # centres and widths of the free lines [in]
+class _Schematic:
+    def __init__(self, circuit: Circuit, counts: Mapping[str, int] | None = None, min_width: float = 0.0) -> None:
+        self.circuit, self.counts, self.min_width = circuit, counts or {}, min_width
+        self.empty_lines: list[tuple[str, float, float, float]] = []  # centres and widths [in]
         self.graph = _graph(circuit)
-        layers = layers_of(self.graph, [name for name in self.graph.stores if _is_source(circuit.parts.get(name))])
+        parts = {name: circuit.parts.get(name) for name in self.graph.stores}  # None: the ambient
+        sources = [name for name, part in parts.items() if part is None or isinstance(part, Reservoir | Controller)]
+        layers = assign_layers(self.graph, sources)
         self.sides = {edge: layers[edge[2]] < layers[edge[0]] for edge in self.graph.edges}  # True: left of the passage
         self.boxes = {name: self._box(name) for name in layers}
         sizes = {name: (box.width, box.height) for name, box in self.boxes.items()}
         anchors = {name: box.port_height for name, box in self.boxes.items()}
-        self.drawing = Drawing(self.graph, layers, sizes, _GAPS, anchors)
+        self.layout = Layout(self.graph, layers, sizes, _GAPS, anchors)
         self.ends = self._ends()
 
     def draw(self) -> Figure:
-        """Make the picture."""
-        places, notes = self.drawing.places, self._notes()
-        right = max(place.x + self.drawing.sizes[name][0] / 2.0 for name, place in places.items())
-        top = max(place.y + self.drawing.sizes[name][1] / 2.0 for name, place in places.items())
+        """Return the figure."""
+        positions, notes = self.layout.positions, self._notes()
+        right = max(position.x + self.layout.sizes[name][0] / 2.0 for name, position in positions.items())
+        top = max(position.y + self.layout.sizes[name][1] / 2.0 for name, position in positions.items())
         head, foot = 0.32 * bool(self.circuit.title), 0.14 * len(notes) + 0.08
-        words = [text_width(note, _NOTE_TEXT) for note in notes] + [text_width(self.circuit.title, 11, bold=True)]
-        width, height = max(right, *words) + 2 * _MARGIN, top + head + foot + 2 * _MARGIN
+        widths = [text_width(note, _NOTE_TEXT) for note in notes] + [text_width(self.circuit.title, 11, bold=True)]
+        width, height = max(right, *widths) + 2 * _MARGIN, top + head + foot + 2 * _MARGIN
         figure = new_figure(width, height)
         self.axes = figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.axes.set_xlim(-_MARGIN, width - _MARGIN)
@@ -144,51 +180,51 @@ class _Picture:
         for edge in self.graph.edges:
             self._pipe(edge)
         for name, box in self.boxes.items():
-            self._draw_box(name, box, places[name])
+            self._draw_box(name, box, positions[name])
         for edge in self.graph.edges:
-            (x, y), is_left = self.ends[edge, edge[0]], self.sides[edge]
-            look = {"ha": "left" if is_left else "right", "color": GREY, "zorder": 3}
-            self._text(x + (0.05 if is_left else -0.05), y, _port_label(edge[1]), 6.5, **look)
-            self._name_inner_store(edge)
+            self._label_end(self.ends[edge, edge[0]], self.sides[edge], _port_label(edge[1]))
+            node = self.circuit.parts[edge[0]].ports().get(edge[1], "").partition(".")[2]
+            if node:  # one of several gas nodes of a part
+                self._label_end(self.ends[edge, edge[2]], not self.sides[edge], node)
         if self.circuit.title:
             self._text(0.0, top + head, self.circuit.title, 11, ha="left", va="top", fontweight="bold")
         for k, note in enumerate(notes):
             self._text(0.0, -0.12 - 0.14 * k, note, _NOTE_TEXT, ha="left", va="top", color=GREY)
         return figure
 
-    def _name_inner_store(self, edge: Edge) -> None:
-        """At the end of a pipe which of the places where a part holds gas it leads to."""
-        store = self.circuit.parts[edge[0]].ports().get(edge[1], "").partition(".")[2]
-        if store:
-            (x, y), is_left = self.ends[edge, edge[2]], not self.sides[edge]
-            look = {"ha": "left" if is_left else "right", "color": GREY, "zorder": 3}
-            self._text(x + (0.05 if is_left else -0.05), y, store, 6.5, **look)
+    def _label_end(self, end: tuple[float, float], is_left: bool, text: str) -> None:
+        options = {"ha": "left" if is_left else "right", "color": GREY, "zorder": 3}
+        self._text(end[0] + (0.05 if is_left else -0.05), end[1], text, 6.5, **options)
 
-    # What is in a box ---------------------------------------------------------------------------------------
+    # Content of boxes ---------------------------------------------------------------------------------------
 
     def _box(self, name: str) -> _Box:
         part = self.circuit.parts.get(name)
         if part is None:
             return _Box("", (), (), 0.55, _VENT)
-        lines = (*caption(self.circuit, name), *[""] * self.free.get(name, 0))
-        tags = tuple(signal_caption(self.circuit, key) for key in self.circuit.signals if key.startswith(f"{name}."))
-        joined = [key for key in self.circuit.connections if key.startswith(f"{name}.")]
-        tags += tuple(connection_caption(self.circuit, key) for key in joined)
-        words = [text_width(name, _NAME_TEXT, bold=True), *(text_width(line, _TEXT) for line in lines)]
-        words += [text_width(tag, _TEXT) + 0.1 for tag in tags]
-        words += [self.wide] * (name in self.free)
+        lines = (*part_caption(self.circuit, name), *[""] * self.counts.get(name, 0))
+        prefix = f"{name}."
+        tags = tuple(signal_caption(self.circuit, key) for key in self.circuit.signals if key.startswith(prefix))
+        tags += tuple(
+            f"{target.removeprefix(prefix).replace('_', ' ')} = {source}"
+            for target, source in self.circuit.connections.items()
+            if target.startswith(prefix)
+        )
+        widths = [text_width(name, _NAME_TEXT, bold=True), *(text_width(line, _TEXT) for line in lines)]
+        widths += [text_width(tag, _TEXT) + 0.1 for tag in tags]
+        widths += [self.min_width] * (name in self.counts)
         ports = [edge for edge in self.graph.edges if name in (edge[0], edge[2])]
-        most = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
-        high = max(_SYMBOL, _PORT_STEP * most) + 0.06 if name in self.graph.passages else 0.0
-        if high:
+        max_ports = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
+        symbol_height = max(_SYMBOL, _PORT_STEP * max_ports) + 0.06 if name in self.graph.passages else 0.0
+        if symbol_height:
             labels = [
                 max((text_width(_port_label(e[1]), 6.5) for e in ports if self.sides[e] is s), default=0.0)
                 for s in (True, False)
             ]
-            words.append(2.0 * max(labels) + 1.6 * _SYMBOL)
-        body = high + _LINE * len(lines) + 0.17 + 2.0 * _PAD
+            widths.append(2.0 * max(labels) + 1.6 * _SYMBOL)
+        body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
-        return _Box(name, lines, tags, max(words) + 2.0 * _PAD, body + _TAG * len(tags), high)
+        return _Box(name, lines, tags, max(widths) + 2.0 * _PAD, body + _TAG * len(tags), symbol_height)
 
     def _notes(self) -> list[str]:
         notes = []
@@ -197,30 +233,30 @@ class _Picture:
             notes.append(f"{ASSUMED} assumed")
         if any(box.tags for box in self.boxes.values()):
             notes.append("Orange: inputs driven by a signal or by another part.")
-        air = self.circuit.surroundings
+        ambient = self.circuit.surroundings
         notes.append(
-            f"Pressures absolute unless marked g. Ambient {shown_value(air.pressure, 'Pa')}, "
-            f"{shown_value(air.temperature, 'K')}. Gas constant {air.gas_constant:g} J/(kg K), "
-            f"isentropic exponent {air.isentropic_exponent:g}."
+            f"Pressures absolute unless marked g. Ambient {format_value(ambient.pressure, 'Pa')}, "
+            f"{format_value(ambient.temperature, 'K')}. Gas constant {ambient.gas_constant:g} J/(kg K), "
+            f"isentropic exponent {ambient.isentropic_exponent:g}."
         )
         return notes
 
-    # Where pipes end ----------------------------------------------------------------------------------------
+    # Ends of pipes ----------------------------------------------------------------------------------------
 
     def _ends(self) -> dict[tuple[Edge, str], tuple[float, float]]:
-        """Where every pipe meets its boxes: spread over a side in the order of what they lead to."""
+        """Return the ends of all pipes, in the order of the boxes at their other ends."""
         groups: dict[tuple[str, bool], list[tuple[float, Edge]]] = defaultdict(list)
-        for edge, chain in self.drawing.chains.items():
-            for name, other, is_left in (
+        for edge, chain in self.layout.chains.items():
+            for name, neighbour, is_left in (
                 (edge[0], chain[1], self.sides[edge]),
                 (edge[2], chain[-2], not self.sides[edge]),
             ):
-                groups[name, is_left].append((self.drawing.places[other].y, edge))
+                groups[name, is_left].append((self.layout.positions[neighbour].y, edge))
         ends = {}
         for (name, is_left), members in groups.items():
-            place, box = self.drawing.places[name], self.boxes[name]
-            x = place.x + (-0.5 if is_left else 0.5) * box.width
-            middle = place.y + box.port_height
+            position, box = self.layout.positions[name], self.boxes[name]
+            x = position.x + (-0.5 if is_left else 0.5) * box.width
+            middle = position.y + box.port_height
             step = _PORT_STEP if box.symbol_height else min(_PORT_STEP, box.body / len(members))
             for k, (_, edge) in enumerate(sorted(members, key=lambda item: -item[0])):
                 ends[edge, name] = (x, middle + (0.5 * (len(members) - 1) - k) * step)
@@ -233,16 +269,16 @@ class _Picture:
         from matplotlib.path import Path as Outline
 
         points = [self.ends[edge, edge[0]]]
-        for name in self.drawing.chains[edge]:
-            place = self.drawing.places[name]
-            half = self.drawing.column_width(place.layer) / 2.0
-            y = self.ends[edge, name][1] if (edge, name) in self.ends else place.y
-            sides = [(place.x - half, y), (place.x + half, y)]
+        for name in self.layout.chains[edge]:
+            position = self.layout.positions[name]
+            half = self.layout.column_width(position.layer) / 2.0
+            y = self.ends[edge, name][1] if (edge, name) in self.ends else position.y
+            sides = [(position.x - half, y), (position.x + half, y)]
             points += sides[::-1] if self.sides[edge] else sides
         points = [points[0], *points[2:-1], self.ends[edge, edge[2]]]
         vertices, codes = [points[0]], [Outline.MOVETO]
         for k, (start, end) in enumerate(pairwise(points)):
-            if k % 2:  # between two layers; the others run straight along a layer
+            if k % 2:  # between two layers; other sections are horizontal
                 middle = (start[0] + end[0]) / 2.0
                 vertices += [(middle, start[1]), (middle, end[1]), end]
                 codes += [Outline.CURVE4] * 3
@@ -255,60 +291,77 @@ class _Picture:
         if edge[1] != BODY:
             self._arrow(edge, points[1], points[2])
 
-    def _arrow(self, edge: Edge, near: tuple[float, float], far: tuple[float, float]) -> None:
-        """The direction of positive flow, halfway to the next layer."""
-        a, b = complex(*near), complex(*far)
+    def _arrow(self, edge: Edge, start: tuple[float, float], end: tuple[float, float]) -> None:
+        """Draw the direction of positive flow halfway to the next layer."""
+        a, b = complex(*start), complex(*end)
         slope = complex((b - a).real / 2.0, (b - a).imag)  # of the curve at its middle
-        ports = [other for other in self.graph.edges if other[0] == edge[0]]
-        is_inlet = len(ports) > 1 and ports[0] == edge  # positive flow enters a passage at the first of its ports
-        along = slope / (-abs(slope) if is_inlet else abs(slope))
-        tip, back, wing = (a + b) / 2.0 + 0.07 * along, (a + b) / 2.0 - 0.07 * along, 0.055j * along
+        ports = [candidate for candidate in self.graph.edges if candidate[0] == edge[0]]
+        is_inlet = len(ports) > 1 and ports[0] == edge  # positive flow enters a flow path at its first port
+        direction = slope / (-abs(slope) if is_inlet else abs(slope))
+        tip, back, wing = (a + b) / 2.0 + 0.07 * direction, (a + b) / 2.0 - 0.07 * direction, 0.055j * direction
         corners = (tip, back + wing, back - wing)
         self.axes.fill([c.real for c in corners], [c.imag for c in corners], color=_PIPE, linewidth=0.0, zorder=3)
 
-    def _draw_box(self, name: str, box: _Box, place: Place) -> None:
-        left, bottom = place.x - box.width / 2.0, place.y - box.height / 2.0
+    def _draw_box(self, name: str, box: _Box, position: BoxPosition) -> None:
+        left, bottom = position.x - box.width / 2.0, position.y - box.height / 2.0
         if not box.name:
-            vent(Pen(self.axes, left, place.y - _VENT / 2.0, _VENT))
-            self._text(left, place.y - _VENT / 2.0, AMBIENT, 6.5, ha="left", va="top", color=GREY)
+            self._strokes(OPEN_END, left, position.y - _VENT / 2.0, _VENT)
+            self._text(left, position.y - _VENT / 2.0, AMBIENT, 6.5, ha="left", va="top", color=GREY)
             return
         self._outline(name, left, bottom, box)
         top = bottom + box.body - _PAD
         if box.symbol_height:
-            draw = variable_restriction if self._is_adjusted(name) else symbol(self.circuit.parts[name].kind)
-            low = top - (box.symbol_height + _SYMBOL) / 2.0
-            draw(Pen(self.axes, place.x - _SYMBOL / 2.0, low, _SYMBOL, self._is_mirrored(name)))
+            self._symbol(name, position.x, top - box.symbol_height / 2.0)
             top -= box.symbol_height
-        free = top - bottom - _PAD - 0.17 - _LINE * len(box.lines)
-        top -= free / 2.0
-        self._text(place.x, top - 0.08, name, _NAME_TEXT, fontweight="bold")
+        top -= (top - bottom - _PAD - 0.17 - _LINE * len(box.lines)) / 2.0  # centred
+        self._text(position.x, top - 0.08, name, _NAME_TEXT, fontweight="bold")
         for k, line in enumerate(box.lines):
             y = top - 0.17 - _LINE * (k + 0.5)
             if line:
-                self._text(place.x, y, line, _TEXT)
+                self._text(position.x, y, line, _TEXT)
             else:
-                self.room.append((name, place.x, y, box.width - 2.0 * _PAD))
+                self.empty_lines.append((name, position.x, y, box.width - 2.0 * _PAD))
         for k, tag in enumerate(box.tags):
-            self._tag(place.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
+            self._tag(position.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
 
     def _is_mirrored(self, name: str) -> bool:
-        """Where the gas that counts as positive comes from the right, or goes to the left from a source."""
+        """Return True if positive flow enters at the right, or leaves a source at the left."""
         ports = [edge for edge in self.graph.edges if edge[0] == name]
         return self.sides[ports[0]] == (len(ports) == 1)
 
-    def _is_adjusted(self, name: str) -> bool:
-        """An orifice whose opening or stroke can move."""
+    def _symbol(self, name: str, x: float, y: float) -> None:
+        """Draw the symbol of a part, or a box with a label, about a centre."""
         part = self.circuit.parts[name]
-        driven = any(key.startswith(f"{name}.") for key in (*self.circuit.signals, *self.circuit.connections))
-        return part.kind == "orifice" and (driven or getattr(part, "characteristic", None) is not None)
+        is_driven = any(key.startswith(f"{name}.") for key in (*self.circuit.signals, *self.circuit.connections))
+        symbol = part.symbol_for(is_driven)
+        left, bottom = x - _SYMBOL / 2.0, y - _SYMBOL / 2.0
+        if not isinstance(symbol, str):
+            self._strokes(symbol, left, bottom, _SYMBOL, is_mirrored=self._is_mirrored(name))
+            return
+        label = symbol or part.kind.replace("_", " ")
+        self._strokes(rectangle(-0.5, 0.2, 2.0, 0.6), left, bottom, _SYMBOL)
+        self._text(x, y, label, min(6.5, 6.5 * 1.9 * _SYMBOL / text_width(label, 6.5)))
+
+    def _strokes(self, symbol: Symbol, left: float, bottom: float, size: float, *, is_mirrored: bool = False) -> None:
+        """Draw a symbol into a square box [in]."""
+        for stroke in symbol:
+            x = [left + size * (1.0 - u if is_mirrored else u) for u, _ in stroke.points]
+            y = [bottom + size * v for _, v in stroke.points]
+            if stroke.is_closed:
+                fill = INK if stroke.is_filled else "white"
+                self.axes.fill(x, y, facecolor=fill, edgecolor=INK, linewidth=_LINE_WIDTH, zorder=3)
+            else:
+                dashes = (0, (2.5, 1.8)) if stroke.is_dashed else "-"
+                self.axes.plot(x, y, color=INK, linewidth=_LINE_WIDTH, linestyle=dashes, zorder=3)
 
     def _outline(self, name: str, left: float, bottom: float, box: _Box) -> None:
         from matplotlib.patches import FancyBboxPatch
 
         part = self.circuit.parts[name]
-        fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if _is_fixed(part) else _STORE_FILL
+        is_reservoir = not isinstance(part, Store) or isinstance(part, Reservoir)
+        fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if is_reservoir else _STORE_FILL
         fill = _CONTROLLER_FILL if isinstance(part, Controller) else _BODY_FILL if isinstance(part, Body) else fill
-        is_angular = box.symbol_height or _is_fixed(part) or isinstance(part, Controller)
+        is_angular = box.symbol_height or is_reservoir or isinstance(part, Controller)
         corner = 0.02 if is_angular else min(0.22, box.body / 2.0)
         outline: dict[str, Any] = {"facecolor": fill, "edgecolor": INK, "zorder": 2}
         outline["linewidth"] = 0.9 if box.symbol_height else 1.5
@@ -319,40 +372,30 @@ class _Picture:
         from matplotlib.patches import FancyBboxPatch
 
         low, left = y - _TAG / 2.0 + 0.025, x - width / 2.0
-        look: dict[str, Any] = {"facecolor": "#fdeee4", "edgecolor": ACCENT, "linewidth": 0.8, "zorder": 2}
-        self.axes.add_patch(FancyBboxPatch((left, low), width, _TAG - 0.025, boxstyle="square,pad=0", **look))
+        patch: dict[str, Any] = {"facecolor": "#fdeee4", "edgecolor": ACCENT, "linewidth": 0.8, "zorder": 2}
+        self.axes.add_patch(FancyBboxPatch((left, low), width, _TAG - 0.025, boxstyle="square,pad=0", **patch))
         self._text(x, low + (_TAG - 0.025) / 2.0, text, _TEXT, color=ACCENT)
 
     def _text(self, x: float, y: float, text: str, size: float, **options: Any) -> None:
-        how: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options
-        self.axes.text(x, y, text, fontsize=size, parse_math=False, **how)
+        properties: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options
+        self.axes.text(x, y, text, fontsize=size, parse_math=False, **properties)
 
 
 def _graph(circuit: Circuit) -> Graph:
-    """Every joint to the open air becomes an end of its own, drawn where it is; a body hangs on its actuators."""
+    """Return the graph of a circuit; each connection to the ambient is a node of its own."""
     edges = []
     for name, part in circuit.parts.items():
         for port, store in part.ports().items():
             if isinstance(part, Tube) and store in part.outer_ports():
-                continue  # drawn from the port that names the tube
+                continue  # the port that names the tube has this edge
             owner = store.partition(".")[0]
             edges.append((name, port, f"{AMBIENT} at {name}.{port}" if store == AMBIENT else owner))
         body = part.body_name()
         edges += [] if body is None else [(name, BODY, body)]
     passages = tuple(dict.fromkeys(edge[0] for edge in edges))
     stores = [name for name in circuit.parts if name not in passages]
-    ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is both: gas flows into it and through it
+    ends = [edge[2] for edge in edges if edge[2] not in passages]  # a tube is a gas node and a flow path
     return Graph(tuple(dict.fromkeys([*stores, *ends])), passages, tuple(edges))
-
-
-def _is_fixed(part: Part | None) -> bool:
-    """True for a reservoir, and for the open air, which is no part."""
-    return not isinstance(part, Store) or isinstance(part, Reservoir)
-
-
-def _is_source(part: Part | None) -> bool:
-    """Where gas comes from or goes to, and what stands beside it all."""
-    return part is None or isinstance(part, Reservoir | Controller)
 
 
 def _port_label(port: str) -> str:

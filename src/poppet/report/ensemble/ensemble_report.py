@@ -71,7 +71,7 @@ def ensemble_page(ensemble: Ensemble) -> str:
     """Return the report of an ensemble as HTML."""
     plan = ensemble.plan
     units = {address: spec.unit for address, spec in varied_specs(plan.circuit).items()}
-    rows = ensemble.dataset.columns("runs", most=MAX_POINTS * 40)
+    rows = ensemble.dataset.columns("runs", max_rows=MAX_POINTS * 40)
     title = plan.circuit.title or "An ensemble"
     lead = (
         f"{ensemble.done} runs, {len(plan.addresses)} uncertain parameters, sampling: {_METHODS[plan.sampling]}, "

@@ -20,12 +20,7 @@ from poppet.timeseries.plotting.panels import draw_thinned, thinned
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-VERDICT_COLOURS = {
-    "determined": "#17663a",
-    "weak": "#a15c00",
-    "not determined": "#b3261e",
-    "at bound": "#7d3c98",
-}
+VERDICT_COLOURS = {"determined": "#17663a", "weak": "#a15c00", "not determined": "#b3261e", "at bound": "#7d3c98"}
 # Sizes in inches.
 _WIDTH, _LEFT, _MAIN, _SIDE, _GAP = 10.0, 0.95, 6.35, 1.85, 0.75
 _TOP, _UPPER, _LOWER, _BETWEEN, _FOOT = 0.3, 2.3, 1.35, 0.42, 0.5

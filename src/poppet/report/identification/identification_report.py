@@ -19,22 +19,12 @@ from poppet.report.identification import identification_tables as tables
 from poppet.report.identification.cost_figures import contour_figure, profile_figure, starts_figure
 from poppet.report.identification.headline import headline, next_step, split_notes
 from poppet.report.identification.method_sections import METHOD_REPORTS, MethodReport
+from poppet.report.styles import stylesheet
 from poppet.report.tables import Table, code
 from poppet.timeseries.plotting.figures import style
 
 _BACKGROUNDS = {"determined": "#e3f3e8", "weak": "#fdf0d9", "not determined": "#fbe4e1", "at bound": "#f1e6f6"}
-_STYLE = """
-.summary { border: 1px solid var(--line); border-left: .4rem solid; border-radius: .4rem; background: var(--wash);
-  padding: .7rem 1.1rem; margin: 1.2rem 0 1.6rem; }
-.summary > p:first-child { font-size: 1.15rem; font-weight: 600; margin: .1rem 0 .5rem; }
-.summary table { margin: 0; } .summary td { border: 0; padding: .15rem 1.2rem .15rem 0; white-space: nowrap; }
-@media (max-width: 40rem) { .summary tr, .summary td { display: block; white-space: normal; }
-  .summary tr { padding: .3rem 0; } .summary td { padding: 0; } .summary td:first-child { float: right; } }
-.summary .scroll { background: none; }
-details { margin: .6rem 0; } summary { cursor: pointer; color: var(--soft); }
-pre { white-space: pre-wrap; overflow-wrap: anywhere; }
-code { font: .92em/1.4 ui-monospace, "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
-""" + "".join(
+_VERDICT_STYLE = "".join(
     f".verdict.{v.replace(' ', '-')} {{ background: {_BACKGROUNDS[v]}; color: {colour}; }}\n"
     f".summary.{v.replace(' ', '-')} {{ border-left-color: {colour}; }}\n"
     for v, colour in ((verdict, figures.VERDICT_COLOURS[verdict]) for verdict in VERDICTS)
@@ -75,7 +65,7 @@ def identification_page(result: Result) -> str:
             Section("Explanation", explanation),
             Section("Sources", _sources(result, method)),
         ]
-    return document(result.title, sections, style=_STYLE)
+    return document(result.title, sections, style=stylesheet("identification") + _VERDICT_STYLE)
 
 
 def _head(result: Result, method: MethodReport) -> str:

@@ -1,4 +1,4 @@
-"""What a figure shows, as numbers: lines, bands, boxes, axes; so that a plot holds what its picture holds."""
+"""Conversion of figures to data for interactive plots: axes, lines, bands and boxes."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ from poppet.timeseries.plotting.panels import thinned, whole_of
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-MOST_POINTS = 4000
-"""Samples of a line that a page holds; of more it holds the extremes of as many stretches."""
+MAX_POINTS = 4000
+"""Maximum number of points of a line in a page; longer lines are reduced to extremes."""
 DIGITS = 5
-"""Decimals of the range of a series to which its numbers are rounded."""
+"""Decimal digits of a series relative to its range."""
 _NO_MARKER = ("None", "none", "", " ", None)
 _ALIGN = {"left": "left", "center": "center", "right": "right"}
 _BASELINE = {"top": "top", "center": "middle", "bottom": "bottom", "baseline": "alphabetic"}
 
 
 def plot_data(figure: Figure) -> dict[str, Any] | None:
-    """The figure as numbers; None for maps, drawings and other figures that are to be looked at only.
+    """Return the data of a figure; None for maps, drawings and other figures without curves.
 
     Examples
     --------
@@ -42,20 +42,20 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
     lefts = sorted({round(_box(figure, axes)[0], 3) for axes in figure.axes})
     edges = [0.0, *(left - lefts[0] for left in lefts[1:]), width]
     panels = []
-    # As they are read: from the top down, from left to right.
+    # Reading order: from top to bottom, from left to right.
     for axes in sorted(figure.axes, key=lambda panel: [round(v, 2) for v in _box(figure, panel)[1::-1]]):
         box = _box(figure, axes)
         column = lefts.index(round(box[0], 3))
-        # A panel over all columns takes what lies to its right as well.
+        # A panel across several columns has the full width.
         free = not any(left > box[0] and left < box[0] + box[2] for left in lefts)
         share = (edges[column + 1] - edges[column]) / width if free and len(lefts) > 1 else 1.0
         panels.append(_panel(axes, columns) | {"box": [round(v, 3) for v in box], "share": round(share, 4)})
     notes = " ".join(text.get_text() for text in figure.texts if text.get_fontweight() != "bold")
-    return {"columns": columns.found, "panels": panels, "notes": [" ".join(notes.split())] * bool(notes.strip())}
+    return {"columns": columns.series, "panels": panels, "notes": [" ".join(notes.split())] * bool(notes.strip())}
 
 
 def _is_still(axes: Any) -> bool:
-    """True where there is nothing to read off: maps, drawings, scales that the plots do not know."""
+    """Return True for axes without readable values: maps, drawings, unknown scales."""
     from matplotlib.collections import LineCollection, PolyCollection
 
     has_known_artists = all(isinstance(artist, LineCollection | PolyCollection) for artist in axes.collections)
@@ -64,7 +64,7 @@ def _is_still(axes: Any) -> bool:
 
 
 def _box(figure: Figure, axes: Any) -> list[float]:
-    """Left, top, width and height [in]."""
+    """Return left, top, width and height [in]."""
     width, height = figure.get_size_inches()
     position = axes.get_position()
     return [
@@ -74,23 +74,23 @@ def _box(figure: Figure, axes: Any) -> list[float]:
 
 
 class _Columns:
-    """Series of numbers, each kept once."""
+    """Collection of distinct series."""
 
     def __init__(self) -> None:
-        self.found: list[Any] = []
-        self._places: dict[bytes, int] = {}
+        self.series: list[Any] = []
+        self._indices: dict[bytes, int] = {}
 
     def add(self, values: FloatArray, *, is_log: bool = False) -> int:
-        """The place of a series, which may be there already."""
+        """Return the index of a series; add it if it is new."""
         key = values.tobytes() + bytes([is_log])
-        if key not in self._places:
-            self._places[key] = len(self.found)
-            self.found.append(_stepped(values) or _rounded(values, is_log=is_log))
-        return self._places[key]
+        if key not in self._indices:
+            self._indices[key] = len(self.series)
+            self.series.append(_stepped(values) or _rounded(values, is_log=is_log))
+        return self._indices[key]
 
 
 def _stepped(values: FloatArray) -> dict[str, float | int] | None:
-    """Evenly spaced numbers as their first, their distance and how many there are."""
+    """Return evenly spaced numbers as start, step and count; None for other series."""
     if values.size < 4 or not np.isfinite(values).all() or not values[-1] > values[0]:
         return None
     even = np.linspace(values[0], values[-1], values.size)
@@ -101,7 +101,7 @@ def _stepped(values: FloatArray) -> dict[str, float | int] | None:
 
 
 def _rounded(values: FloatArray, *, is_log: bool = False) -> list[float | None]:
-    """Numbers with the digits that an enlarged plot can show; None where there is none."""
+    """Return numbers with the digits that an enlarged plot can show; NaN becomes None."""
     finite = values[np.isfinite(values)]
     size = float(np.ptp(finite)) if finite.size else 0.0
     if is_log or size == 0.0:
@@ -123,14 +123,14 @@ def _panel(axes: Any, columns: _Columns) -> dict[str, Any]:
 
 
 def _group(axes: Any) -> int:
-    """The number of the first panel with the same horizontal axis."""
+    """Return the index of the first panel with the same horizontal axis."""
     panels: list[Any] = axes.figure.axes
     return min(panels.index(panel) for panel in axes.get_shared_x_axes().get_siblings(axes) if panel in panels)
 
 
 def _axis(axes: Any, name: str) -> dict[str, Any]:
     axis, limits = getattr(axes, f"{name}axis"), getattr(axes, f"get_{name}lim")()
-    # What only the first of several panels says on paper, each says for itself where they may be below each other.
+    # Panels that share an axis have one label on paper; in a page each panel has its own.
     siblings = [axes, *(panel for panel in axes.get_shared_y_axes().get_siblings(axes) if name == "y")]
     labels = (getattr(panel, f"{name}axis").get_label_text() for panel in siblings)
     entry: dict[str, Any] = {
@@ -142,7 +142,7 @@ def _axis(axes: Any, name: str) -> dict[str, Any]:
     else:
         from matplotlib.ticker import FixedFormatter, FuncFormatter
 
-        # Names at the ticks are part of what a figure says; where numbers stand, a plot finds places itself.
+        # Keep tick labels that are names; the plot computes the ticks of numbers.
         if isinstance(axis.get_major_formatter(), FixedFormatter | FuncFormatter):
             entry["ticks"] = [
                 [float(v) for v in axis.get_ticklocs()], [label.get_text() for label in axis.get_ticklabels()]
@@ -169,7 +169,7 @@ def _colour(value: Any, alpha: float | None = None) -> dict[str, Any]:
 
 
 def _pen(artist: Any) -> dict[str, Any]:
-    """Colour, width and dashes of a line."""
+    """Return colour, width and dashes of a line."""
     style = artist.get_linestyle()
     width = float(artist.get_linewidth()) if style not in _NO_MARKER else 0.0
     pen = _colour(artist.get_color(), artist.get_alpha()) | {"width": width}
@@ -178,7 +178,7 @@ def _pen(artist: Any) -> dict[str, Any]:
 
 
 def _lines(axes: Any, columns: _Columns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Lines with their points, and those across the whole panel."""
+    """Return lines with their points, and lines across the whole panel."""
     lines, rules = [], []
     for line in axes.lines:
         entry = {"label": _label(line)} | _pen(line)
@@ -190,8 +190,8 @@ def _lines(axes: Any, columns: _Columns) -> tuple[list[dict[str, Any]], list[dic
         x, y = (np.asarray(values, dtype=float) for values in whole_of(line))
         if not x.size:
             continue
-        if x.size > MOST_POINTS and np.all(np.diff(x) > 0.0):
-            rows = thinned(x, y, MOST_POINTS // 5)
+        if x.size > MAX_POINTS and np.all(np.diff(x) > 0.0):
+            rows = thinned(x, y, MAX_POINTS // 5)
             entry, x, y = entry | {"of": int(x.size)}, x[rows], y[rows]
         marker = line.get_marker()
         if marker not in _NO_MARKER:
@@ -210,7 +210,7 @@ def _lines(axes: Any, columns: _Columns) -> tuple[list[dict[str, Any]], list[dic
 
 
 def _filled(axes: Any, columns: _Columns) -> tuple[list[Any], list[Any], list[Any]]:
-    """Bands between two lines, boxes, and loose segments."""
+    """Return bands between two lines, boxes, and separate segments."""
     from matplotlib.collections import LineCollection
     from matplotlib.patches import Rectangle
 
@@ -228,7 +228,7 @@ def _filled(axes: Any, columns: _Columns) -> tuple[list[Any], list[Any], list[An
             boxes.append(entry | ({"hatch": True} if artist.get_hatch() else {}) | {"at": _flat(corners)})
             continue
         for shape in shapes:
-            # Along the lower line and back along the upper one, with a corner between them at either end.
+            # The outline follows the lower line, then the upper one backwards, with corners between them.
             count = (len(shape) - 3) // 2
             low, high = shape[1 : count + 1], shape[count + 2 : 2 * count + 2][::-1]
             indices = [columns.add(np.ascontiguousarray(v)) for v in (low[:, 0], low[:, 1], high[:, 1])]
@@ -253,7 +253,7 @@ def _flat(values: Sequence[Any]) -> list[float | None]:
 
 
 def _texts(axes: Any) -> tuple[list[Any], list[Any]]:
-    """What is written into a panel, and what its rows are called."""
+    """Return the texts in a panel and the labels of its rows."""
     texts, rows = [], []
     for text in axes.texts:
         x, y = (float(v) for v in text.get_position())

@@ -19,6 +19,7 @@ from poppet.core.files import write_whole
 from poppet.core.message_format import sentence
 from poppet.core.version import __version__
 from poppet.report.html_page import Section, document, head, paragraph, picture
+from poppet.report.styles import stylesheet
 from poppet.report.tables import Column, Markup, Table, numeric
 from poppet.report.varga2012 import runs
 from poppet.report.varga2012.statements import Statement, Verdict, statements
@@ -42,16 +43,6 @@ _TANKS = (
     ("wall", "energy balance with wall heat", _BLUE, "-"),
     ("isothermal", "isothermal", _GREEN, (0, (1.2, 1.4))),
 )
-_STYLE = """
-main { max-width: 58rem; } p, figcaption { max-width: 46rem; }
-.headline { font-size: 1.15rem; font-weight: 600; border-left: .4rem solid #1f5fa8; padding: .4rem 0 .4rem 1rem; }
-.plain td:first-child { white-space: nowrap; } .plain th.number { max-width: 10rem; }
-.statements table { width: 100%; } .statements td:nth-child(1) { width: 30%; }
-.statements td:nth-child(2) { width: 15%; color: var(--soft); }
-.holds { background: #e3f3e8; color: #14532d; }
-.fails { background: #fbe6e1; color: #8a2411; }
-.open { background: #eceef1; color: #3f4852; }
-"""
 
 
 @dataclass(frozen=True)
@@ -232,7 +223,7 @@ def _page(
         Section("Tank laws", [f"<p>{texts['tanks']}</p>\n", tables["tank_laws"], tables["wall_conductances"]]),
         Section("Simulated circuit", [f"<p>{texts['choices']}</p>\n", figures["circuit"]]),
     ]
-    return document(texts["title"], sections, style=_STYLE)
+    return document(texts["title"], sections, style=stylesheet("paper"))
 
 
 # --- Figures ---

@@ -1,7 +1,7 @@
-"""The circuits behind the report on Varga & Keski-Honkola 2012, and every number of it, made when it is written.
+"""Circuits and simulations of the report on Varga & Keski-Honkola 2012.
 
-The paper leaves open what was fed to its tank, so some things are chosen: a supply of 7 bar absolute at
-20 degC, a tank that starts at 1 bar and 20 degC, and for the staircase of fig. 6 four steps of 30 s.
+The paper does not state the supply of its tank. Assumed are a supply of 7 bar absolute at 20 degC, a tank that starts
+at 1 bar and 20 degC, and four steps of 30 s for the staircase of fig. 6.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from poppet.timeseries.signals import Signal, Steps
 
 VOLUME = "0.2 m^3"  # section 3
 REPORTED_RISE = 18.0  # "approximately 18 degC", section 3 [K]
-TARGET = 5e5  # the last step of fig. 6 that its axis shows whole [Pa]
+TARGET = 5e5  # the last step of fig. 6 within its axis [Pa]
 START, START_TEMPERATURE = 1e5, 293.15  # assumed: the ambient state [Pa], [K]
 SUPPLY = 7e5  # assumed; not printed [Pa]
 STROKE = 0.5e-3  # where C(x) is largest, rounded [m]
@@ -38,53 +38,53 @@ SUSPECTED_K5 = -2.2229e-6  # one digit changed from the printed -2.2269e-6 [m^3/
 TANKS: dict[str, dict[str, Any]] = {
     "isentrope": {"thermal": "isentrope"},
     "adiabatic": {},
-    "wall": {},  # with the wall conductance that is found
+    "wall": {},  # with the identified wall conductance
     "isothermal": {"thermal": "isothermal"},
 }
 """Tanks of fig. 6 and their thermal laws."""
 
 _LONGEST, _ROWS_EVERY, _TOLERANCE = 600.0, 0.05, 1e-8
-_SETTLED = 0.02  # part of the way that counts as arrived
+_SETTLED = 0.02  # settling band relative to the travel
 
 
 @dataclass(frozen=True)
 class Filling:
-    """How a tank law fills the tank from 1 to 5 bar."""
+    """Filling of the tank from 1 to 5 bar under one tank law."""
 
     law: str
     time: float  # to 5 bar [s]
     end_temperature: float  # at 5 bar [K]
-    peak_temperature: float  # highest on the way [K]
+    peak_temperature: float  # maximum during the filling [K]
     peak_time: float  # [s]
 
 
 @dataclass(frozen=True)
 class WallConductance:
-    """Wall conductances that explain the reported rise of temperature, at one supply pressure."""
+    """Wall conductances that give the reported temperature rise at one supply pressure."""
 
     supply: float  # absolute [Pa]
-    for_peak: float  # if the rise is the highest on the way [W/K]
-    peak_time: float  # when that is [s]
-    for_end: float  # if the rise is that at 5 bar [W/K]
+    for_peak: float  # if the rise is the maximum [W/K]
+    peak_time: float  # time of the maximum [s]
+    for_end: float  # if the rise is at 5 bar [W/K]
 
 
 @dataclass(frozen=True)
 class Findings:
-    """Everything the report says in numbers; `results.json` has most of them under these names."""
+    """Values of the report; `results.json` contains most of them under these names."""
 
     conductances: tuple[float, ...]  # C at `STROKES` [m^3/(s Pa)]
     ratios: tuple[float, ...]  # b at `STROKES`
     largest: tuple[float, float]  # stroke [m] and value of the largest C [m^3/(s Pa)]
     smallest_ratio: tuple[float, float]  # stroke [m] and value of the smallest b
-    conductance_beyond: float  # what the polynomial gives at 1.2 mm [m^3/(s Pa)]
+    conductance_beyond: float  # value of the polynomial at 1.2 mm [m^3/(s Pa)]
     zero_beyond: float  # stroke beyond 1 mm at which the polynomial is zero [m]
     suspected_largest: float  # largest C with the suspected digit [m^3/(s Pa)]
-    law_deviation: float  # of the flow law from eqs (1), (2) as printed, at most, of choked flow
+    law_deviation: float  # maximum deviation of the flow law from eqs (1), (2), relative to choked flow
     downstream_error: float  # of choked flow if T1 were the temperature in the adiabatic tank, relative
     leak: float  # of the printed polynomial at stroke zero, from the supply into the start state [kg/s]
     fillings: dict[str, Filling]
     walls: tuple[WallConductance, ...]  # one per supply pressure of `SUPPLIES`
-    exponent: float  # polytropic, that gives the reported rise at 5 bar
+    exponent: float  # polytropic exponent for the reported rise at 5 bar
     pressure_drop: float  # after closing, with the wall of the peak rise [Pa]
     slow_time: float  # to 5 bar at 0.1 mm, with C and b there [s]
     slow_time_constant: float  # the same with C and b at 0.5 mm [s]
@@ -102,7 +102,7 @@ class Findings:
 
 
 def find(progress: Callable[[str], Any]) -> Findings:
-    """Run everything."""
+    """Run all simulations."""
     progress("tank laws")
     exponent = _polytropic_exponent()
     progress("wall conductances")
@@ -115,7 +115,7 @@ def find(progress: Callable[[str], Any]) -> Findings:
         staged("paper", Steps([0.0], [START + pilot]), thermal="isothermal").simulate(_LONGEST)["tank.pressure"][-1]
         for pilot in (1e5, 4e5)
     ]
-    # Without pilot pressure the valve empties the tank; after 1 s its plate is at rest.
+    # Without pilot pressure the valve empties the tank. After 1 s its plate is at rest.
     emptying = [
         staged("paper", initial_pressure=pressure).simulate(1.0)["valve.stroke"][-1] for pressure in (2e5, 4e5, 6e5)
     ]
@@ -142,13 +142,13 @@ def find(progress: Callable[[str], Any]) -> Findings:
 
 
 def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> Circuit:
-    """The right half of fig. 5: a supply, the main stage held at a stroke, the tank."""
+    """Return the right half of fig. 5: a supply, the main stage at a fixed stroke, and the tank."""
     valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
     return _between(supply, valve, tank, "Filling at a fixed stroke")
 
 
 def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> Circuit:
-    """A supply, the main stage with its mechanics, the tank, and the open air behind port 3."""
+    """Return a supply, the main stage with its mechanics, and the tank; port 3 is connected to ambient."""
     valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode)
     signals = {} if pilot is None else {"valve.pilot_pressure": pilot}
     return _between(SUPPLY, valve, tank, f"The main stage, {mode} mode, fills the tank", signals)
@@ -167,16 +167,16 @@ def _between(
 
 
 def staircase_circuit(**tank: Any) -> Circuit:
-    """Fig. 6: the regulator follows the required value, which its pilot pressure sets."""
+    """Return the circuit of fig. 6: the pilot pressure sets the required value of the regulator."""
     valve: Any = staged("regulator").parts["valve"]
     springs = valve.upper_spring, valve.lower_spring
-    # The pilot pressure has to carry the springs too: the valve closes where the outlet holds the rest.
+    # The pilot pressure also balances the springs: the valve closes at the required outlet pressure.
     lift = sum(float(spring.rate) * float(spring.preload) for spring in springs) / float(valve.plate_area)
     return staged("regulator", Steps(STEP_TIMES, [value + lift for value in STEP_VALUES]), **tank)
 
 
 def suspected() -> Characteristic:
-    """The printed polynomials with one digit of k5 changed: a hypothesis that fig. 3 suggests."""
+    """Return the printed polynomials with one changed digit of k5, a hypothesis from fig. 3."""
     changed = assumed(SUSPECTED_K5, "m^3/(s Pa)", "one digit changed from the printed -2.2269e-6")
     return library.characteristic("varga2012").with_numbers({"sonic_conductance.k5": changed})
 
@@ -202,7 +202,7 @@ def _curve_findings() -> dict[str, Any]:
 
 
 def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[float, float]:
-    """Stroke [m] and value where `sign` times the curve is least, on 0..1 mm."""
+    """Return stroke [m] and value at the minimum of `sign` times the curve on 0 to 1 mm."""
     strokes = np.linspace(0.0, 1e-3, 100_001)
     values = np.asarray(curve(strokes))
     index = int(np.argmin(sign * values))
@@ -210,7 +210,7 @@ def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[fl
 
 
 def _law_deviation(c: float, b: float) -> float:
-    """Eqs (1) and (2), typed as they are printed, against the flow law, outside its regularised zone."""
+    """Return the maximum deviation of eqs (1) and (2) from the flow law outside its laminar range."""
     p1, ratio = SUPPLY, np.linspace(0.0, iso6358.LAMINAR_RATIO, 2001)
     choked = c * p1 * iso6358.REFERENCE_DENSITY
     bracket = 1.0 - ((ratio - b) / (1.0 - b)) ** 2
@@ -229,7 +229,7 @@ def _root(function: Callable[[float], Any], low: float, high: float, **tolerance
 
 
 def _filled(**options: Any) -> Recording:
-    """Run `filling` until the tank holds 5 bar."""
+    """Run `filling` until the tank pressure is 5 bar."""
     return _run_to_target(filling(**options))
 
 
@@ -273,7 +273,7 @@ def _polytropic_exponent() -> float:
 def _wall_conductance(supply: float) -> WallConductance:
     circuit = filling(supply)
 
-    @cache  # the two searches begin at the same ends
+    @cache  # the two searches have the same limits
     def filled(wall: float) -> Filling:
         return _filling_of("", _run_to_target(circuit.with_values({"tank.wall_conductance": wall})))
 
@@ -284,7 +284,7 @@ def _wall_conductance(supply: float) -> WallConductance:
 
 
 def _pressure_drop(wall: float, closing_time: float) -> float:
-    """Fall of pressure after the valve has closed at 5 bar, while the gas cools to the wall."""
+    """Return the pressure drop after the valve has closed at 5 bar, while the gas cools to the wall."""
     closing = Steps([0.0, closing_time], [1.0, 0.0])
     closed = Circuit(filling(wall_conductance=wall).parts, {"valve.opening": closing})
     return float(TARGET - closed.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE)["tank.pressure"][-1])
@@ -294,7 +294,7 @@ def _pressure_drop(wall: float, closing_time: float) -> float:
 
 
 def _settling_time() -> float:
-    """Last time at which the stroke is more than 2 % of its way from where it comes to rest."""
+    """Return the settling time of the stroke in a band of 2 % of its travel."""
     run = staged("paper", Steps([0.0], [4e5])).simulate(0.05, 1e-5, 1e-6)
     stroke = run["valve.stroke"]
     away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])
@@ -302,7 +302,7 @@ def _settling_time() -> float:
 
 
 def _strokes_by_sign() -> tuple[float, float]:
-    """Stroke at 3 bar g: simulated with eq. (5), and at rest with k2 (h2 - x) as fig. 5 shows."""
+    """Return the stroke at 3 bar g by eq. (5), and at rest with k2 (h2 - x) as in fig. 5."""
     circuit = staged("paper", Steps([0.0], [4e5]))
     valve: Any = circuit.parts["valve"]
     k1, h1 = float(valve.upper_spring.rate), float(valve.upper_spring.preload)

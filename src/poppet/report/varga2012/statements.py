@@ -1,4 +1,4 @@
-"""What Varga & Keski-Honkola 2012 state, one by one, and what becomes of it; the words are in `words/paper.toml`."""
+"""Statements of Varga & Keski-Honkola 2012 with their verdicts; the texts are in `messages/paper.toml`."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from poppet.report.varga2012.runs import REPORTED_RISE, START_TEMPERATURE, SUPPL
 
 
 class Verdict(enum.Enum):
-    """What becomes of a statement; the value is what a reader sees."""
+    """Verdict on a statement; the value is its text."""
 
     HOLDS = "holds"
     FAILS = "does not hold"
@@ -23,7 +23,7 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class Statement:
-    """One statement of the paper: its code, whether it holds, and the numbers of the finding."""
+    """Statement of the paper: code, verdict and facts of the finding."""
 
     code: str
     verdict: Verdict
@@ -31,22 +31,22 @@ class Statement:
 
     @property
     def text(self) -> str:
-        """What the paper says."""
+        """Text of the statement."""
         return sentence(f"{self.code}.text", {})
 
     @property
     def place(self) -> str:
-        """Where it says so."""
+        """Location in the paper."""
         return sentence(f"{self.code}.place", {})
 
     @property
     def finding(self) -> str:
-        """What the simulator finds, with numbers."""
+        """Finding of the simulation."""
         return sentence(f"{self.code}.finding", self.facts)
 
 
 def statements(results: Findings) -> tuple[Statement, ...]:
-    """All statements with their verdicts."""
+    """Return all statements with their verdicts."""
     verdicts = {True: Verdict.HOLDS, False: Verdict.FAILS, None: Verdict.OPEN}
     return tuple(
         Statement(f"paper.{name}", verdicts[None if holds is None else bool(holds)], facts)
@@ -55,7 +55,7 @@ def statements(results: Findings) -> tuple[Statement, ...]:
 
 
 def _judged(results: Findings) -> Iterator[tuple[str, bool | None, dict[str, Any]]]:
-    """Statement, whether it holds (None: that cannot be told), and numbers in the units of its sentence."""
+    """Yield name, truth (None if not decidable) and facts in the units of the text."""
     c, b, (stroke, largest) = results.conductances, results.ratios, results.largest
     smallest_stroke, smallest = results.smallest_ratio
     fill = results.fillings
@@ -117,7 +117,7 @@ def _judged(results: Findings) -> Iterator[tuple[str, bool | None, dict[str, Any
 
 
 def _staircase(results: Findings) -> tuple[float, float, float]:
-    """Lowest and highest pressure of all tanks [bar], and the greatest relative miss when the next step comes."""
+    """Return minimum and maximum pressure of all tanks [bar], and the maximum relative error before the next step."""
     run = results.staircase
     required = run["required.pressure"]
     ends = np.append(np.flatnonzero(np.diff(required)), required.size - 1)

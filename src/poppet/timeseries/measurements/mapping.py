@@ -172,7 +172,10 @@ class _Reader:
                 self.errors.add("measured.unquoted", location, key=key)
             else:
                 self.errors.add(
-                    "measured.unknown_field", location, near=NameSuggestion(key, (*_FIELDS, *self.other_fields))
+                    "fields.unknown",
+                    location,
+                    table="recording",
+                    near=NameSuggestion(key, (*_FIELDS, *self.other_fields)),
                 )
         if not any("." in key for key in self.table):
             self.errors.add("measured.no_channel", self.location)
@@ -236,7 +239,8 @@ class _Reader:
 
     def _column(self, address: str, fields: Mapping[str, Any], valid: tuple[str, ...], location: str) -> _Column | None:
         for key in (field for field in fields if field not in valid):
-            self.errors.add("measured.no_field", f"{location}.{key}", near=NameSuggestion(key, valid))
+            near = NameSuggestion(key, valid)
+            self.errors.add("fields.unknown", f"{location}.{key}", table="channel", near=near)
         # Checked before the file: these errors do not depend on its content.
         lag = None if fields.get("lag") == "free" else self._seconds(fields, "lag", location)
         is_free = "delay" not in valid or fields.get("delay") == "free"
@@ -309,7 +313,8 @@ class _Reader:
         """Return the times of the samples of a table [s]."""
         spec = value if isinstance(value, Mapping) else {"column": value}
         for key in (field for field in spec if field not in ("column", "unit")):
-            self.errors.add("measured.no_field", f"{location}.{key}", near=NameSuggestion(key, ("column", "unit")))
+            near = NameSuggestion(key, ("column", "unit"))
+            self.errors.add("fields.unknown", f"{location}.{key}", table="time column", near=near)
         index = self._named(table, spec.get("column", "time"), f"{location}.column")
         if index is None:
             return None
@@ -439,7 +444,7 @@ def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapp
 
 
 def _si_unit(address: str, written: str) -> str:
-    """The SI unit of a signal: what its name says, else what its unit says."""
+    """Return the SI unit of a signal, from its name or from the dimension of its unit."""
     check_unit(written)
     ending = next((ending for ending in _SI_BY_ENDING if address.endswith(ending)), None)
     if ending is not None:

@@ -163,7 +163,8 @@ def groups_of(groups: Mapping[str, Mapping[str, FloatArray]], group: str | int |
     if isinstance(group, int) and 0 <= group < len(names):
         group = names[group]
     if group is not None and group not in groups:
-        raise InputError("table.no_group", "group", group=group, near=NameSuggestion(str(group), names))
+        near = NameSuggestion(str(group), names)
+        raise InputError("fields.not_an_option", "group", value=group, meaning="group of the file", near=near)
     if isinstance(group, str) or len(names) == 1:
         return dict(groups[group if isinstance(group, str) else names[0]])
     return {f"{name}/{column}": values for name in names for column, values in groups[name].items()}

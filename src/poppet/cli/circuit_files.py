@@ -1,0 +1,164 @@
+"""`poppet check`, `new`, `show`, `draw` and `schema`: circuit files without a run."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import tomllib
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from poppet.cli.assignments import load_circuit
+from poppet.cli.parser import output_path
+from poppet.cli.summary import print_notes
+from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.number_format import aligned
+from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import Circuit
+    from poppet.core.provenance import Number
+
+TEMPLATES = {path.stem: path for path in sorted(Path(__file__).with_name("templates").glob("*.toml"))}
+"""Templates of circuit files by name."""
+
+
+def check_files(options: argparse.Namespace) -> None:
+    """Report all errors of circuit files without running them."""
+    problems: list[InputError] = []
+    # An error in one file does not prevent the check of the others.
+    for file in options.files:
+        try:
+            _check_file(file)
+        except InputError as error:
+            problems.append(error)
+    collect(problems)
+
+
+def _check_file(file: str) -> None:
+    from poppet.circuit.file import load
+    from poppet.core.toml_file import TomlFile
+
+    circuit = load(file)
+    try:
+        n_outputs = _count_outputs(circuit)
+        if "ensemble" in circuit.origin[0]:
+            from poppet.ensemble import plan_of
+
+            plan_of(circuit)
+    except InputError as error:
+        raise TomlFile.read(file).located(error) from None
+    parts = circuit.parts.values()
+    counts = {
+        "part": len(parts),
+        "state": sum(len(part.states()) for part in parts),
+        "input": sum(len(part.inputs()) for part in parts),
+        "output": n_outputs,
+        "assumed parameter": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
+    }
+    text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
+    print(f"{file}: no errors; {text}.")
+    print_notes(circuit.static_notes)
+
+
+def _count_outputs(circuit: Circuit) -> int:
+    """Return the number of outputs; check stop conditions and output times without compiling the model."""
+    from poppet.circuit.stop_conditions import parse_stop_condition
+    from poppet.circuit.trace import trace
+
+    outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
+    for text in circuit.run.stop_texts:
+        parse_stop_condition(text, outputs, circuit.surroundings.pressure)
+    # A file without a duration is valid: the option --duration can set it.
+    if circuit.run.duration is not None:
+        circuit.run.grid()
+    return len(outputs)
+
+
+def write_template(options: argparse.Namespace) -> None:
+    """Write a template of a circuit file, or list the templates."""
+    name = options.template
+    if name is None:
+        width = max(map(len, TEMPLATES))
+        for template, path in TEMPLATES.items():
+            print(f"{template:<{width}}  {tomllib.loads(path.read_text(encoding='utf-8'))['title']}")
+        return
+    if name not in TEMPLATES:
+        near = NameSuggestion(name, TEMPLATES)
+        raise InputError("fields.not_an_option", "template", value=name, meaning="template", near=near)
+    # The parser has checked an `--output`; the default name is checked here.
+    target: Path = options.output or output_path(f"{name}.toml", (".toml",))
+    if target.exists() and not options.force:
+        raise InputError("cli.template.exists", path=str(target))
+
+    from poppet.core.files import write_whole
+
+    write_whole(target, lambda stream: stream.write(TEMPLATES[name].read_bytes()))
+    print(f"{target}: written. Run it with: poppet simulate {target}")
+
+
+def show_parameters(options: argparse.Namespace) -> None:
+    """Print the parameters of a circuit by source."""
+    if options.kind is not None and options.kind not in KINDS:
+        near = NameSuggestion(options.kind, KINDS)
+        raise InputError("fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", near=near)
+
+    circuit, _ = load_circuit(options)
+    kinds = KINDS if options.kind is None else (options.kind,)
+    groups = {kind: {a: n for a, n in circuit.numbers().items() if n.source.kind == kind} for kind in kinds}
+    ambient = circuit.surroundings.pressure
+    if options.json:
+        entries = [_json_entry(address, n, ambient) for group in groups.values() for address, n in group.items()]
+        print(json.dumps({"title": circuit.title, "numbers": entries}, indent=2))
+        return
+    # A requested kind is printed even if it has no parameters.
+    texts = [_source_text(kind, group, ambient) for kind, group in groups.items() if group or options.kind]
+    print("\n\n".join([circuit.title, *texts] if circuit.title else texts))
+
+
+def _json_entry(address: str, number: Number, ambient_pressure: float) -> dict[str, object]:
+    return {
+        "address": address,
+        "written": number.display(),
+        "value": number.absolute(ambient_pressure),
+        "unit": number.unit,
+        "source": number.source.kind,
+        "locator": number.source.locator,
+        "note": number.source.note,
+    }
+
+
+def _source_text(kind: str, numbers: dict[str, Number], ambient_pressure: float) -> str:
+    """Return the table of the parameters of one kind of source."""
+    if not numbers:
+        return f"{kind}: none"
+    rows = []
+    for address, number in numbers.items():
+        value = number.absolute(ambient_pressure)
+        si_text = f"{value:.6g} {number.unit}" if number.unit != "1" else f"{value:.6g}"
+        source = "; ".join(text for text in (number.source.locator, number.source.note) if text)
+        rows.append([f"  {address}", number.display(), si_text, source])
+    return f"{kind} ({len(numbers)})\n{aligned(rows, [])}"
+
+
+def draw_schematic(options: argparse.Namespace) -> None:
+    """Draw the schematic of a circuit."""
+    from poppet.circuit.file import load
+    from poppet.report.circuit.schematic import draw_circuit
+
+    circuit = load(options.file)
+    draw_circuit(circuit, options.output)
+    print(f"{options.output}: {len(circuit.parts)} parts drawn.")
+
+
+def write_schema(options: argparse.Namespace) -> None:
+    """Write the JSON schema of circuit files."""
+    from poppet.core.files import write_whole
+    from poppet.ensemble.ensemble_schema import file_schema
+
+    text = json.dumps(file_schema(), indent=2)
+    if options.output is None:
+        print(text)
+        return
+    write_whole(options.output, lambda stream: stream.write(f"{text}\n".encode()))
+    print(f"{options.output}: written. Use it in an editor to check circuit files.")

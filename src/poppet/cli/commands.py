@@ -1,0 +1,424 @@
+"""Declarations of all commands: the parsers, the help, the tables of the documentation and tests come from here."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from poppet.cli.parser import Command
+from poppet.core.command_options import FILE, SET, WITH, Option
+from poppet.deploy.targets import BUILT_IN, TARGETS, Target
+
+RECORDINGS = (".csv", ".parquet", ".mat")
+PICTURES = (".png", ".svg", ".pdf")
+SIZES = {"C": "m^3/(s Pa)", "Kv": "", "Cv": "", "qNn": "l/min ANR", "area": "mm^2"}
+"""Names of flow capacities, with the default unit of the output of `poppet convert`."""
+
+VALVE = Option("--valve NAME", "part under test; required if the circuit has several valves")
+RESULT = Option("-o, --output FILE", "write the result", (".toml", ".json"))
+REPORT = Option("--report FILE", "write an HTML report", (".html",))
+UNITS = Option("--units LIST", 'units of the results: "bar,degC,l/min ANR" or ADDRESS=UNIT')
+SELECT = Option("--select LIST", 'outputs of the results: "tank.*,valve.stroke"')
+ALL = Option("--all", "include internal outputs of the parts: sensors, integrals, duties")
+TUNE, COMPARE = ("tune",), ("compare",)
+FIT, FIT_OR_TANK = ("fit",), ("fit", "tank")
+
+_COMMANDS = {
+    "simulate": Command(
+        "run a circuit file",
+        "simulate:execute",
+        (
+            FILE,
+            WITH,
+            SET,
+            Option("-o, --output FILE", "write the recording", RECORDINGS),
+            Option("--plot FILE", "plot the recording", PICTURES),
+            REPORT,
+            Option("--duration TIME", 'duration of the run: "60 s"'),
+            Option("--output-step TIME", 'time between rows: "10 ms"'),
+            Option("--tolerance NUMBER", "relative tolerance (default: 1e-6)"),
+            Option(
+                "--stop-when CONDITION ...",
+                'end the run early: "tank.pressure > 5 bar"; adds to the conditions of the file; may be repeated',
+            ),
+            Option("--solver NAME", "rosenbrock (default); for a comparison cvodes, lsoda, bdf, radau"),
+            Option("--start-from RECORDING", "start from the end of a recording; --set is applied after"),
+            UNITS,
+            SELECT,
+            ALL,
+        ),
+        (
+            "poppet simulate valve-fill.toml",
+            'poppet simulate valve-fill.toml --set tank.volume="0.1 m^3" -o fill.csv --plot fill.png',
+            'poppet simulate valve-fill.toml --stop-when "tank.pressure > 2 bar" --units "bar,degC,l/min ANR"',
+        ),
+    ),
+    "identify": Command(
+        "parameters with intervals from recordings: fit, tank, flow, characteristic, muscle, friction, design",
+        "identify:execute",
+        (
+            Option(
+                "METHOD",
+                "",
+                choices={
+                    "fit": "any free parameters of any circuit, from any recordings",
+                    "tank": "C, b and wall heat from a charge or discharge test (ISO 6358-2)",
+                    "flow": "C, b, m and cracking pressure from a steady flow bench (ISO 6358-1)",
+                    "characteristic": "C(x), b(x) from tests at known strokes",
+                    "muscle": "force law of a muscle, from a force map or recordings",
+                    "friction": "friction law, from velocity-force tables or recordings of motion",
+                    "design": "most informative of the possible tests",
+                },
+            ),
+            Option("FILE", "identification file (.toml), see docs/identify.md"),
+            RESULT,
+            REPORT,
+            Option("--compare FILE", "compare with another fit file", actions=FIT),
+            Option("--profile ADDRESS ...", "interval by profile likelihood; may be repeated", actions=FIT_OR_TANK),
+            Option("--contour", "cost versus conductance and wall heat, for the report", actions=FIT_OR_TANK),
+            Option("--bootstrap N", "N bootstrap fits", actions=FIT_OR_TANK, keywords={"type": int, "default": 0}),
+            Option("--library FILE", "write C(x), b(x) for circuit files", (".toml",), actions=("characteristic",)),
+            Option("--all", "print all findings instead of the first three"),
+        ),
+        (
+            "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
+            "poppet identify friction FRICTION.toml -o RESULT.toml --report REPORT.html",
+            "poppet identify characteristic TESTS.toml --library valve.toml",
+            "poppet identify design DESIGN.toml --report DESIGN.html",
+        ),
+    ),
+    "bench": Command(
+        "characteristic values of a pressure valve, from a model or from recordings: iso10094",
+        "bench:run_bench_command",
+        (
+            Option("STANDARD", "", choices={"iso10094": "electro-pneumatic pressure valves (ISO 10094-1, -2)"}),
+            Option("[FILE]", "circuit file with the valve (.toml), or a result to print again"),
+            VALVE,
+            Option("--recording FILE", "recordings of a real valve, instead of a circuit (.toml)"),
+            RESULT,
+            REPORT,
+            Option("--compare FILE", "result, circuit or recordings to compare with"),
+            Option("--tests LIST", "selected tests: step,frequency (default: all)"),
+            Option(
+                "--full-scale RANGE", 'outlet pressure at full setpoint: "6 bar g", or both ends: "0 bar g, 6 bar g"'
+            ),
+            Option("--supply PRESSURE", "supply pressure (default: that of the circuit)"),
+            Option("--volume LIST", 'volumes at the outlet (default: "1 l, 5 l")'),
+            Option("--rated-flow FLOW", 'flow at which droop and relief are evaluated: "300 l/min ANR"'),
+            Option("--sweep-time TIME", "time of the setpoint from end to end (default: from the response)"),
+            Option("--frequencies LIST", 'frequencies of the sines: "1 Hz, 2 Hz" (default: from the response)'),
+            WITH,
+            SET,
+        ),
+        (
+            "poppet bench iso10094 VALVE.toml --valve valve -o RESULT.toml --report REPORT.html",
+            "poppet bench iso10094 VALVE.toml --valve valve --set valve.preset=fast --compare RESULT.toml",
+            "poppet bench iso10094 --recording MAP.toml --tests step,frequency --report REPORT.html",
+        ),
+    ),
+    "ensemble": Command(
+        "many runs with uncertain parameters: yield, bands, influence of each parameter, worst cases",
+        "ensemble:run_ensemble",
+        (
+            FILE,
+            WITH,
+            SET,
+            Option("-o, --output FOLDER", "folder of the dataset (default: NAME.ensemble beside NAME.toml)"),
+            REPORT,
+            Option("--worst FOLDER", "write the worst runs of each requirement as circuit files"),
+            Option("--runs N", "number of runs", keywords={"type": int}),
+            Option("--seed N", "seed of the random numbers", keywords={"type": int}),
+            Option(
+                "--executor NAME",
+                "executor of the runs",
+                choices={"threads": "of this process (default)", "processes": "of this machine"},
+                group="executor",
+            ),
+            Option(
+                "--scheduler ADDRESS", "address of a Dask scheduler, whose workers execute the runs", group="executor"
+            ),
+            Option("--workers N", "threads or processes (default: one per processor)", keywords={"type": int}),
+        ),
+        (
+            "poppet ensemble ensemble.toml",
+            "poppet ensemble ensemble.toml --runs 100000 -o bench/ensemble --report ensemble.html",
+            "poppet ensemble ensemble.toml --scheduler tcp://bench:8786",
+        ),
+    ),
+    "size": Command(
+        "smallest or largest parameter value with which a circuit meets its requirements",
+        "ensemble:find_size",
+        (
+            FILE,
+            WITH,
+            SET,
+            Option("--free ADDRESS", "parameter to be sized", keywords={"required": True}),
+            Option("--meet NAME ...", "requirement of the file (default: all); may be repeated"),
+            Option(
+                "--between LOW HIGH",
+                "search range, with units",
+                keywords={"nargs": 2, "metavar": ("LOW", "HIGH")},
+            ),
+            Option("--largest", "find the largest value instead of the smallest"),
+            Option("--yield SHARE", "required fraction of runs that meet the requirements: 95 % or 0.95"),
+            Option("--size SIZE ...", "standard size; reports the next that meets the requirements; may be repeated"),
+            RESULT,
+            REPORT,
+        ),
+        (
+            "poppet size ensemble.toml --free fill.sonic_conductance --meet fast",
+            'poppet size ensemble.toml --free tank.volume --largest --between "0.5 l" "20 l" --yield "95 %"',
+            "poppet size ensemble.toml --free tank.volume --largest --size '1 l' --size '2 l' --report size.html",
+        ),
+    ),
+    "bench limits": Command(
+        "part that limits a valve: maps of bandwidth, step response and stability",
+        "bench:find_bench_limits",
+        (
+            Option("FILE", "circuit file with a proportional_valve and its load (.toml)"),
+            VALVE,
+            RESULT,
+            REPORT,
+            Option("--mean PRESSURE", "mean pressure (default: middle of the span)"),
+            Option("--volumes LIST", 'outlet volumes: "0.1 l, 1 l" (default: a tenth to ten times that of the file)'),
+            Option("--amplitudes LIST", 'amplitudes of the sine: "5 kPa, 50 kPa" (default: 0.5 to 25 % of the span)'),
+            Option("--springs LIST", 'factors on the spring rates (default: "0.5, 1, 2")'),
+            Option("--dampings LIST", 'factors on the damping (default: "0.25, 0.5, 1, 2, 4")'),
+            WITH,
+            SET,
+        ),
+        (
+            "poppet bench limits VALVE.toml --valve valve -o RESULT.toml --report REPORT.html",
+            'poppet bench limits VALVE.toml --volumes "0.1 l, 1 l, 10 l" --amplitudes "5 kPa, 50 kPa" '
+            "--report REPORT.html",
+        ),
+    ),
+    "check": Command(
+        "report all errors of circuit files without running them",
+        "circuit_files:check_files",
+        (Option("FILE ...", "circuit files (.toml)"),),
+        ("poppet check valve-fill.toml", "poppet check bench/*.toml"),
+    ),
+    "new": Command(
+        "write a template of a circuit file",
+        "circuit_files:write_template",
+        (
+            Option("[TEMPLATE]", "template to write; if omitted, lists all templates"),
+            Option("-o, --output FILE", "output file (default: TEMPLATE.toml)", (".toml",)),
+            Option("--force", "overwrite an existing file"),
+        ),
+        ("poppet new", "poppet new valve-fill", "poppet new two-tanks -o rig.toml"),
+    ),
+    "show": Command(
+        "list the parameters of a circuit by their source, assumed ones first",
+        "circuit_files:show_parameters",
+        (
+            FILE,
+            WITH,
+            SET,
+            Option("--kind KIND", "one kind of source: assumed, datasheet, fitted, measured, given, paper, standard"),
+            Option("--json", "print JSON, for programs"),
+        ),
+        (
+            "poppet show valve-fill.toml",
+            "poppet show valve-fill.toml --kind assumed",
+            "poppet show valve-fill.toml --json",
+        ),
+    ),
+    "draw": Command(
+        "draw the schematic of a circuit",
+        "circuit_files:draw_schematic",
+        (FILE, Option("-o, --output PICTURE", "output file", (".svg", ".png", ".pdf"), keywords={"required": True})),
+        ("poppet draw valve-fill.toml -o valve-fill.svg", "poppet draw valve-fill.toml -o valve-fill.png"),
+    ),
+    "plot": Command(
+        "plot recordings in common axes",
+        "plot:plot_files",
+        (
+            Option("RECORDING ...", "recordings: .csv, .parquet or .mat"),
+            Option("-o, --output PICTURE", "output file (default: FIRST.png)", PICTURES),
+            SELECT,
+            UNITS,
+            ALL,
+        ),
+        (
+            "poppet plot fill.csv -o fill.png",
+            'poppet plot measured.csv simulated.csv -o both.svg --select "tank.pressure,valve.stroke" --units bar,mm',
+        ),
+    ),
+    "linearise": Command(
+        "linear model, eigenvalues and time constants of a circuit",
+        "linearise:linearise_file",
+        (
+            FILE,
+            WITH,
+            SET,
+            Option(
+                "--at RECORDING", "operating point at the end of a recording (default: steady state)", group="point"
+            ),
+            Option(
+                "--set-input ADDRESS=VALUE ...",
+                'constant value of an input in the steady state: valve.pilot_pressure="2 bar g"; may be repeated',
+                group="point",
+                keywords={"dest": "inputs"},
+            ),
+            Option("-o, --output FILE", "write A, B, C, D", (".json", ".mat", ".npz")),
+        ),
+        (
+            "poppet linearise two-tanks.toml",
+            'poppet linearise valve-fill.toml --set-input valve.pilot_pressure="2 bar g"',
+            "poppet linearise valve-fill.toml --at fill.csv -o linear.json",
+        ),
+    ),
+    "control": Command(
+        "tune a pressure controller, compare controllers under uncertainty",
+        "control:execute",
+        (
+            Option(
+                "ACTION",
+                "",
+                choices={
+                    "tune": "gains of a pid from the linear model, or from responses to sines",
+                    "compare": "controllers on one plant with uncertain parameters, one circuit file each",
+                },
+            ),
+            Option("FILE ...", "circuit file (.toml); compare: several"),
+            Option("--controller NAME", "controller; required if a circuit has several"),
+            WITH,
+            SET,
+            Option(
+                "--at VALUE ...",
+                'operating point: "2 bar" or "100 mm" (default: levels of the setpoint); may be repeated',
+                actions=TUNE,
+            ),
+            Option("--form FORM", "pi (default), pid or p", actions=TUNE),
+            Option("--sensitivity M", "bound of Ms and Mt (default: 1.4)", actions=TUNE, keywords={"type": float}),
+            Option(
+                "--amplitude VALUE ...",
+                'tune for the responses to a sine of the command with this amplitude: 0.05 or "20 N"; may be repeated',
+                actions=TUNE,
+            ),
+            Option("--schedule", "gains for each operating point", actions=TUNE),
+            Option(
+                "--vary ADDRESS=RANGE ...", 'uncertain parameter: tank.volume="20 %"; may be repeated', actions=COMPARE
+            ),
+            Option("--draws N", "number of sampled plants (default: 50)", actions=COMPARE, keywords={"type": int}),
+            Option("--seed N", "seed of the samples (default: 0)", actions=COMPARE, keywords={"type": int}),
+            Option("--plot FILE", "plot responses and spread", PICTURES, actions=COMPARE),
+            REPORT,
+            Option("-o, --output FILE", "tune: write the gains, .toml; compare: write the metrics of every run, .csv"),
+        ),
+        (
+            "poppet control tune pressure_control.toml --form pid --sensitivity 1.6",
+            'poppet control tune pressure_control.toml --schedule --at "2 bar" --at "5 bar" -o gains.toml',
+            'poppet control tune muscle_joint.toml --form pid --at "25 deg" --amplitude "20 N" --amplitude "100 N"',
+            'poppet control compare pid.toml linearising.toml --vary tank.volume="20 %" --draws 100 --plot spread.png',
+        ),
+    ),
+    "export": Command(
+        "export a circuit to other programs: c, fmu, st",
+        "export:list_targets",
+        (Option("[TARGET]", "export target; see TARGET --help"),),
+        ("poppet export", "poppet export c FILE.toml -o valve"),
+    ),
+    "export check": Command(
+        "run a circuit with every export target and compare the results with the kernel",
+        "export:check_targets",
+        (
+            Option("FILE", "circuit file (.toml), or an exported FMU (.fmu), which is then the only one that runs"),
+            Option("--circuit FILE", "circuit of an FMU that does not contain its circuit"),
+            Option("--duration TIME", 'duration of the run: "2 s" (default: that of the file)'),
+            Option("--only LIST", "names of targets (default: all)"),
+            WITH,
+            SET,
+            REPORT,
+        ),
+        (
+            "poppet export check FILE.toml",
+            'poppet export check FILE.toml --duration "2 s" --report parity.html',
+            'poppet export check FILE.toml --only "c adaptive,controllers"',
+            "poppet export check valve.fmu",
+        ),
+    ),
+    "convert": Command(
+        "convert units, and C, Kv, Cv, qNn and effective areas",
+        "convert:execute",
+        (
+            Option("VALUE", 'number and unit: "6 bar g", "1.2 Kv", "380 l/min ANR"'),
+            Option("--to UNIT", f"unit, or one of {', '.join(SIZES)}", keywords={"required": True}),
+            Option("--ambient PRESSURE", "ambient pressure of gauge values [Pa], or with unit"),
+            Option("--critical-ratio B", "critical back-pressure ratio b; assumed if omitted"),
+            Option(
+                "--definition NAME",
+                "definition of Kv and Cv",
+                choices={"pneumatic": "of pneumatic catalogues (default)", "small_dp": "of a liquid test"},
+                keywords={"default": "pneumatic"},
+            ),
+            Option("--gas NAME", "gas of C and b (default: air); Kv, Cv and qNn refer to water or air"),
+        ),
+        (
+            'poppet convert "6 bar g" --to psi --ambient "1.013 bar"',
+            'poppet convert "1.2 Kv" --to C --critical-ratio 0.35',
+            'poppet convert "380 l/min ANR" --to C',
+            'poppet convert "1 mm^2" --to C --gas helium',
+        ),
+    ),
+    "library": Command(
+        "list or describe published parameter sets, characteristics and gases",
+        "reference:show_library",
+        (Option("[NAME]", "set, characteristic or gas to describe; if omitted, lists all"),),
+        ("poppet library", "poppet library varga2012", "poppet library nitrogen"),
+    ),
+    "explain": Command(
+        "explain the code of an error, note or finding: cause, example and remedy",
+        "reference:explain_codes",
+        (Option("[CODE] ...", "codes, or first parts of codes to list; if omitted, lists all first parts"),),
+        ("poppet explain fields.out_of_range", "poppet explain finding.capped run.stalled", "poppet explain wiring"),
+    ),
+    "schema": Command(
+        "write the JSON schema of circuit files for editors",
+        "circuit_files:write_schema",
+        (Option("-o, --output FILE", "write to a file instead of the standard output", (".json",)),),
+        ("poppet schema", "poppet schema -o circuit.schema.json"),
+    ),
+    "paper": Command(
+        "reproduce the figures of Varga & Keski-Honkola 2012",
+        "reference:reproduce_paper",
+        (Option("-o, --output FOLDER", "output folder (default: paper)", keywords={"default": "paper"}),),
+        ("poppet paper", "poppet paper -o figures"),
+    ),
+}
+"""Commands by name, except those of export targets."""
+
+
+def target_command(target: Target) -> Command:
+    """Return the command of an export target."""
+    output = (
+        Option("-o, --output FILE", "output file", target.suffixes, keywords={"required": not target.is_printable})
+        if target.suffixes
+        else Option("-o, --output FOLDER", "output folder; a folder of an earlier export is written again")
+    )
+    return Command(
+        target.summary,
+        "export:write_target",
+        (FILE, output, *target.options, WITH, SET),
+        target.examples,
+        target.limitations,
+    )
+
+
+def _with_targets(targets: Iterable[Target]) -> dict[str, Command]:
+    commands: dict[str, Command] = {}
+    for name, command in _COMMANDS.items():
+        if name == "export check":
+            commands |= {target.command: target_command(target) for target in targets}
+        commands[name] = command
+    return commands
+
+
+def all_commands() -> dict[str, Command]:
+    """Return all commands, with those of targets of other packages."""
+    return _with_targets(TARGETS.values())
+
+
+COMMANDS = _with_targets(BUILT_IN)
+"""Built-in commands by name, in the order of the help."""

@@ -1,0 +1,72 @@
+"""`poppet library`, `explain` and `paper`: published data, codes, and the published figures."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from pathlib import Path
+
+from poppet.core.errors import InputError, NameSuggestion
+
+
+def show_library(options: argparse.Namespace) -> None:
+    """List the sets, characteristics and gases of the library, or describe one."""
+    from poppet import library
+
+    if options.name is not None:
+        print(library.describe(options.name))
+        return
+    groups = {
+        "sets": library.sets(),
+        "characteristics": library.characteristics(),
+        "gases": library.gas_names(),
+    }
+    for heading, names in groups.items():
+        print(f"{heading + ':':<17}{', '.join(names)}")
+
+
+def explain_codes(options: argparse.Namespace) -> None:
+    """Print cause, example and remedy of codes, or list the codes with a common first part."""
+    from poppet.core.message_format import every_code, renamed_codes, topics
+
+    codes, titles = every_code(), topics()
+    blocks = []
+    for name in options.codes:
+        new = renamed_codes().get(name, name)
+        members = [code for code in codes if code.startswith(f"{name}.")]
+        if new in codes:
+            blocks.append((f"{name} is now {new}.\n" if new != name else "") + _explanation(new))
+        elif members:
+            title = f": {titles[name]}" if name in titles else ""
+            blocks.append("\n".join([f"{name}{title}, {len(members)} codes", *(f"  {code}" for code in members)]))
+        else:
+            raise InputError("cli.code", code=name, near=NameSuggestion(name, codes if "." in name else titles))
+    if not options.codes:
+        width = max(map(len, titles))
+        blocks = ["\n".join(f"{topic:<{width}}  {title}" for topic, title in titles.items())]
+    print("\n\n".join(blocks))
+
+
+def _explanation(code: str) -> str:
+    """Return cause, example and remedy of a code; the text of a note contains its remedy."""
+    from poppet.core.message_format import example_texts, plain, stored_examples, template
+
+    text, example = template(code), stored_examples().get(code)
+    parts = {"": text} if isinstance(text, str) else text
+    lines = [f"  cause:    {' '.join(plain(part) for name, part in parts.items() if name != 'hint')}"]
+    if example is not None and "{" in "".join(parts.values()):
+        texts = example_texts(code, example)
+        lines.append(f"  example:  {' '.join(texts.values())}")
+    if "hint" in parts:
+        lines.append(f"  remedy:   {plain(parts['hint']).replace('<near>', 'Use one of the suggested names.')}")
+    return "\n".join([code, *lines])
+
+
+def reproduce_paper(options: argparse.Namespace) -> None:
+    """Reproduce the figures and statements of Varga & Keski-Honkola 2012."""
+    folder = Path(options.output)
+    if folder.exists() and not folder.is_dir():
+        raise InputError("paper.folder_is_file", path=str(folder))
+    from poppet.report.varga2012.paper import write_paper
+
+    print(write_paper(folder, lambda step: None if options.quiet else print(step, file=sys.stderr)).table())

@@ -1,0 +1,153 @@
+"""Runs of an FMU in importers (FMPy and libcosim), and the circuit file inside an FMU."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+import time
+import tomllib
+import xml.etree.ElementTree as ElementTree
+import zipfile
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.core.errors import InputError, needed
+from poppet.deploy.fmu.fmu_layout import FOLLOWS
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import Circuit
+
+Array = NDArray[np.float64]
+EXCHANGE_TOLERANCE = 1e-9
+"""Relative tolerance of the importer's CVODE, whose errors accumulate over a run."""
+NANOSECOND = 1e-9
+"""Unit of time in libcosim [s]."""
+CIRCUIT, CHANGES, PARAMETERS = "resources/circuit.toml", "resources/changes.toml", "resources/numbers"
+
+
+class ImporterRun(NamedTuple):
+    """Run of an FMU with the signals of the circuit."""
+
+    values: Array  # (n_names, n_times)
+    points: Array  # (n_times,) ends of the importer's steps [s]
+    first: int  # first available row
+    seconds: float
+
+
+def fmi_version(path: Path) -> int:
+    """Return the version of FMI, 2 or 3, from the description in the file.
+
+    Raises
+    ------
+    InputError
+        If the file cannot be read or is no FMU.
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            root = ElementTree.fromstring(archive.read("modelDescription.xml"))
+        return {"2": 2, "3": 3}[root.attrib["fmiVersion"].partition(".")[0]]
+    except OSError as problem:
+        raise InputError("files.unreadable", path=str(path), why=problem.strerror or str(problem)) from problem
+    except zipfile.BadZipFile as problem:
+        raise InputError("deploy.fmu.no_archive", name=path.name) from problem
+    except (KeyError, ElementTree.ParseError) as problem:
+        raise InputError("deploy.fmu.no_fmu", name=path.name) from problem
+
+
+def read_description(path: Path) -> tuple[list[str], list[str]]:
+    """Return the names of all variables of an FMU, and the problems that FMPy finds in its description."""
+    with needed("FMPy", "running an FMU", "check"):
+        import fmpy
+        from fmpy.validation import validate_fmu
+
+    return [v.name for v in fmpy.read_model_description(str(path)).modelVariables], list(validate_fmu(str(path)))
+
+
+def run_in_fmpy(path: Path, kind: str, grid: Array, names: Sequence[str]) -> ImporterRun:
+    """Run an FMU in FMPy: `CoSimulation`, or `ModelExchange` with CVODE."""
+    import fmpy
+
+    variables = {v.name for v in fmpy.read_model_description(str(path)).modelVariables}
+    step = float(grid[1] - grid[0])
+    solver = {} if kind == "CoSimulation" else {"solver": "CVode", "relative_tolerance": EXCHANGE_TOLERANCE}
+    start_time = time.perf_counter()
+    rows = fmpy.simulate_fmu(
+        str(path), fmi_type=kind, start_time=0.0, stop_time=float(grid[-1]), output_interval=step,
+        start_values={FOLLOWS: True} if FOLLOWS in variables else {}, output=list(names), **solver,
+    )  # fmt: skip
+    seconds = time.perf_counter() - start_time
+    # Of several rows at one time, before and after an event, the last is used.
+    times = rows["time"]
+    grid = grid[grid <= times[-1] + 1e-6 * step]
+    indices = np.searchsorted(times, grid + 1e-6 * step, side="right") - 1
+    points = times[indices]
+    # The kernel has the rounding of the sum of a point and the step after it.
+    points[1:] = points[:-1] + np.diff(points)
+    return ImporterRun(np.array([rows[name][indices] for name in names]), points, 0, seconds)
+
+
+def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRun:
+    """Run an FMU in libcosim, which gives rows from the end of the first step."""
+    with needed("libcosimpy", "running an FMU in a second host", "check"):
+        from libcosimpy.CosimExecution import CosimExecution
+        from libcosimpy.CosimLogging import CosimLogLevel, log_output_level
+        from libcosimpy.CosimObserver import CosimObserver
+        from libcosimpy.CosimSlave import CosimLocalSlave
+
+    # Suppress a false error about a missing start of the time.
+    log_output_level(CosimLogLevel.FATAL)
+    execution: Any = CosimExecution.from_step_size(round((grid[1] - grid[0]) / NANOSECOND))
+    slave, observer = CosimLocalSlave(str(path), "it"), CosimObserver.create_last_value()
+    index = execution.add_local_slave(slave)
+    execution.add_observer(observer)
+    references = {v.name.decode(): v.reference for v in execution.slave_variables(index)}
+    if FOLLOWS in references:
+        execution.boolean_initial_value(index, references[FOLLOWS], True)
+    selected = [references[name] for name in names]
+    rows = np.full((len(names), grid.size), np.nan)
+    start_time = time.perf_counter()
+    for k in range(1, grid.size):
+        if not execution.step():
+            return ImporterRun(rows[:, :k], grid[:k], 1, time.perf_counter() - start_time)
+        rows[:, k] = observer.last_real_values(index, selected)
+    return ImporterRun(rows, grid, 1, time.perf_counter() - start_time)
+
+
+def circuit_resources(text: str, changes: Mapping[str, float | str], result: str | None) -> dict[str, bytes]:
+    """Return the circuit file and the changes before the export, as resources of an FMU."""
+    if not text:
+        return {}
+    # Strings and numbers of JSON are valid in TOML.
+    table = "".join(f"{json.dumps(address)} = {json.dumps(value)}\n" for address, value in changes.items())
+    resources = {CIRCUIT: text.encode()} | ({CHANGES: table.encode()} if table else {})
+    if result:
+        resources[f"{PARAMETERS}{Path(result).suffix}"] = Path(result).read_bytes()
+    return resources
+
+
+def read_circuit(path: Path) -> Circuit:
+    """Return the circuit inside an FMU.
+
+    Raises
+    ------
+    InputError
+        If the FMU contains no circuit, or the circuit needs files that are missing.
+    """
+    from poppet.circuit.file import loads
+    from poppet.identify.parameter_file import with_numbers
+
+    with zipfile.ZipFile(path) as archive:
+        names = set(archive.namelist())
+        if CIRCUIT not in names:
+            raise InputError("deploy.fmu.no_circuit", name=path.name)
+        text = archive.read(CIRCUIT).decode()
+        changes = tomllib.loads(archive.read(CHANGES).decode()) if CHANGES in names else {}
+        circuit = loads(text, name=path.name, folder=path.parent)
+        for name in {f"{PARAMETERS}.toml", f"{PARAMETERS}.json"} & names:
+            with tempfile.TemporaryDirectory() as folder:
+                circuit, _ = with_numbers(circuit, archive.extract(name, folder))
+    return circuit.with_values(changes)

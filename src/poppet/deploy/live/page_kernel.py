@@ -1,0 +1,139 @@
+"""Kernel of a page: one WebAssembly module with the integrator, and the arrays of a run.
+
+The browser fills the same fields as `poppet.engine.job.Job`, with addresses in the memory of the module.
+"""
+
+from __future__ import annotations
+
+import base64
+import json
+import subprocess
+import zlib
+from collections.abc import Mapping
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.deploy.live.linker import LinkError, Module, link
+from poppet.engine.compiled import INTEGRATOR
+from poppet.engine.job import Job
+from poppet.engine.model import Model
+from poppet.engine.printers.instructions import trace_functions
+from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, print_function
+from poppet.engine.printers.llvm_step import print_step
+from poppet.engine.problem import Problem
+
+CALLED = ("jacobian", "step", "dense", "outputs", "update")
+"""Functions that the integrator calls by their index in the table."""
+PAGE_FUNCTIONS = (*OF_ONE, *OF_TWO, "exp2", "log2", "exp10")
+"""Functions that the page provides; LLVM makes the last ones from powers and logarithms."""
+_FEATURES = "+simd128,+bulk-memory,+bulk-memory-opt"
+_STACK_SIZE = 65536
+_ALIGNMENT = 8
+_MAIN = """
+const fs = require("fs");
+(async () => {
+  const kernel = await Kernel.of(await unpacked(fs.readFileSync(0, "utf8")));
+  const numbers = JSON.parse(process.argv[3]);
+  kernel.run(...numbers);
+  // The second run finds its code compiled.
+  const begin = performance.now();
+  const ended = kernel.run(...numbers);
+  const seconds = 1e-3 * (performance.now() - begin);
+  fs.writeFileSync(process.argv[2], Buffer.from(kernel.table.buffer, kernel.table.byteOffset, kernel.table.byteLength));
+  console.log(JSON.stringify({ ...ended, seconds }));
+})();
+"""
+
+
+def live_module(model: Model) -> Module:
+    """Return the module of a model, which exports `integrate`, `start` and its memory."""
+    import llvmlite.binding as llvm
+
+    functions = trace_functions(model)
+    code = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items())
+    if model.size:
+        code += print_step(model.size, len(model.states), len(model.inputs))
+    llvm_module = llvm.parse_assembly(INTEGRATOR.read())
+    llvm_module.link_in(llvm.parse_assembly(code))
+    defined = [function for function in llvm_module.functions if not function.is_declaration]
+    exports, tabled = ("integrate", "start"), [name for name in CALLED if name in {f.name for f in defined}]
+    for function in defined:
+        if function.name not in (*tabled, *exports):
+            function.linkage = "internal"  # the optimiser removes unused functions
+    # The stack contains the slots of a long function and of its callers.
+    stack = _STACK_SIZE + 8 * sum(function.sz_w() for function in functions.values())
+    module = link(compile_wasm_object(llvm_module), exports, tabled, stack=stack)
+    missing = set(module.imports) - set(PAGE_FUNCTIONS)
+    if missing:
+        raise LinkError(f"a page has no {', '.join(sorted(missing))}")
+    return module
+
+
+def compile_wasm_object(llvm_module: Any) -> bytes:
+    """Return an optimised, relocatable WebAssembly object of an LLVM module."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    machine = llvm.Target.from_triple("wasm32-unknown-unknown").create_target_machine(features=_FEATURES, opt=2)
+    llvm_module.triple, llvm_module.data_layout = machine.triple, str(machine.target_data)
+    options = llvm.create_pipeline_tuning_options(speed_level=2)
+    options.loop_vectorization = True
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(llvm_module, builder)
+    return bytes(machine.emit_object(llvm_module))
+
+
+def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
+    """Return the header of a run with lengths, and the arrays by the name of their address field."""
+    kernel, conditions, module = problem.kernel, problem.stop_conditions, live_module(problem.kernel.model)
+    lengths = {name: value for name, value in kernel.job.items() if name.startswith("n_")}
+    lengths |= {
+        "n_segments": problem.starts.size, "n_courses": len(problem.coefficients), "n_rows": problem.grid.size,
+        "n_conditions": len(conditions), "n_script": 0,
+    }  # fmt: skip
+    limits = np.array([problem.maximum_step, problem.most_attempts, 0.0, problem.relative_tolerance])
+    arrays = {
+        "scales": kernel.scales, "positive": kernel.positive, "acting": kernel.acting, "p": problem.p,
+        "starts": problem.starts, "courses": problem.courses, "coefficients": problem.coefficients,
+        "jumps": problem.jumps, "grid": problem.grid, "limits": limits,
+        "places": np.array([condition.places for condition in conditions], dtype=np.int64),
+        "weights": np.array([condition.weights for condition in conditions], dtype=np.float64),
+    }  # fmt: skip
+    n = lengths["n_states"]
+    # Sizes in doubles, as in `poppet.engine.call.Call`.
+    room = {"x": n, "table": lengths["n_outputs"] * problem.grid.size, "books": 3 * n, "watch": 2, "counts": 5}
+    header = {
+        "fields": Job._fields, "functions": {name: module.table.get(name, 0) for name in CALLED}, "heap": module.heap,
+        "lengths": lengths, "room": room | {"memory": kernel.memory_size},
+    }  # fmt: skip
+    return header, {"module": module.code, **{name: array.tobytes() for name, array in arrays.items()}}
+
+
+def pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
+    """Return header and blobs as base64 text, deflated: length of the header, header as JSON, blobs."""
+    places, body = {}, b""
+    for name, blob in blobs.items():
+        places[name] = [len(body), len(blob)]
+        body += blob + bytes(-len(blob) % _ALIGNMENT)
+    text = json.dumps({**header, "blobs": places}, allow_nan=False, separators=(",", ":")).encode()
+    text += b" " * (-(len(text) + 4) % _ALIGNMENT)
+    return base64.b64encode(zlib.compress(len(text).to_bytes(4, "little") + text + body, 9)).decode()
+
+
+def run_in_node(problem: Problem, folder: Path, *numbers: Any) -> tuple[dict[str, Any], NDArray[np.float64]]:
+    """Run the kernel in Node.js; return the outcome with the time of the run [s], and the outputs.
+
+    The `numbers` are pairs of an index in p and a value.
+    """
+    script, table = folder / "run.js", folder / "table.bin"
+    kernel = (files("poppet.deploy.live") / "kernel.js").read_text(encoding="utf-8")
+    script.write_text(kernel + _MAIN, encoding="utf-8")
+    command = ["node", str(script), str(table), json.dumps([numbers])]
+    text = pack(*run_data(problem))
+    result = subprocess.run(command, input=text, capture_output=True, text=True, check=True, timeout=300)
+    return json.loads(result.stdout), np.fromfile(table).reshape(-1, problem.grid.size)

@@ -1,0 +1,231 @@
+"""Runs of the reference solvers and of the export targets, and their parity checks."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+
+from poppet.core.errors import MissingDependencyError
+from poppet.deploy.c.project import c_project
+from poppet.deploy.comparison import START_CHANGE
+from poppet.deploy.controller import controller_program
+from poppet.deploy.fmu.fmu_layout import structured_name
+from poppet.deploy.fmu.importers import ImporterRun, read_description, run_in_fmpy, run_in_libcosim
+from poppet.deploy.fmu.package import build_fmu, pack
+from poppet.deploy.live.page_kernel import run_in_node
+from poppet.deploy.parity.parity_check import MAX_INSTANTS, KernelReference, NotRunError, ParityCheck, TargetResult
+from poppet.engine.problem import Problem
+from poppet.engine.solve import solve
+
+MAX_CALLS = 20_000
+"""Maximum number of calls of a controller."""
+TOLERANCE_FRACTION = 0.01
+"""Tolerance of the reference solvers relative to that of the run, because their errors add up over the restarts."""
+
+# Kernel and reference solvers ---------------------------------------------------------------------------------------
+
+
+def _run_fused(reference: KernelReference, folder: Path) -> TargetResult:
+    return TargetResult(reference.run.values, reference.seconds)
+
+
+def _run_changed_start(reference: KernelReference, folder: Path) -> TargetResult:
+    return _solve(replace(reference.separate, x0=reference.separate.x0 * (1.0 + START_CHANGE)), "rosenbrock")
+
+
+def _run_solver(reference: KernelReference, folder: Path, solver: str) -> TargetResult:
+    if reference.n_instants > MAX_INSTANTS:
+        raise NotRunError("instants", count=reference.n_instants, most=MAX_INSTANTS)
+    tolerance = TOLERANCE_FRACTION * reference.problem.relative_tolerance
+    return _solve(replace(reference.problem, relative_tolerance=tolerance), solver)
+
+
+def _solve(problem: Problem, solver: str) -> TargetResult:
+    start_time = time.perf_counter()
+    run = solve(problem, solver)
+    return TargetResult(run.values, time.perf_counter() - start_time)
+
+
+def kernel_checks() -> list[ParityCheck]:
+    """Return the checks of the kernel and of the reference solvers."""
+    # No target can agree better with the kernel than the kernel with itself: a limit cycle amplifies rounding.
+    lsoda, cvodes = partial(_run_solver, solver="lsoda"), partial(_run_solver, solver="cvodes")
+    moved = "the kernel, its start moved by 1e-14"
+    return [
+        ParityCheck("kernel fused", "the kernel as `simulate` runs it", np.inf, "all", _run_fused, cause="anything"),
+        ParityCheck("kernel moved", moved, np.inf, "all", _run_changed_start, cause="anything"),
+        ParityCheck("scipy", "LSODA of SciPy on the compiled functions", 1e-5, "gas", lsoda, cause="method"),
+        ParityCheck("cvodes", "CVODES of SUNDIALS on the traced expressions", 1e-5, "gas", cvodes, cause="method"),
+    ]
+
+
+# C --------------------------------------------------------------------------------------------------------------------
+
+
+def _run_c(reference: KernelReference, folder: Path, step: float = 0.0, substeps: int = 1) -> TargetResult:
+    """Run the exported C code, with error control if the step is 0."""
+    compiler = shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
+    if compiler is None:
+        raise NotRunError("no_compiler")
+    if folder not in reference.programs:
+        host = files("poppet.deploy.parity").joinpath("host.c").read_text(encoding="utf-8")
+        texts = {**c_project(reference.circuit, "model"), "parity_host.c": host}
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8")
+        sources = sorted(name for name in texts if name.endswith(".c") and name != "model_host.c")
+        command = [compiler, "-std=c99", "-O2", "-w", "-D_POSIX_C_SOURCE=199309L", "-o", "host", *sources, "-lm"]
+        compilation = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if compilation.returncode:
+            raise NotRunError("not_compiled", compiler=Path(compiler).name, told=compilation.stderr[-300:])
+        reference.programs[folder] = folder / "host"
+    grid = reference.run.time
+    grid.tofile(folder / "times")
+    command = [str(reference.programs[folder]), repr(step), str(substeps), "times", "table"]
+    run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+    if run.returncode:
+        raise NotRunError("ended", status=run.returncode, told=run.stdout[-200:])
+    values = np.fromfile(folder / "table").reshape(len(reference.names), grid.size)
+    return TargetResult(values, float(run.stdout.split()[0]))
+
+
+def c_checks() -> list[ParityCheck]:
+    """Return the checks of the exported C code."""
+
+    def check_step(name: str, description: str, limit: float, step: float, substeps: int = 1) -> ParityCheck:
+        run = partial(_run_c, step=step, substeps=substeps)
+        return ParityCheck(name, f"the exported C, fixed step of {description}", limit, "gas", run, cause="step")
+
+    return [
+        ParityCheck("c adaptive", "the exported C, with error control", 1e-9, "all", _run_c),
+        check_step("c 1 kHz", "1 ms", 1e-3, 1e-3),
+        check_step("c 10 kHz", "0.1 ms", 1e-4, 1e-4),
+        check_step("c 1 kHz / 100", "1 ms in a hundred", 1e-4, 1e-3, 100),
+    ]
+
+
+# FMU ------------------------------------------------------------------------------------------------------------------
+
+
+def _run_fmpy(reference: KernelReference, folder: Path, kind: str, fmi: int) -> TargetResult:
+    return _run_fmu(reference, folder, fmi, lambda file, names: run_in_fmpy(file, kind, reference.run.time, names))
+
+
+def _run_libcosim(reference: KernelReference, folder: Path) -> TargetResult:
+    grid = reference.run.time
+    nanoseconds = 1e9 * (grid[1] - grid[0])
+    if abs(nanoseconds - round(nanoseconds)) > 1e-6:
+        raise NotRunError("no_nanoseconds", step=grid[1] - grid[0])
+    return _run_fmu(reference, folder, 2, lambda file, names: run_in_libcosim(file, grid, names))
+
+
+def _run_fmu(
+    reference: KernelReference, folder: Path, fmi: int, importer: Callable[[Path, Sequence[str]], ImporterRun]
+) -> TargetResult:
+    if not sys.platform.startswith("linux"):
+        raise NotRunError("other_system", system=sys.platform)
+    try:
+        file = reference.fmu or _write_fmu(reference, folder, fmi)
+        variables, problems = read_description(file)
+        if problems:
+            raise NotRunError("because", why="; ".join(problems))
+        names = [structured_name(name) for name in reference.names]
+        indices = tuple(k for k, name in enumerate(names) if name in variables)
+        run = importer(file, [names[k] for k in indices])
+    except MissingDependencyError as missing:
+        raise NotRunError("because", why=str(missing)) from missing
+    except (RuntimeError, OSError) as error:  # of the importer: its solver failed, or it rejects the file
+        raise NotRunError("because", why=str(error)) from error
+    values = np.full((len(names), run.values.shape[1]), np.nan)
+    values[list(indices)] = run.values
+    return TargetResult(values, run.seconds, run.points, run.first, indices)
+
+
+def _write_fmu(reference: KernelReference, folder: Path, fmi: int) -> Path:
+    file = folder / f"model{fmi}.fmu"
+    if not file.exists():
+        fmu = build_fmu(reference.circuit, "model", fmi=fmi)
+        if not fmu.platforms:
+            raise NotRunError("because", why=str(fmu.notes[0]))
+        file.write_bytes(pack(fmu.content))
+    return file
+
+
+def fmu_checks() -> list[ParityCheck]:
+    """Return the checks of the FMU."""
+    cs_text, me_text = (
+        "FMI 2.0 co-simulation in FMPy, which meets the kernel at every row",
+        "FMI 2.0 model exchange, by CVODE of FMPy; the kernel at 1e-9",
+    )
+    second, same = "FMI 2.0 co-simulation in libcosim", "the same with FMI 3.0"
+
+    def run(kind: str, fmi: int) -> Callable[[KernelReference, Path], TargetResult]:
+        return partial(_run_fmpy, kind=kind, fmi=fmi)
+
+    return [
+        ParityCheck("fmu cs", cs_text, 1e-10, "all", run("CoSimulation", 2), "points", fmi=2),
+        ParityCheck("fmu 3 cs", same, 1e-10, "all", run("CoSimulation", 3), "points", fmi=3),
+        ParityCheck("fmu cs (second host)", second, 1e-10, "all", _run_libcosim, "points", fmi=2),
+        ParityCheck("fmu me", me_text, 1e-5, "gas", run("ModelExchange", 2), "sharp", "method", fmi=2),
+        ParityCheck("fmu 3 me", same, 1e-5, "gas", run("ModelExchange", 3), "sharp", "method", fmi=3),
+    ]
+
+
+# WebAssembly and controllers ------------------------------------------------------------------------------------------
+
+
+def _run_page_kernel(reference: KernelReference, folder: Path) -> TargetResult:
+    """Run the WebAssembly module of a live page in Node.js."""
+    if shutil.which("node") is None:
+        raise NotRunError("no_node")
+    try:
+        outcome, values = run_in_node(reference.problem, folder)
+    except subprocess.CalledProcessError as error:
+        raise NotRunError("ended", status=error.returncode, told=str(error.stderr)[-200:]) from error
+    return TargetResult(values[:, : reference.run.time.size], float(outcome["seconds"]))
+
+
+def live_checks() -> list[ParityCheck]:
+    """Return the checks of the live page."""
+    return [ParityCheck("wasm", "WebAssembly of the live page, in node", 1e-9, "all", _run_page_kernel)]
+
+
+def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
+    """Run the program of all controllers with the sensor values of a simulation."""
+    if not reference.controllers:
+        raise NotRunError("no_controller")
+    circuit = reference.circuit
+    program = controller_program(circuit, reference.controllers)
+    duration = min(reference.run.reached, MAX_CALLS * program.cycle)
+    # Steps that end at every sample instant: a row has the values that the program reads.
+    step_limited = circuit.with_values({"run.maximum_step": program.cycle / 2.0})
+    recording = step_limited.simulate(duration, program.cycle)
+    columns = []
+    for item in program.inputs:
+        address, offset = program.sensed.get(item.address, (item.address, 0.0))
+        columns.append(recording[address][:-1] + offset)
+    inputs = np.array(columns).T
+    start_time = time.perf_counter()
+    outputs = program.run([*inputs])
+    seconds = time.perf_counter() - start_time
+    differences = {}
+    for k, output in enumerate(program.outputs):
+        expected = recording[output.address][:-1]
+        size = float(np.abs(expected).max(initial=0.0)) or 1.0
+        differences[output.address] = float(np.abs(outputs[:, k] - expected).max(initial=0.0)) / size
+    return TargetResult(np.empty((0, 0)), seconds, differences=differences)
+
+
+def controller_checks() -> list[ParityCheck]:
+    """Return the check of the program that is printed as structured text and as C."""
+    text = "the program of the controllers, which structured text and C print"
+    return [ParityCheck("controllers", text, 1e-9, "all", _run_controllers)]

@@ -1,0 +1,244 @@
+"""Table of the differences of all export targets from the kernel."""
+
+from __future__ import annotations
+
+import tempfile
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, NameSuggestion
+from poppet.deploy.comparison import (
+    MARGIN,
+    ReferenceRun,
+    change_effects,
+    compare_runs,
+    rounding_changes,
+    tolerance_changes,
+)
+from poppet.deploy.fmu.importers import fmi_version
+from poppet.deploy.parity.host_runs import kernel_checks
+from poppet.deploy.parity.parity_check import KernelReference, NotRunError, ParityCheck, TargetResult
+from poppet.deploy.targets import TARGETS
+from poppet.engine.problem import Problem
+from poppet.engine.solve import solve
+
+if TYPE_CHECKING:
+    from poppet.circuit.circuit import Circuit
+
+
+@dataclass(frozen=True)
+class ParityRow:
+    """Result of one check.
+
+    Parameters
+    ----------
+    check : ParityCheck
+        The check.
+    seconds : float or None
+        Time of the run; None if the target was not run.
+    greatest : float or None
+        Maximum compared difference relative to the size of the output; None if nothing is compared.
+    worst : str
+        Output with this difference.
+    ratio : float
+        Maximum ratio of a difference to the allowed one: the limit, or ten times the effect of small changes. It
+        includes the differences of states in the rest of the run.
+    until : float
+        End of the comparison [s]: after it, small changes of the kernel lead to a different run.
+    share : float
+        Compared fraction of the values.
+    overall : float or None
+        Maximum difference in the whole run.
+    drift : float or None
+        Maximum difference of a state in the whole run.
+    moved : float or None
+        Maximum effect of small changes on a state of the kernel; None without changes.
+    differences : dict
+        Maximum compared difference of each output by address, relative to its size.
+    why : Note or None
+        Reason for which the target was not run.
+    """
+
+    check: ParityCheck
+    seconds: float | None = None
+    greatest: float | None = None
+    worst: str = ""
+    ratio: float = 0.0
+    until: float = 0.0
+    share: float = 0.0
+    overall: float | None = None
+    drift: float | None = None
+    moved: float | None = None
+    differences: Mapping[str, float] = field(default_factory=dict)
+    why: Note | None = None
+
+    @property
+    def name(self) -> str:
+        """Name of the check."""
+        return self.check.name
+
+    @property
+    def verdict(self) -> str:
+        """Verdict: `within` the limit, within `rounding`, `coarse` step, `beyond`, `not run` or `not compared`."""
+        if self.why is not None:
+            return "not run"
+        if self.greatest is None:
+            return "not compared"
+        if self.check.cause == "step":
+            return "within" if self.greatest <= self.check.limit else "coarse"
+        if self.ratio > 1.0:
+            return "beyond"
+        return "within" if self.greatest <= self.check.limit else "rounding"
+
+
+@dataclass(frozen=True)
+class Parity:
+    """Table of the checks of one circuit.
+
+    Parameters
+    ----------
+    title : str
+        Title of the circuit.
+    duration : float
+        Duration of the run [s].
+    seconds : float
+        Computing time of the kernel.
+    steps : int
+        Accepted steps of the kernel.
+    sizes : dict
+        Maximum magnitude of each output by address, SI.
+    rows : tuple of ParityRow
+        One row per check.
+    """
+
+    title: str
+    duration: float
+    seconds: float
+    steps: int
+    sizes: dict[str, float]
+    rows: tuple[ParityRow, ...]
+
+    @property
+    def is_within_limits(self) -> bool:
+        """True if no target that was run is beyond its limit and beyond the effect of rounding."""
+        return all(row.verdict != "beyond" for row in self.rows)
+
+
+def all_checks() -> dict[str, ParityCheck]:
+    """Return the checks of the kernel and of all targets by name, in the order of the table."""
+    checks = [*kernel_checks(), *(check for target in TARGETS.values() for check in target.parity_checks())]
+    return {check.name: check for check in checks}
+
+
+def compare_targets(circuit: Circuit, *, only: Sequence[str] = (), fmu: Path | None = None) -> Parity:
+    """Run a circuit with every target and compare each run with that of the kernel.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Circuit with a duration.
+    only : sequence of str, optional
+        Names of checks (default: all).
+    fmu : Path, optional
+        FMU of the circuit, which is then the only target and is run instead of new FMUs.
+
+    Returns
+    -------
+    Parity
+
+    Raises
+    ------
+    InputError
+        If there is no such check.
+    SimulationError
+        If the run of the kernel fails.
+    """
+    checks = all_checks()
+    # Name of the check before it evaluated the program instead of the printed text; accepted until version 1.0.
+    selected = ["controllers" if name == "structured text" else name for name in only]
+    for name in selected:
+        if name not in checks:
+            near = NameSuggestion(name, checks)
+            raise InputError("fields.not_an_option", "target", value=name, meaning="target", near=near)
+    chosen = [check for check in checks.values() if not selected or check.name in selected]
+    if fmu is not None:
+        version = fmi_version(fmu)
+        chosen = [check for check in chosen if check.fmi == version]
+    reference = run_kernel(circuit, fmu)
+    with tempfile.TemporaryDirectory() as folder:
+        rows = tuple(_run_check(check, reference, Path(folder)) for check in chosen)
+    sizes = dict(zip(reference.names, reference.rows.sizes.tolist(), strict=True))
+    run = reference.run
+    return Parity(circuit.title, run.reached, reference.seconds, run.accepted, sizes, rows)
+
+
+def run_kernel(circuit: Circuit, fmu: Path | None = None) -> KernelReference:
+    """Run a circuit with the kernel, and measure the time."""
+    circuit.simulate()  # compiles everything, and raises the error of a run that fails
+    problem = circuit.problem(circuit.run)
+    seconds = []
+    for _ in range(3):
+        start_time = time.perf_counter()
+        run = solve(problem)
+        seconds.append(time.perf_counter() - start_time)
+    return KernelReference(circuit, problem, run, min(seconds), fmu)
+
+
+def _reference_run(check: ParityCheck, reference: KernelReference, result: TargetResult) -> ReferenceRun:
+    if check.reference == "points" and result.points is not None:
+        return reference.at_points(result.points)
+    return reference.sharp if check.reference == "sharp" else reference.rows
+
+
+def _small_changes(check: ParityCheck, reference: KernelReference, run: ReferenceRun) -> list[Problem]:
+    """Return changes of the kernel's problem that are comparable to the differences of a target."""
+    if check.cause == "anything":
+        return []
+    if check.cause == "rounding":
+        return [*rounding_changes(run.problem), replace(run.problem, kernel=reference.problem.kernel)]
+    return tolerance_changes(run.problem, check.limit)
+
+
+def _run_check(check: ParityCheck, reference: KernelReference, folder: Path) -> ParityRow:
+    try:
+        result = check.run(reference, folder)
+    except NotRunError as reason:
+        return ParityRow(check, why=reason.note)
+    if result.differences is not None:
+        worst = max(result.differences, key=result.differences.__getitem__)
+        greatest, until = result.differences[worst], reference.run.reached
+        return ParityRow(
+            check, result.seconds, greatest, worst, greatest / check.limit, until, 1.0, greatest,
+            differences=result.differences,
+        )  # fmt: skip
+    run = _reference_run(check, reference, result)
+    is_available = np.zeros(run.values.shape, dtype=np.bool_)
+    is_available[list(result.outputs) or slice(None), result.first :] = True
+    changes = _small_changes(check, reference, run)
+    effects = change_effects(run, changes)
+    comparison = compare_runs(result.values, run, effects, check.limit, is_available)
+    max_differences = comparison.max_differences()
+    differences = {name: d for name, d in zip(reference.names, max_differences.tolist(), strict=True) if d >= 0.0}
+    until = float(run.problem.grid[comparison.n_rows - 1]) if comparison.n_rows else 0.0
+    in_scope = run.gas if check.scope == "gas" else np.ones(len(reference.names), dtype=np.bool_)
+    if not comparison.is_compared[in_scope].any():
+        return ParityRow(check, result.seconds, until=until, differences=differences)
+    # In the rest of the run, the allowed difference is the effect of small changes on the kernel.
+    overall, states = comparison.max_differences(whole_run=True), in_scope & run.states
+    ratios = np.where(in_scope, comparison.max_ratios(), -1.0)
+    rest_ratios = overall / np.maximum(check.limit, MARGIN * effects[:, -1])
+    # The worst output is the one beyond the allowed difference; otherwise the one with the largest difference.
+    k = int((ratios if ratios.max() > 1.0 else np.where(in_scope, max_differences, -1.0)).argmax())
+    share = float(comparison.is_compared[in_scope].sum() / comparison.is_available[in_scope].sum())
+    return ParityRow(
+        check, result.seconds, float(max_differences[k]), reference.names[k],
+        max(float(ratios.max()), float(rest_ratios[states].max(initial=0.0))), until, share,
+        float(overall[in_scope].max()), float(overall[states].max(initial=0.0)),
+        float(effects[states, -1].max(initial=0.0)) if changes else None, differences,
+    )  # fmt: skip

@@ -1,0 +1,225 @@
+"""Registry of the export targets. A target is one declaration and one function, which returns files."""
+
+from __future__ import annotations
+
+import importlib
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from poppet.core.command_options import Option
+from poppet.core.plugins import Registry
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from poppet.circuit.circuit import Circuit
+    from poppet.core.codes import Note
+    from poppet.deploy.parity.parity_check import ParityCheck
+
+# Nothing heavy is imported here: the command line reads these declarations for its help.
+
+PART = Option("--part LIST", "sampled controllers to export, by name; `controller` if the circuit has only one")
+
+
+class CircuitSource(NamedTuple):
+    """Origin of a circuit, for targets that include the circuit file in the export."""
+
+    text: str = ""  # of the circuit file; empty if unknown
+    name: str = ""  # of the circuit file, without suffix
+    changes: Mapping[str, float | str] = {}  # address to value: changes of the circuit after it was read
+    result: str | None = None  # file of identified parameters, which was applied before the changes
+
+
+class Export(NamedTuple):
+    """Files of an export in memory."""
+
+    files: Mapping[str, str | bytes]  # path in the folder, or name of the single file, to content
+    summary: str = ""  # sentence or lines for the user
+    notes: Sequence[Note] = ()
+
+
+class Target(NamedTuple):
+    """Export target."""
+
+    name: str
+    summary: str  # of the help, without a full stop
+    # `export(circuit, source, **settings)` returns an `Export`; the settings are the values of the options by name.
+    # The text form `module:function` delays the import.
+    export: Callable[..., Export] | str
+    options: Sequence[Option] = ()  # without those of every target: circuit file, --output, --with, --set, --quiet
+    examples: Sequence[str] = ()  # command lines of the help
+    suffixes: Sequence[str] = ()  # of the output file; the output is a folder if there are none
+    limitations: Sequence[str] = ()
+    # Returns the checks of `poppet export check`.
+    checks: Callable[[], Sequence[ParityCheck]] | str = tuple
+    is_printable: bool = False  # True if the export is printed when no output file is specified
+
+    @property
+    def command(self) -> str:
+        """Name of the command."""
+        return self.name if self.name == "live" else f"export {self.name}"
+
+    def make(self, circuit: Circuit, source: CircuitSource | None = None, **settings: Any) -> Export:
+        """Return the files of a circuit; nothing is written.
+
+        Parameters
+        ----------
+        circuit : Circuit
+            Circuit with a duration.
+        source : CircuitSource, optional
+            Origin of the circuit.
+        **settings
+            Values of the options of the target by name.
+
+        Returns
+        -------
+        Export
+        """
+        export: Callable[..., Export] = _imported(self.export)
+        return export(circuit, source or CircuitSource(), **settings)
+
+    def write(self, circuit: Circuit, path: str | Path, source: CircuitSource | None = None, **settings: Any) -> Export:
+        """Export a circuit to a file or a folder; nothing is written if the export fails.
+
+        Parameters
+        ----------
+        circuit : Circuit
+            Circuit with a duration.
+        path : str or Path
+            Output file, or folder of a target without suffixes.
+        source : CircuitSource, optional
+            Origin of the circuit.
+        **settings
+            Values of the options of the target by name.
+
+        Returns
+        -------
+        Export
+        """
+        from pathlib import Path
+
+        from poppet.deploy.export_files import write_export
+
+        export = self.make(circuit, source, **settings)
+        write_export(Path(path), self.name, circuit.title, export.files, is_folder=not self.suffixes)
+        return export
+
+    def parity_checks(self) -> Sequence[ParityCheck]:
+        """Return the checks of `poppet export check`."""
+        checks: Callable[[], Sequence[ParityCheck]] = _imported(self.checks)
+        return checks()
+
+
+def _imported(function: Any) -> Any:
+    if not isinstance(function, str):
+        return function
+    module, _, name = function.partition(":")
+    return getattr(importlib.import_module(module), name)
+
+
+BUILT_IN = (
+    Target(
+        "c",
+        "export a circuit or a sampled controller as C, with a program that checks the code",
+        "poppet.deploy.c.project:export_c",
+        (
+            Option("--name NAME", "name of the model (default: that of the file)"),
+            Option("--substeps N", "integration steps per fixed-step call (default: 1)", keywords={"type": int}),
+            PART,
+            Option(
+                "--precision WORD",
+                "precision of a controller",
+                choices={"double": "64 bits", "single": "32 bits, and 64 for times"},
+            ),
+        ),
+        (
+            "poppet export c FILE.toml -o valve",
+            "poppet export c FILE.toml --substeps 100 -o valve",
+            "poppet export c FILE.toml --part controller --precision single -o controller",
+        ),
+        limitations=(
+            "The signals of the file are constants of the code, with at most 100,000 segments.",
+            "A parameter on which other parameters depend is constant.",
+        ),
+        checks="poppet.deploy.parity.host_runs:c_checks",
+    ),
+    Target(
+        "fmu",
+        "export a circuit as an FMU (FMI 2.0 or 3.0) for Simulink, Dymola, OpenModelica and other importers",
+        "poppet.deploy.fmu.package:export_fmu",
+        (
+            Option(
+                "--fmi VERSION", "version of FMI", choices={"2": "FMI 2.0", "3": "FMI 3.0"}, keywords={"default": "2"}
+            ),
+            Option("--platform LIST", "platforms: linux64, win64, darwin64, aarch64-darwin (default: linux64)"),
+            Option(
+                "--input ADDRESS ...",
+                "input or parameter that the importer sets, in addition to the inputs with signals; may be repeated",
+                keywords={"dest": "inputs"},
+            ),
+            Option("--name NAME", "name of the model (default: title of the circuit)"),
+        ),
+        (
+            "poppet export fmu valve-fill.toml -o valve.fmu",
+            "poppet export fmu valve-fill.toml -o valve.fmu --fmi 3 --platform linux64,win64",
+            "poppet export fmu valve-fill.toml -o valve.fmu --input bleed.opening --set run.duration=20",
+        ),
+        (".fmu",),
+        limitations=(
+            "The signals of the file are constants of the FMU, with at most 100,000 segments.",
+            "A parameter on which other parameters depend is constant.",
+            'Binaries for other platforms require pip install "poppet[fmu]".',
+        ),
+        checks="poppet.deploy.parity.host_runs:fmu_checks",
+    ),
+    Target(
+        "live",
+        "write an HTML page that simulates a circuit in the browser, with sliders",
+        "poppet.deploy.live.live_page:export_live",
+        (
+            Option(
+                "--parameter ADDRESS ...",
+                'parameter or input with a slider, and its range if required: tank.volume="50 l..400 l"; may be '
+                "repeated (default: inputs with signals, then the first parameters of the file)",
+                keywords={"dest": "parameters"},
+                old_names=("--number",),
+            ),
+        ),
+        (
+            "poppet live valve-fill.toml -o valve-fill.html",
+            'poppet live valve-fill.toml --parameter "tank.volume=0.05 m^3..0.4 m^3" --parameter supply.pressure '
+            "-o valve-fill.html",
+        ),
+        (".html", ".htm"),
+        limitations=(
+            "A run has at most 2001 rows and 500,000 steps.",
+            "A parameter on which other parameters depend has no slider.",
+        ),
+        checks="poppet.deploy.parity.host_runs:live_checks",
+    ),
+    Target(
+        "st",
+        "export sampled controllers as a function block of structured text for a PLC",
+        "poppet.deploy.st.block:export_st",
+        (PART,),
+        (
+            "poppet export st FILE.toml --part controller -o controller.st",
+            "poppet export st muscle_joint.toml --part position,inverse -o cascade.st",
+        ),
+        (".st",),
+        limitations=(
+            "Only sampled controllers are exported, not their plant.",
+            "A signal that is read from a file is not available in a function block.",
+        ),
+        checks="poppet.deploy.parity.host_runs:controller_checks",
+        is_printable=True,
+    ),
+)
+
+
+def _is_target(name: str, value: object) -> bool:
+    return isinstance(value, Target) and value.name == name
+
+
+TARGETS: Registry[Target] = Registry("poppet.targets", {target.name: target for target in BUILT_IN}, _is_target)
+"""Targets by name, with those of installed packages."""

@@ -1,0 +1,141 @@
+"""Symbols of parts after ISO 1219-1: strokes in a box of 1 by 1, drawn by `report/circuit`."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+
+class Stroke(NamedTuple):
+    """Polyline or closed outline of a symbol."""
+
+    points: tuple[tuple[float, float], ...]
+    is_closed: bool = False
+    is_filled: bool = False
+    is_dashed: bool = False
+
+
+Symbol = tuple[Stroke, ...]
+
+
+def line(*points: tuple[float, float], dashed: bool = False) -> Symbol:
+    """Return a polyline."""
+    return (Stroke(points, is_dashed=dashed),)
+
+
+def outline(*points: tuple[float, float], filled: bool = False) -> Symbol:
+    """Return a closed outline."""
+    return (Stroke(points, is_closed=True, is_filled=filled),)
+
+
+def rectangle(left: float, bottom: float, width: float, height: float) -> Symbol:
+    """Return an upright rectangle."""
+    right, top = left + width, bottom + height
+    return outline((left, bottom), (right, bottom), (right, top), (left, top))
+
+
+def arc(x: float, y: float, radius: float, start: float, end: float) -> Symbol:
+    """Return a part of a circle between two angles [deg]."""
+    angles = (math.radians(start + (end - start) * k / 24) for k in range(25))
+    return line(*((x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in angles))
+
+
+def circle(x: float, y: float, radius: float) -> Symbol:
+    """Return a circle."""
+    angles = (math.tau * k / 48 for k in range(49))
+    return outline(*((x + radius * math.cos(angle), y + radius * math.sin(angle)) for angle in angles))
+
+
+def arrow(start: tuple[float, float], end: tuple[float, float]) -> Symbol:
+    """Return a line with a filled head at its end."""
+    (x0, y0), (x, y) = start, end
+    length = math.hypot(x - x0, y - y0)
+    dx, dy = (x - x0) / length, (y - y0) / length
+    base_x, base_y = x - 0.14 * dx, y - 0.14 * dy
+    corners = [(base_x - side * dy, base_y + side * dx) for side in (0.06, -0.06)]
+    return line(start, end) + outline(end, *corners, filled=True)
+
+
+def spring(left: float, right: float, y: float) -> Symbol:
+    """Return a zigzag."""
+    return line(*((left + (right - left) * k / 6, y + (0.07 if k % 2 else -0.07)) for k in range(7)))
+
+
+def coil(left: float, bottom: float) -> Symbol:
+    """Return the operator of a proportional solenoid."""
+    return rectangle(left, bottom, 0.22, 0.28) + line((left, bottom), (left + 0.22, bottom + 0.28))
+
+
+_PATH = line((0.0, 0.5), (1.0, 0.5))
+RESTRICTION = _PATH + arc(0.5, 0.98, 0.4, 220.0, 320.0) + arc(0.5, 0.02, 0.4, 40.0, 140.0)
+VARIABLE_RESTRICTION = RESTRICTION + arrow((0.14, 0.08), (0.88, 0.94))
+CHECK_VALVE = (
+    line((0.0, 0.5), (0.3, 0.5))
+    + line((0.68, 0.5), (1.0, 0.5))
+    + line((0.48, 0.76), (0.3, 0.5), (0.48, 0.24))
+    + circle(0.53, 0.5, 0.15)
+)
+RELIEF_VALVE = (
+    _PATH
+    + rectangle(0.22, 0.16, 0.56, 0.6)
+    + arrow((0.22, 0.36), (0.78, 0.36))
+    + line((0.1, 0.5), (0.1, 0.05), (0.5, 0.05), (0.5, 0.16), dashed=True)
+    + spring(0.4, 0.66, 0.87)
+)
+
+
+def _blocked(*positions: float, depth: float, width: float) -> Symbol:
+    """Return ports that are blocked at the bottom and the top of a valve square."""
+    strokes: Symbol = ()
+    for low, stop in ((0.24, 0.24 + depth), (0.76, 0.76 - depth)):
+        for x in positions:
+            strokes += line((x, low), (x, stop)) + line((x - width, stop), (x + width, stop))
+    return strokes
+
+
+VALVE = (
+    rectangle(0.02, 0.24, 0.48, 0.52)
+    + rectangle(0.5, 0.24, 0.48, 0.52)
+    + arrow((0.14, 0.24), (0.38, 0.76))
+    + _blocked(0.74, depth=0.14, width=0.08)
+)
+CONTINUOUS_VALVE = VALVE + line((0.02, 0.84), (0.98, 0.84)) + line((0.02, 0.16), (0.98, 0.16))
+SPOOL_VALVE = (
+    rectangle(-0.28, 0.24, 0.52, 0.52)
+    + rectangle(0.24, 0.24, 0.52, 0.52)
+    + rectangle(0.76, 0.24, 0.52, 0.52)
+    + arrow((-0.14, 0.24), (-0.14, 0.76))
+    + arrow((0.1, 0.76), (0.1, 0.24))
+    + arrow((0.86, 0.24), (1.18, 0.76))
+    + arrow((0.86, 0.76), (1.18, 0.24))
+    + _blocked(0.38, 0.62, depth=0.12, width=0.07)
+    + line((-0.28, 0.16), (1.28, 0.16))
+    + line((-0.28, 0.84), (1.28, 0.84))
+    + coil(-0.5, 0.36)
+    + coil(1.28, 0.36)
+)
+MAIN_STAGE = CONTINUOUS_VALVE + outline((-0.22, 0.36), (0.02, 0.5), (-0.22, 0.64)) + spring(0.98, 1.26, 0.5)
+PROPORTIONAL_VALVE = CONTINUOUS_VALVE + coil(-0.2, 0.36) + arrow((-0.26, 0.3), (0.06, 0.72)) + spring(0.98, 1.26, 0.5)
+PILOT_STAGE = (
+    _PATH
+    + rectangle(0.06, 0.3, 0.3, 0.4)
+    + rectangle(0.64, 0.3, 0.3, 0.4)
+    + coil(0.1, 0.7)
+    + coil(0.68, 0.7)
+    + circle(0.5, 0.5, 0.1)
+)
+FLOW_SOURCE = _PATH + circle(0.5, 0.5, 0.32) + outline((0.34, 0.28), (0.34, 0.72), (0.8, 0.5), filled=True)
+SILENCER = (
+    line((0.0, 0.5), (0.2, 0.5))
+    + rectangle(0.2, 0.26, 0.48, 0.48)
+    + line((0.32, 0.26), (0.32, 0.74), dashed=True)
+    + line((0.44, 0.26), (0.44, 0.74), dashed=True)
+    + line((0.56, 0.26), (0.56, 0.74), dashed=True)
+    + outline((0.74, 0.34), (0.74, 0.66), (0.98, 0.5))
+)
+CYLINDER = rectangle(0.0, 0.3, 0.75, 0.4) + line((0.3, 0.3), (0.3, 0.7)) + line((0.3, 0.5), (1.05, 0.5))
+MUSCLE = line(
+    (-0.05, 0.5), (0.1, 0.5), (0.3, 0.25), (0.5, 0.75), (0.7, 0.25), (0.9, 0.5), (1.05, 0.5)
+) + line((-0.05, 0.5), (0.1, 0.5), (0.3, 0.75), (0.5, 0.25), (0.7, 0.75), (0.9, 0.5), (1.05, 0.5))  # fmt: skip
+TUBE = line((-0.3, 0.38), (1.3, 0.38)) + line((-0.3, 0.62), (1.3, 0.62))
+OPEN_END = line((0.0, 0.5), (0.35, 0.5)) + outline((0.35, 0.2), (0.35, 0.8), (0.85, 0.5))
