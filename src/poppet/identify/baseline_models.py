@@ -159,7 +159,7 @@ def score_model(response: str, model: str, held_out: bool, simulated: FloatArray
 
     Examples
     --------
-    >>> score = scored("a.p", "mean", False, np.array([1.0, 1.0]), np.array([0.0, 2.0]))
+    >>> score = score_model("a.p", "mean", False, np.array([1.0, 1.0]), np.array([0.0, 2.0]))
     >>> score.nrmse, score.fit
     (0.5, 0.0)
     """

@@ -22,7 +22,7 @@ def apply_lag(time: Array, values: Array, lag: float) -> Array:
     Examples
     --------
     >>> ramp = np.linspace(0.0, 10.0, 101)
-    >>> bool(abs(lagged(ramp, ramp, 0.5)[-1] - 9.5) < 1e-8)
+    >>> bool(abs(apply_lag(ramp, ramp, 0.5)[-1] - 9.5) < 1e-8)
     True
     """
     if lag <= 0.0:
