@@ -95,7 +95,7 @@ def test_a_law(monkeypatch):
     traced = ca.Function("f", [p1, p2], [permeation(p1, p2, 1e-9)])
     assert [float(traced(2e5 + drop, 2e5)) for drop in drops] == values.tolist()
     words = {"permeance": {"given": "{address} = {value:g} {unit}", "reason": "cannot be.", "hint": "Give more."}}
-    monkeypatch.setattr(message_format, "_words", lambda room: {"toy": words}[room])
+    monkeypatch.setattr(message_format, "_templates", lambda topic: {"toy": words}[topic])
     with pytest.raises(OutOfRangeError) as caught:
         permeation(2e5, 1e5, -1.0)
     assert (caught.value.code, caught.value.address, caught.value.facts["value"]) == (

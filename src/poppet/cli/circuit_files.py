@@ -40,12 +40,13 @@ def _check_file(file: str) -> None:
     from poppet.core.toml_file import TomlFile
 
     circuit = load(file)
+    notes = list(circuit.static_notes)
     try:
         n_outputs = _count_outputs(circuit)
         if "ensemble" in circuit.origin[0]:
             from poppet.ensemble import plan_of
 
-            plan_of(circuit)
+            notes += plan_of(circuit).notes
     except InputError as error:
         raise TomlFile.read(file).located(error) from None
     parts = circuit.parts.values()
@@ -58,7 +59,7 @@ def _check_file(file: str) -> None:
     }
     text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
     print(f"{file}: no errors; {text}.")
-    print_notes(circuit.static_notes)
+    print_notes(notes)
 
 
 def _count_outputs(circuit: Circuit) -> int:

@@ -137,10 +137,8 @@ class Dataset:
         curve_folder = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
         missing, count = [], -(-design.size // design.shard)
         for folder in (kind, curve_folder) if curve_folder else (kind,):
-            strays = {path.name for path in (self.folder / folder).glob("part-*.parquet")} - set(
-                map(_name, range(count))
-            )
-            if strays:
+            names = {path.name for path in (self.folder / folder).glob("part-*.parquet")}
+            if strays := names - {*map(_name, range(count))}:
                 raise InputError("ensemble.stray_file", path=str(self.folder / folder / min(strays)))
         for number in range(count):
             rows = min(design.shard, design.size - number * design.shard)

@@ -39,36 +39,14 @@ class Form(NamedTuple):
         return tuple(dict.fromkeys((*self.fields, *((self.relative,) if self.relative else ()), "low", "high")))
 
 
-def _normal(u: Array, n: Mapping[str, float]) -> Array:
-    from scipy.special import ndtri
+def _special() -> Any:
+    from scipy import special  # slow to import
 
-    return np.asarray(n["mean"] + n["sigma"] * ndtri(u))
-
-
-def _below_normal(x: float, n: Mapping[str, float]) -> float:
-    from scipy.special import ndtr
-
-    return float(ndtr((x - n["mean"]) / n["sigma"]))
-
-
-def _lognormal(u: Array, n: Mapping[str, float]) -> Array:
-    from scipy.special import ndtri
-
-    return np.asarray(n["median"] * np.exp(n["log_sigma"] * ndtri(u)))
+    return special
 
 
 def _below_lognormal(x: float, n: Mapping[str, float]) -> float:
-    from scipy.special import ndtr
-
-    return 0.0 if x <= 0.0 else float(ndtr(math.log(x / n["median"]) / n["log_sigma"]))
-
-
-def _uniform(u: Array, n: Mapping[str, float]) -> Array:
-    return np.asarray(n["low"] + u * (n["high"] - n["low"]))
-
-
-def _below_uniform(x: float, n: Mapping[str, float]) -> float:
-    return float(np.clip((x - n["low"]) / (n["high"] - n["low"]), 0.0, 1.0))
+    return 0.0 if x <= 0.0 else float(_special().ndtr(math.log(x / n["median"]) / n["log_sigma"]))
 
 
 def _triangular(u: Array, n: Mapping[str, float]) -> Array:
@@ -88,11 +66,22 @@ def _below_triangular(x: float, n: Mapping[str, float]) -> float:
 
 
 FORMS = {
-    "normal": Form(("mean", "sigma"), ("sigma",), (), "relative_sigma", _normal, _below_normal),
-    "lognormal": Form(("median", "log_sigma"), (), ("log_sigma",), "", _lognormal, _below_lognormal),
-    "uniform": Form(("low", "high"), (), (), "relative_range", _uniform, _below_uniform),
+    "normal": Form(
+        ("mean", "sigma"), ("sigma",), (), "relative_sigma",
+        lambda u, n: np.asarray(n["mean"] + n["sigma"] * _special().ndtri(u)),
+        lambda x, n: float(_special().ndtr((x - n["mean"]) / n["sigma"])),
+    ),
+    "lognormal": Form(
+        ("median", "log_sigma"), (), ("log_sigma",), "",
+        lambda u, n: np.asarray(n["median"] * np.exp(n["log_sigma"] * _special().ndtri(u))), _below_lognormal,
+    ),
+    "uniform": Form(
+        ("low", "high"), (), (), "relative_range",
+        lambda u, n: np.asarray(n["low"] + u * (n["high"] - n["low"])),
+        lambda x, n: float(np.clip((x - n["low"]) / (n["high"] - n["low"]), 0.0, 1.0)),
+    ),
     "triangular": Form(("low", "mode", "high"), (), (), "", _triangular, _below_triangular),
-}
+}  # fmt: skip
 """Distributions by the name in a file."""
 MIDDLES = "mean", "median", "mode"
 """Fields whose default is the value of the parameter in the circuit."""
@@ -139,9 +128,8 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
             errors.add("fields.no_table", address, value=raw)
         elif raw.get("distribution") not in FORMS:
             kind = raw.get("distribution", "")
-            errors.add(
-                "ensemble.distribution", f"{address}.distribution", value=kind, near=NameSuggestion(str(kind), FORMS)
-            )
+            near = NameSuggestion(str(kind), FORMS)
+            errors.add("ensemble.distribution", f"{address}.distribution", value=kind, near=near)
     kind = raw["distribution"]
     form, relative = FORMS[kind], FORMS[kind].relative
     factor, value = Field(unit="1"), Field(unit=spec.unit, kind=spec.kind)

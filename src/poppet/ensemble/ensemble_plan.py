@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -18,8 +18,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.tables import Field, read_fields
 from poppet.ensemble.distributions import MAX_INVALID_PROBABILITY, Distribution, read_distribution
-from poppet.ensemble.metrics import Metric, read_metric
-from poppet.ensemble.requirements import Requirement, read_requirement
+from poppet.ensemble.metrics import Metric, Requirement, read_metric, read_requirement
 from poppet.ensemble.sampling import MAX_SOBOL, METHODS, points
 from poppet.identify.free_parameter import number_specs
 from poppet.identify.result import Result, read_result
@@ -246,15 +245,9 @@ def _requirements(
 def _with_run_count(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePlan:
     """Return the plan with the number of runs of its sampling method."""
     n, runs = len(plan.addresses), counts.get("runs")
-    if plan.sampling == "grid":
-        fixed = plan.levels**n
-    elif plan.sampling == "file":
-        assert plan.table is not None
-        fixed = len(plan.table[1])
-    elif runs is None:
+    fixed = plan.levels**n if plan.sampling == "grid" else len(plan.table[1]) if plan.table is not None else runs
+    if fixed is None:
         raise InputError("ensemble.no_runs", "ensemble.runs")
-    else:
-        fixed = runs
     if runs is not None and runs != fixed:
         raise InputError("ensemble.runs_follow", "ensemble.runs", runs=runs, fixed=fixed, sampling=plan.sampling)
     if fixed > (2**30 if plan.sampling == "sobol" else MAX_RUNS):
@@ -263,12 +256,7 @@ def _with_run_count(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePl
         raise OutOfRangeError("ensemble.dimensions", "ensemble.sampling", dimensions=n, most=MAX_SOBOL)
     if plan.indices and plan.table is not None:
         raise InputError("ensemble.indices_of_file", "ensemble.indices")
-    return EnsemblePlan(**{**vars_of(plan), "runs": fixed})
-
-
-def vars_of(plan: EnsemblePlan) -> dict[str, Any]:
-    """Return the fields of a plan without cached properties."""
-    return {name: getattr(plan, name) for name in plan.__dataclass_fields__}
+    return replace(plan, runs=fixed)
 
 
 class _ParameterReader:
@@ -412,12 +400,8 @@ def _in_si(column: Array, unit: str, spec: NumberSpec, name: str, ambient: float
         # Check unit and reference once; convert the whole column.
         quantity(f"1 {unit}", spec.unit, kind=spec.kind, name=location)
         column = np.asarray(convert(column, unit, spec.unit, ambient_pressure=ambient))
-    invalid_rows = np.flatnonzero([not spec.holds(float(value)) for value in column])
-    if invalid_rows.size:
-        facts: dict[str, Any] = {
-            "row": int(invalid_rows[0]) + 1,
-            "value": float(column[invalid_rows[0]]),
-            "count": int(invalid_rows.size),
-        }
+    rows = np.flatnonzero([not spec.holds(float(value)) for value in column])
+    if rows.size:
+        facts: dict[str, Any] = {"row": int(rows[0]) + 1, "value": float(column[rows[0]]), "count": int(rows.size)}
         raise OutOfRangeError("ensemble.impossible_rows", location, **facts, unit=spec.unit, meaning=spec.meaning)
     return np.asarray(column, dtype=np.float64)

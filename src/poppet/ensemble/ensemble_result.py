@@ -20,8 +20,7 @@ from poppet.ensemble.bands import Bands
 from poppet.ensemble.dataset import Dataset
 from poppet.ensemble.ensemble_plan import ALL, EnsemblePlan, read_plan
 from poppet.ensemble.executors import run_missing
-from poppet.ensemble.influence import SobolIndex, sobol_indices
-from poppet.ensemble.statistics import Summary, TornadoRange, Yield, summary_of, wilson
+from poppet.ensemble.statistics import SobolIndex, Summary, TornadoRange, Yield, sobol_indices, summary_of, wilson
 from poppet.ensemble.worst_cases import WorstCase, save_case, worst_of
 
 if TYPE_CHECKING:
@@ -119,11 +118,9 @@ class Ensemble(HtmlMixin):
         requirements = self.plan.requirements
         n_good, runs = np.zeros(len(requirements) + 1, dtype=np.int64), 0
         for shard in self.dataset.shards("runs", ["done", *(requirement.metric for requirement in requirements)]):
-            is_met = [
-                requirement.met(shard[requirement.metric]) & shard["done"].astype(bool) for requirement in requirements
-            ]
+            is_met = [r.met(shard[r.metric]) & shard["done"].astype(bool) for r in requirements]
             runs += len(shard["done"])
-            counts = [np.count_nonzero(requirement) for requirement in is_met]
+            counts = [np.count_nonzero(mask) for mask in is_met]
             n_good += np.array([*counts, np.count_nonzero(np.all(is_met, axis=0)) if is_met else 0])
         names = [(r.name, r.text) for r in requirements] + ([(ALL, "")] if len(requirements) > 1 else [])
         # The last count is that of all together.
@@ -188,10 +185,7 @@ class Ensemble(HtmlMixin):
         dict
             Requirement to its runs with the smallest margins; failed runs are first.
         """
-        return {
-            requirement.name: worst_of(self.dataset, self.plan, requirement, count)
-            for requirement in self.plan.requirements
-        }
+        return {r.name: worst_of(self.dataset, self.plan, r, count) for r in self.plan.requirements}
 
     def save_worst(self, folder: str | Path, count: int = 3) -> list[Path]:
         """Write the worst runs as circuit files.

@@ -8,9 +8,8 @@ from poppet.circuit.schema import Schema, by_kind, circuit_schema, closed
 from poppet.core.tables import Field
 from poppet.ensemble.distributions import FORMS, MIDDLES, Form
 from poppet.ensemble.ensemble_plan import ALL, COUNTS, FIELDS, RESERVED
-from poppet.ensemble.metrics import FUNCTION, METRIC_KINDS
+from poppet.ensemble.metrics import FORM, FUNCTION, METRIC_KINDS
 from poppet.ensemble.metrics import SHARED as OF_METRICS
-from poppet.ensemble.requirements import FORM
 
 _VALUE: Schema = {"$ref": "#/$defs/value"}
 _TEXT: Schema = {"type": "string"}
@@ -74,18 +73,18 @@ def _fields(fields: Mapping[str, Field]) -> Schema:
     """Return the schema of the fields of a table."""
     properties: Schema = {}
     for name, field in fields.items():
-        schema = (
-            {"enum": list(field.choices), "default": field.choices[0]} if field.choices else _OTHERS.get(name, _VALUE)
-        )
+        choices = {"enum": list(field.choices), "default": field.choices[0]} if field.choices else None
+        schema = choices or _OTHERS.get(name, _VALUE)
         unit = f" [{field.unit}]" if field.unit else ""
         properties[name] = schema | ({"description": f"{field.meaning}{unit}"} if field.meaning else {})
     return properties
 
 
 def _counts() -> Schema:
-    properties: Schema = {}
-    for name, (low, high) in COUNTS.items():
-        properties[name] = {"type": "integer", "minimum": low, "maximum": high, "description": FIELDS[name].meaning}
+    properties = {
+        name: {"type": "integer", "minimum": low, "maximum": high, "description": FIELDS[name].meaning}
+        for name, (low, high) in COUNTS.items()
+    }
     powers = [2**k for k in range(COUNTS["indices"][1].bit_length())]
     return properties | {"indices": {"enum": [0, *powers], "description": FIELDS["indices"].meaning}}
 
@@ -113,8 +112,5 @@ def _metric_of(kind: str) -> Schema:
     metric_kind = METRIC_KINDS[kind]
     fields = _fields(OF_METRICS) | {"of": {"type": "string", "description": OF_METRICS["of"].meaning}}
     fields |= {"metric": {"const": kind, "description": metric_kind.meaning}} | _fields(metric_kind.fields)
-    return closed(
-        fields,
-        ["of", "metric", *(name for name in metric_kind.fields if metric_kind.fields[name].is_required)],
-        metric_kind.meaning,
-    )
+    required = [name for name, field in metric_kind.fields.items() if field.is_required]
+    return closed(fields, ["of", "metric", *required], metric_kind.meaning)

@@ -81,9 +81,8 @@ class PreparedPlan:
             # Use the rows that differ most from the circuit.
             nominal = np.array([self.instance.parameters.get(address, math.nan) for address in plan.addresses])
             rows = np.abs(plan.table[1] - nominal).argmax(axis=0)
-            values = {
-                a: float(plan.table[1][row, k]) for k, (a, row) in enumerate(zip(plan.addresses, rows, strict=True))
-            }
+            extremes = plan.table[1][rows, np.arange(len(rows))]
+            values = dict(zip(plan.addresses, extremes.tolist(), strict=True))
         else:
             values = {address: plan.quantile(address, 0.37) for address in plan.addresses}
         try:

@@ -19,7 +19,7 @@ from poppet.core.units import quantity
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, varied_specs
 from poppet.ensemble.ensemble_result import plan_of, with_parameters
 from poppet.ensemble.executors import Progress
-from poppet.ensemble.requirements import Requirement
+from poppet.ensemble.metrics import Requirement
 from poppet.ensemble.shards import PreparedPlan
 from poppet.ensemble.statistics import wilson
 
@@ -262,13 +262,10 @@ class _Evaluator:
         share: float,
     ) -> None:
         self.plan, self.requirements, self.share = sweep, requirements, share
-        self.columns = [
-            [metric.name for metric in sweep.metrics].index(requirement.metric) for requirement in requirements
-        ]
+        names = [metric.name for metric in sweep.metrics]
+        self.columns = [names.index(requirement.metric) for requirement in requirements]
         # Scales for the comparison of margins with different units.
-        self.sizes = np.array(
-            [max(abs(bound) for _, bound in requirement.bounds) or 1.0 for requirement in requirements]
-        )
+        self.sizes = np.array([max(abs(bound) for _, bound in r.bounds) or 1.0 for r in requirements])
         if uncertain is None:
             self._ready, self.draws, self._column = PreparedPlan(sweep), np.ones((1, 1)), 0
             return
@@ -394,7 +391,13 @@ def _make_sizing(
     plan, share = evaluator.plan, evaluator.share
     free = plan.addresses[0]
     holds = _holds(results, share)
-    intervals, unit = _intervals(results.values, holds), varied_specs(circuit)[free].unit
+    edges = np.flatnonzero(np.diff(holds.astype(int), prepend=0, append=0))
+    pairs = zip(edges[::2], edges[1::2], strict=True)
+    intervals = tuple((float(results.values[a]), float(results.values[b - 1])) for a, b in pairs)
+    unit = varied_specs(circuit)[free].unit
+    bounds: dict[str, tuple[float, ...]] = {}
+    for r in evaluator.requirements:
+        bounds[r.metric] = (*bounds.get(r.metric, ()), *(bound for _, bound in r.bounds))
     remarks: list[Note] = []
     value = resolution = standard_size = math.nan
     margins = dict.fromkeys((requirement.name for requirement in evaluator.requirements), math.nan)
@@ -434,18 +437,5 @@ def _make_sizing(
         limiting, standard_size, results.values, results.shares,
         {metric.name: results.metrics[:, j] for j, metric in enumerate(plan.metrics)},
         {metric.name: metric.unit for metric in plan.metrics},
-        tuple(intervals), {r.name: r.text for r in evaluator.requirements}, _bounds(evaluator.requirements),
-        len(evaluator.draws), tuple(remarks),
+        intervals, {r.name: r.text for r in evaluator.requirements}, bounds, len(evaluator.draws), tuple(remarks),
     )  # fmt: skip
-
-
-def _bounds(requirements: Sequence[Requirement]) -> dict[str, tuple[float, ...]]:
-    bounds: dict[str, tuple[float, ...]] = {}
-    for requirement in requirements:
-        bounds[requirement.metric] = (*bounds.get(requirement.metric, ()), *(bound for _, bound in requirement.bounds))
-    return bounds
-
-
-def _intervals(values: Array, holds: Any) -> list[tuple[float, float]]:
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], holds, [False]]).astype(int)))
-    return [(float(values[a]), float(values[b - 1])) for a, b in zip(edges[::2], edges[1::2], strict=True)]

@@ -18,7 +18,7 @@ from poppet.core.files import write_whole
 from poppet.core.toml import toml_text
 from poppet.ensemble.dataset import Dataset, fingerprint
 from poppet.ensemble.ensemble_plan import EnsemblePlan, varied_specs
-from poppet.ensemble.requirements import Requirement
+from poppet.ensemble.metrics import Requirement
 
 _PATHS = ("path", "characteristic")
 """Fields that can contain the path of a file."""

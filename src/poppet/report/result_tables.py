@@ -100,6 +100,5 @@ def extreme_table(recording: Recording) -> Table:
         first, last, minimum, maximum = (digits_of(float(values[k]), size) for k in (0, -1, low, high))
         low_time, high_time = (f"{series.time[k]:.5g}" for k in (low, high))
         rows.append((name, pretty(unit) if unit != "1" else "", first, last, minimum, low_time, maximum, high_time))
-    return Table(
-        ("series", "unit", *numeric("first", "last", "lowest", "at [s]", "highest", "at [s]")), rows, name="values"
-    )
+    columns = numeric("first", "last", "lowest", "at [s]", "highest", "at [s]")
+    return Table(("series", "unit", *columns), rows, name="values")

@@ -8,8 +8,7 @@ import numpy as np
 import pytest
 
 from circuits_of_ensembles import tank
-from poppet.ensemble.metrics import METRIC_KINDS, read_metric
-from poppet.ensemble.requirements import read_requirement
+from poppet.ensemble.metrics import METRIC_KINDS, read_metric, read_requirement
 from refusals import refused
 
 OUTPUTS = {"tank.pressure": "Pa", "hole.mass_flow_rate": "kg/s", "valve.opening": "1", "tank.temperature": "K"}

@@ -13,9 +13,8 @@ from circuits_of_ensembles import METRICS, TABLES, TANK, tank
 from poppet import load
 from poppet.ensemble import plan_of
 from poppet.ensemble.designs import design_of
-from poppet.ensemble.influence import sobol_indices
 from poppet.ensemble.sampling import points
-from poppet.ensemble.statistics import wilson
+from poppet.ensemble.statistics import sobol_indices, wilson
 from poppet.timeseries.tables.parquet import arrow
 from refusals import refused
 

@@ -24,9 +24,9 @@ from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.chamber import Chamber
 from poppet.parts.fields import NumberSpec, read_number, specs
-from poppet.parts.orifice import Orifice
+from poppet.parts.flow_path import Orifice
 from poppet.parts.part import Part
-from poppet.parts.reservoir import Reservoir
+from poppet.parts.sources import Reservoir
 from poppet.timeseries.measurements import Channel, InputChannel, Measurement, noise_of, quantum_of, read_measurement
 from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, ordered
 from poppet.timeseries.measurements.verdicts import verdicts

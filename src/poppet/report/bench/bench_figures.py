@@ -77,9 +77,8 @@ def characteristic_figure(result: BenchResult, reference: BenchResult | None = N
         right.plot(curve.x, curve.y - curve.x, color=colour, label=curve.name)
     for curve in curves_of(reference, "characteristic"):
         if curve.case != "cycles":
-            right.plot(
-                curve.x, curve.y - curve.x, color=colours[curve.name], label=f"{curve.name}, reference", **_OTHER
-            )
+            label = f"{curve.name}, reference"
+            right.plot(curve.x, curve.y - curve.x, color=colours[curve.name], label=label, **_OTHER)
     fit = result.conditions.get("characteristic", {})
     if "slope" in fit:
         x = np.array(RANGE)
@@ -104,10 +103,8 @@ def _focus(axes: Any, curves: Sequence[Curve]) -> None:
     low, high = float(np.min(values)), float(np.max(values))
     margin = max(0.6 * (high - low), 0.1)
     all_errors = np.concatenate([d for d in errors if d.size] or [np.zeros(1)])
-    low, high = (
-        max(low - margin, float(np.min(all_errors)) - 0.05),
-        min(high + margin, float(np.max(all_errors)) + 0.05),
-    )
+    low = max(low - margin, float(np.min(all_errors)) - 0.05)
+    high = min(high + margin, float(np.max(all_errors)) + 0.05)
     axes.set_ylim(min(low, -0.05), max(high, 0.05))
 
 
@@ -149,9 +146,8 @@ def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
     figure, axes = _single(3.4)
     curves = curves_of(result, "flow")
     unit = readable_unit("kg/s", max((float(np.max(np.abs(c.x), initial=0.0)) for c in curves), default=1.0))
-    measured, references = (
-        [(c, convert(c.x, "kg/s", unit), c.y) for c in group] for group in (curves, curves_of(reference, "flow"))
-    )
+    groups = curves, curves_of(reference, "flow")
+    measured, references = ([(c, convert(c.x, "kg/s", unit), c.y) for c in group] for group in groups)
     axes.set_xlabel(f"forward flow [{unit}]; negative: relief flow")
     axes.set_ylabel("outlet [% FS]")
     _there_and_back(axes, measured, references, ("drawn going", "fed going"))

@@ -125,13 +125,8 @@ def hum_figure(result: LimitsResult) -> Figure:
                 return ""
             return f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz"
 
-        _write(
-            axes,
-            amplitude,
-            mark,
-            _Line(0.17, 8.0, lambda cell: swing_text(amplitude[cell])),
-            _Line(-0.22, 7.0, frequency_word),
-        )
+        first = _Line(0.17, 8.0, lambda cell: swing_text(amplitude[cell]))
+        _write(axes, amplitude, mark, first, _Line(-0.22, 7.0, frequency_word))
         return mesh
 
     return _spring_figure(result, draw, "amplitude at the outlet [Pa]")

@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 from poppet.core.number_format import USUAL, pretty
 from poppet.core.units import convert
 from poppet.ensemble import Bands, Ensemble, Yield
-from poppet.ensemble.influence import SobolIndex
 from poppet.ensemble.metrics import Metric
-from poppet.ensemble.statistics import TornadoRange
+from poppet.ensemble.statistics import SobolIndex, TornadoRange
 from poppet.timeseries.plotting.figures import ACCENT, GREY, INK, PALETTE, axes_in, new_figure, widest
 
 if TYPE_CHECKING:

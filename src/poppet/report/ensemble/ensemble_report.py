@@ -109,12 +109,9 @@ def _curves(ensemble: Ensemble) -> list[str]:
     if (bands := ensemble.bands()) is None:
         return []
     units = dict(ensemble.plan.circuit.model.outputs)
+    caption = "the bands contain 50 %, 90 % and 98 % of the runs at each time. A band edge is not one run."
     return [
-        picture(
-            bands_figure(bands, units, curve),
-            f"bands-{k}",
-            f"{curve}: the bands contain 50 %, 90 % and 98 % of the runs at each time. A band edge is not one run.",
-        )
+        picture(bands_figure(bands, units, curve), f"bands-{k}", f"{curve}: {caption}")
         for k, curve in enumerate(bands.curves)
     ]
 

@@ -35,11 +35,7 @@ def sizing_page(sizing: Sizing) -> str:
     )
     with style("A page of a sizing"):
         caption += f" {share_caption}" if sizing.share < 1.0 else ""
-        result: list[str | Table] = [
-            paragraph(_headline(sizing), bold=True),
-            _margin_table(sizing),
-            findings(sizing.remarks),
-        ]
+        result = (paragraph(_headline(sizing), bold=True), _margin_table(sizing), findings(sizing.remarks))
         sections = [
             Section("", head(sizing.title, lead)),
             Section("Result", result),
@@ -103,9 +99,8 @@ def curve_figure(sizing: Sizing) -> Figure:
             axes.axhline(bound, color=INK, linewidth=1.0, linestyle=(0, (5, 3)))
         axes.set_ylabel(label, parse_math=False)
         for interval in sizing.holding:
-            axes.axvspan(
-                *(scaled(end, sizing.unit, unit) for end in interval), color=PALETTE[2], alpha=0.12, linewidth=0
-            )
+            first, last = (scaled(end, sizing.unit, unit) for end in interval)
+            axes.axvspan(first, last, color=PALETTE[2], alpha=0.12, linewidth=0)
         if sizing.is_met:
             axes.axvline(scaled(sizing.value, sizing.unit, unit), color=ACCENT, linewidth=1.4)
         if x[0] > 0.0:

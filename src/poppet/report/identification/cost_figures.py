@@ -40,18 +40,11 @@ def contour_figure(table: Mapping[str, Any]) -> Figure:
     axes.contourf(x_values, grid_y, rise, levels=[-1e-9, *LEVELS], colors=_SHADES, alpha=0.75)
     axes.contour(x_values, grid_y, rise, levels=LEVELS, colors=INK, linewidths=(0.9, 0.6))
     valley = x_values[np.arange(y_values.size), np.argmin(rise, axis=1)]
-    axes.plot(
-        valley,
-        y_values,
-        color=GREY,
-        linewidth=0.9,
-        linestyle=(0, (4, 3)),
-        label="best conductance at each wall conductance",
-    )
+    dashed = {"color": GREY, "linewidth": 0.9, "linestyle": (0, (4, 3))}
+    axes.plot(valley, y_values, label="best conductance at each wall conductance", **dashed)
     best = convert(np.array([table["best"][0]]), table["x_unit"], unit)
-    axes.plot(
-        best, np.interp([table["best"][1]], y, y_values), "+", color=PALETTE[1], markersize=11, label="the estimate"
-    )
+    best_y = np.interp([table["best"][1]], y, y_values)
+    axes.plot(best, best_y, "+", color=PALETTE[1], markersize=11, label="the estimate")
     for shade, level in zip(_SHADES, ("68 %", "95 %"), strict=True):
         axes.fill_between([], [], [], color=shade, alpha=0.75, linewidth=0, label=level)
     axes.set_xlabel(f"{table['x_name']} [{pretty(unit)}]", parse_math=False)
@@ -113,9 +106,8 @@ def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[st
     if not pair:
         return figure
     (x_name, x_unit), (y_name, y_unit) = pair
-    ends = np.array(
-        [[search[key][name] for name in (x_name, y_name)] for search in searches for key in ("start", "end")]
-    )
+    points = [search[key] for search in searches for key in ("start", "end")]
+    ends = np.array([[point[name] for name in (x_name, y_name)] for point in points])
     unit = readable_unit(x_unit, float(np.max(np.abs(ends[:, 0]))))
     axes = axes_in(figure, _LEFT + 4.3, 0.35, 4.4, 2.5)
     order = np.argsort(ends[:, 1])

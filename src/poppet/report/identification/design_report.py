@@ -68,11 +68,8 @@ def _candidate_table(design: Design, n_max: int) -> Table:
     """Return half of the relative 95 % intervals after each of the best candidates alone."""
     names = next(iter(design.tests.values())).keys()
     rows = [(test, *(_percent(row[name]) for name in names)) for test, row in design.tests.items()]
-    return Table(
-        ("test", *numeric(*(f"{name} [%]" for name in names), digits=".2g")),
-        rows[:n_max],
-        "Each test alone, +/- 95 % of the parameter",
-    )
+    columns = numeric(*(f"{name} [%]" for name in names), digits=".2g")
+    return Table(("test", *columns), rows[:n_max], "Each test alone, +/- 95 % of the parameter")
 
 
 def _percent(p: Prediction) -> float:

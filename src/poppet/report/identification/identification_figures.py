@@ -120,9 +120,8 @@ def channel_figure(
     _draw_channel(upper, trace, curve)
     if critical_ratio is not None:
         colour = VERDICT_COLOURS[critical_ratio.verdict]
-        upper.axvspan(
-            max(critical_ratio.low, 0.0), min(critical_ratio.high, 1.0), color=colour, alpha=0.13, linewidth=0
-        )
+        ends = max(critical_ratio.low, 0.0), min(critical_ratio.high, 1.0)
+        upper.axvspan(*ends, color=colour, alpha=0.13, linewidth=0)
         if math.isfinite(critical_ratio.value):
             line = {"color": colour, "linewidth": 1.2, "linestyle": (0, (4, 2))}
             upper.axvline(critical_ratio.value, label="critical ratio", **line)
@@ -377,9 +376,8 @@ def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | 
     numbers = dict(result.conditions.get("fixed", {}))
     numbers |= {name.rpartition(".")[2]: e.value for name, e in result.parameters.items()}
     law = ("sonic_conductance", "critical_ratio", "subsonic_index", "cracking_pressure")
-    if not trace.name.endswith("effective_conductance") or not all(
-        math.isfinite(numbers.get(k, math.nan)) for k in law
-    ):
+    is_known = all(math.isfinite(numbers.get(k, math.nan)) for k in law)
+    if not is_known or not trace.name.endswith("effective_conductance"):
         return None
     pressure = float(np.mean(result.conditions.get("pressure_1", 7e5)))
     ratio = np.linspace(0.0, 1.0, 401)[:-1]

@@ -75,10 +75,8 @@ def _head(result: Result, method: MethodReport) -> str:
     # The band of a curve has more meaning than its parameters.
     curves = [t for t in figures.traces_of(result) if method.has_bands and t.low.size and not t.is_timed]
     bands = "".join(paragraph(_band_width(trace)) for trace in curves)
-    step, description = (
-        next_step(result),
-        _text(f"method.{result.method}") if result.method in METHODS else result.method,
-    )
+    step = next_step(result)
+    description = _text(f"method.{result.method}") if result.method in METHODS else result.method
     next_line = f"<p><strong>Next:</strong> {html.escape(step)}</p>\n" if step else ""
     # Without headings the table of the summary is not stacked.
     summary = bands or Table(("", "", ""), rows).html().replace("scroll stack", "scroll")
@@ -135,10 +133,8 @@ def _laws(result: Result) -> list[str | Table]:
             if name.endswith(".sonic_conductance"):
                 conductances.setdefault(law, Estimate(**estimate))
     figure = figures.interval_figure(conductances) if conductances else None
-    return [
-        tables.law_table(result),
-        picture(figure, "laws", _text("caption.laws"), is_still=True) if figure is not None else "",
-    ]
+    drawing = picture(figure, "laws", _text("caption.laws"), is_still=True) if figure is not None else ""
+    return [tables.law_table(result), drawing]
 
 
 def _optima(result: Result) -> list[str | Table]:

@@ -67,7 +67,7 @@ _STATISTICS = {
     "chi_square": "Chi-square",
     "degrees_of_freedom": "Degrees of freedom",
     "chi_square_probability": "Probability of a larger chi-square",
-    "runs_probability": "Runs test: probability of fewer runs",
+    "runs_probability": "Runs test: probability of at most as many runs",
     "scatter_factor": "Factor on the stated scatter",
     "aicc": "AICc",
 }

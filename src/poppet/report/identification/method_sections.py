@@ -99,13 +99,9 @@ def _force_sections(result: Result) -> list[Section]:
         for law in result.comparison.get("forces", ())
     ]
     relative = "relative to the largest force"
-    headings = "rms of the validation", relative, *(f"validation by {axis}" for axis in axes)
-    return [
-        Section(
-            "Force laws",
-            Table(("law", *numeric(*headings, "rms of the fit", relative, "maximum error", "parameters")), rows),
-        )
-    ]
+    validation = ("rms of the validation", relative, *(f"validation by {axis}" for axis in axes))
+    columns = numeric(*validation, "rms of the fit", relative, "maximum error", "parameters")
+    return [Section("Force laws", Table(("law", *columns), rows))]
 
 
 def _friction_sections(result: Result) -> list[Section]:
@@ -145,14 +141,13 @@ def _friction_sections(result: Result) -> list[Section]:
     return [Section("Friction laws", content)]
 
 
+_FRICTION_REFERENCES = ("friction_laws", "clusters", "one_error")
 METHOD_REPORTS = {
     "fit": MethodReport(),
     "tank": MethodReport(references=("iso6358_2", "runs", "aicc")),
     "flow": MethodReport(evidence=_steady_sections, references=("iso6358_1", "gum", "aicc")),
     "characteristic": MethodReport(evidence=_steady_sections, references=("varga2012", "runs", "aicc")),
     "muscle": MethodReport(_force_sections, references=("muscle_laws", "jackknife")),
-    "friction": MethodReport(
-        _friction_sections, references=("friction_laws", "clusters", "one_error"), has_bands=False
-    ),
+    "friction": MethodReport(_friction_sections, references=_FRICTION_REFERENCES, has_bands=False),
 }
 """Method to its part of the report; a method without an entry has the report of a fit."""

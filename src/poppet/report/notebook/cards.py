@@ -58,9 +58,8 @@ def circuit_card(circuit: Circuit) -> str:
     rows = [(code(address), number.display(), number.source.note) for address, number in assumed.items()]
     table = Table(("parameter", *numeric("value"), "reason"), rows)
     summary = f"{len(rows)} assumed value{'s' * (len(rows) != 1)}"
-    values = folded(summary, table, is_open=len(rows) <= MAX_ROWS) or paragraph(
-        "No value is assumed.", css_class="lead"
-    )
+    values = folded(summary, table, is_open=len(rows) <= MAX_ROWS)
+    values = values or paragraph("No value is assumed.", css_class="lead")
     lead = f"Circuit: {plural(len(circuit.parts), 'part')}, {plural(len(circuit.signals), 'driven input')}."
     return card(circuit.title, lead, _drawing(circuit), values, note_list(circuit.static_notes))
 

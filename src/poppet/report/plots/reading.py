@@ -66,11 +66,8 @@ def _is_still(axes: Any) -> bool:
 def _box(figure: Figure, axes: Any) -> list[float]:
     """Return left, top, width and height [in]."""
     width, height = figure.get_size_inches()
-    position = axes.get_position()
-    return [
-        float(v)
-        for v in (position.x0 * width, (1.0 - position.y1) * height, position.width * width, position.height * height)
-    ]
+    box = axes.get_position()
+    return [float(v) for v in (box.x0 * width, (1.0 - box.y1) * height, box.width * width, box.height * height)]
 
 
 class _Columns:
@@ -201,11 +198,8 @@ def _lines(axes: Any, columns: _Columns) -> tuple[list[dict[str, Any]], list[dic
             entry |= {"edge": _colour(line.get_markeredgecolor())["colour"]} if line.get_markeredgewidth() else {}
         if line.get_drawstyle() == "steps-post":
             entry["step"] = True
-        columns_xy = (
-            columns.add(x, is_log=axes.get_xscale() == "log"),
-            columns.add(y, is_log=axes.get_yscale() == "log"),
-        )
-        lines.append(entry | {"x": columns_xy[0], "y": columns_xy[1]})
+        is_log = axes.get_xscale() == "log", axes.get_yscale() == "log"
+        lines.append(entry | {"x": columns.add(x, is_log=is_log[0]), "y": columns.add(y, is_log=is_log[1])})
     return lines, rules
 
 
@@ -241,10 +235,7 @@ def _filled(axes: Any, columns: _Columns) -> tuple[list[Any], list[Any], list[An
             corners_of_bar = [a if in_x else None, b if in_y else None, c if in_x else None, d if in_y else None]
             key = _label(patch), patch.get_facecolor()
             bars.setdefault(key, []).extend(corners_of_bar)
-    boxes += [
-        {"label": label} | _colour(fill) | {"at": _flat(corners_of_bar)}
-        for (label, fill), corners_of_bar in bars.items()
-    ]
+    boxes += [{"label": label} | _colour(fill) | {"at": _flat(corners)} for (label, fill), corners in bars.items()]
     return bands, boxes, segments
 
 

@@ -311,14 +311,5 @@ def _sheet(limits: tuple[float, float, float, float], label: str) -> tuple[Figur
 
 def _points(axes: Any, values: list[float]) -> None:
     strokes = [1e3 * x for x in runs.STROKES]
-    axes.plot(
-        strokes,
-        values,
-        "o",
-        color=_BLUE,
-        markerfacecolor="white",
-        markersize=4.5,
-        clip_on=False,
-        zorder=4,
-        label="table",
-    )
+    marker = {"marker": "o", "linestyle": "none", "markerfacecolor": "white", "markersize": 4.5, "clip_on": False}
+    axes.plot(strokes, values, color=_BLUE, zorder=4, label="table", **marker)

@@ -1,0 +1,24 @@
+"""An identification method of a third-party package: the mean of the numbers in a file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from poppet.identify.methods import Method
+
+POPPET_API = 1
+
+
+def read(path: Path) -> list[float]:
+    """Return the numbers of a file."""
+    return [float(line) for line in path.read_text().splitlines()]
+
+
+def run(path: Path, **options: Any) -> float:
+    """Return the mean."""
+    values = read(path)
+    return sum(values) / len(values)
+
+
+METHOD = Method("toy_mean", "mean of numbers", run, read, {}, text=lambda result, count: f"mean {result:g}")
