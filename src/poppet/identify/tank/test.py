@@ -185,6 +185,13 @@ class TankTest:
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 
+FILE_FIELDS = {f.name: Field() for f in fields(TankTest) if f.name != "folder"} | {
+    "volume": Field(is_required=True, meaning="volume of the tank", example='volume = "16.2 l"'),
+    "recordings": _RECORDINGS,
+}
+"""Fields of a tank test file."""
+
+
 def read_tank_file(path: str | Path) -> TankTest:
     """Read a tank test file.
 
@@ -229,12 +236,7 @@ def read_tank_file(path: str | Path) -> TankTest:
 
 def test_of(file: TomlFile) -> TankTest:
     """The test that a file describes."""
-    known = {f.name: Field() for f in fields(TankTest) if f.name != "folder"}
-    known |= {
-        "volume": Field(is_required=True, meaning="volume of the tank", example='volume = "16.2 l"'),
-        "recordings": _RECORDINGS,
-    }
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, known, table="tank test file")
+        data = read_fields(errors, file.content, FILE_FIELDS, table="tank test file")
     title = str(data.get("title", Path(file.name).stem))
     return TankTest(**{**data, "title": title}, folder=file.folder)
