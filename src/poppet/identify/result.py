@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
-METHODS = ("fit", "tank", "flow", "characteristic", "muscle", "friction")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 DETERMINED, WEAK = 0.1, 0.5
@@ -194,6 +193,11 @@ class Result(HtmlMixin):
         """
         findings = [f"- {finding}" for finding in grouped(self.remarks)]
         return "\n".join([*filter(None, [self.title]), *self.lines(), *findings])
+
+    @property
+    def interrupted(self) -> bool:
+        """True if the user interrupted the identification."""
+        return bool(self.conditions.get("interrupted", False))
 
     def lines(self) -> list[str]:
         """Return a line of text for each estimate and for the residuals of each channel.

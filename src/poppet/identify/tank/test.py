@@ -189,6 +189,13 @@ class TankTest:
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 
+FILE_FIELDS = {f.name: Field() for f in fields(TankTest) if f.name != "folder"} | {
+    "volume": Field(is_required=True, meaning="volume of the tank", example='volume = "16.2 l"'),
+    "recordings": _RECORDINGS,
+}
+"""Fields of a tank test file."""
+
+
 def read_tank_file(path: str | Path) -> TankTest:
     """Read a tank test file.
 
@@ -233,12 +240,7 @@ def read_tank_file(path: str | Path) -> TankTest:
 
 def read_test(file: TomlFile) -> TankTest:
     """Return the test of a file."""
-    declared = {f.name: Field() for f in fields(TankTest) if f.name != "folder"}
-    declared |= {
-        "volume": Field(is_required=True, meaning="volume of the tank", example='volume = "16.2 l"'),
-        "recordings": _RECORDINGS,
-    }
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, declared, table="tank test file")
+        data = read_fields(errors, file.content, FILE_FIELDS, table="tank test file")
     title = str(data.get("title", Path(file.name).stem))
     return TankTest(**{**data, "title": title}, folder=file.folder)
