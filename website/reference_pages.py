@@ -232,7 +232,8 @@ def api_page() -> str:
         for name in sorted(imported.__all__):
             member = getattr(imported, name)
             if isinstance(member, type):
-                body = [f".. autoclass:: {module}.{name}", "   :members:"]
+                # `symbol` would be a target of the type names in other docstrings.
+                body = [f".. autoclass:: {module}.{name}", "   :members:", "   :exclude-members: symbol"]
                 if name == "Circuit":  # most of its methods are those of its base class
                     body.append("   :inherited-members:")
             elif callable(member):
