@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 17d106dfc96dbaccf42bf9124c6a8011965cb7dfbc67e03f9aa33f5a253b699b */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 8854a3a601377dee55992b961cdd6f2b9a91150399980846dda3d533cd3a5640 */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how

@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 17d106dfc96dbaccf42bf9124c6a8011965cb7dfbc67e03f9aa33f5a253b699b
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 8854a3a601377dee55992b961cdd6f2b9a91150399980846dda3d533cd3a5640
 @v46 = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 define internal fastcc void @v47(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.fields) unnamed_addr {
 entry:
