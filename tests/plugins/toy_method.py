@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from poppet.identify.methods import Method
 
@@ -15,10 +15,17 @@ def read(path: Path) -> list[float]:
     return [float(line) for line in path.read_text().splitlines()]
 
 
-def run(path: Path, **options: Any) -> float:
+class Mean(NamedTuple):
+    """Result of the method."""
+
+    value: float
+    interrupted: bool = False
+
+
+def run(path: Path, **options: Any) -> Mean:
     """Return the mean."""
     values = read(path)
-    return sum(values) / len(values)
+    return Mean(sum(values) / len(values))
 
 
-METHOD = Method("toy_mean", "mean of numbers", run, read, {}, text=lambda result, count: f"mean {result:g}")
+METHOD = Method("toy_mean", "mean of numbers", run, read, {}, text=lambda result, count: f"mean {result.value:g}")
