@@ -1,7 +1,7 @@
-"""A small evaluator of structured text, of our own: it runs what `function_block` writes, and refuses the rest.
+"""Evaluator of the subset of structured text that `function_block` writes, for tests.
 
-It is no compiler of IEC 61131-3, and proves nothing about one. It reads the text alone, by a grammar written for it,
-and is stricter than a machine: a division by zero, a root of something negative and a silent change of type raise.
+It is not a compiler of IEC 61131-3. It reads only the text, with a grammar of its own, and is stricter than a PLC: a
+division by zero, the root of a negative number and an implicit conversion of types are errors.
 """
 
 from __future__ import annotations
@@ -34,16 +34,16 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     "LINT_TO_LREAL": float,
 }
 Run = Callable[[dict[str, Any]], Any]
-"""What becomes of an expression or a statement: it takes the variables."""
+"""Function of the variables for an expression or a statement."""
 
 
 class FunctionBlock:
-    """An instance of the function block of a text.
+    """Instance of the function block in a text.
 
     Parameters
     ----------
     text : str
-        One function block, with the functions that it calls in front of it.
+        One function block after the functions that it calls.
 
     Examples
     --------
@@ -64,7 +64,7 @@ class FunctionBlock:
     """
 
     def __init__(self, text: str) -> None:
-        reader = _Reader(text)
+        reader = TextParser(text)
         while reader.word == "FUNCTION":
             reader.function()
         reader.expect("FUNCTION_BLOCK")
@@ -76,11 +76,11 @@ class FunctionBlock:
         self.values: dict[str, Any] = {name: start for name, (_, _, start) in self.kinds.items()}
 
     def names(self, kind: str) -> list[str]:
-        """Names of `VAR_INPUT` or `VAR_OUTPUT`, as they are declared."""
+        """Return the declared names of `VAR_INPUT` or `VAR_OUTPUT`."""
         return [name for name, (section, _, _) in self.kinds.items() if section == kind]
 
     def __call__(self, **inputs: Any) -> dict[str, Any]:
-        """One call; inputs that are not given keep their values."""
+        """Call the block and return its outputs; omitted inputs keep their values."""
         for name, value in inputs.items():
             section, own, _ = self.kinds[name]
             assert section == "VAR_INPUT", name
@@ -89,8 +89,8 @@ class FunctionBlock:
         return {name: self.values[name] for name in self.names("VAR_OUTPUT")}
 
 
-class _Reader:
-    """Reads a text from left to right; names are looked up where they stand, in any case."""
+class TextParser:
+    """Parser of a text; names are looked up in any case."""
 
     def __init__(self, text: str) -> None:
         self.tokens = list(_tokens(text))
@@ -101,30 +101,30 @@ class _Reader:
 
     @property
     def word(self) -> str:
-        """What comes next, in capitals."""
+        """Next token in capitals."""
         return self.tokens[self.place].upper() if self.place < len(self.tokens) else ""
 
     def take(self) -> str:
-        """What comes next, as it is written."""
+        """Return the next token as written."""
         self.place += 1
         return self.tokens[self.place - 1]
 
     def expect(self, *words: str) -> None:
-        """Take these words."""
+        """Read the expected words."""
         for word in words:
             if self.word != word:
                 raise SyntaxError(f"{word} expected at {self.tokens[self.place : self.place + 8]}")
             self.place += 1
 
     def end(self) -> None:
-        """Nothing must come any more."""
+        """Check that no token is left."""
         if self.word:
             raise SyntaxError(f"end expected at {self.word}")
 
     # Declarations ------------------------------------------------------------------------------------------------
 
     def function(self) -> None:
-        """A function, which is known from then on."""
+        """Read a function."""
         self.expect("FUNCTION")
         name = self.take()
         self.expect(":")
@@ -145,7 +145,7 @@ class _Reader:
     def declarations(
         self, known: Mapping[str, tuple[str, type, Any]] | None = None
     ) -> dict[str, tuple[str, type, Any]]:
-        """Variables by name: section, type, start value."""
+        """Read the declarations; return section, type and start value of each variable by name."""
         found = dict(known or {})
         while self.word in ("VAR", "VAR_INPUT", "VAR_OUTPUT"):
             section = self.take().upper()
@@ -169,7 +169,7 @@ class _Reader:
     # Statements --------------------------------------------------------------------------------------------------
 
     def statements(self, *ends: str) -> Run:
-        """Statements up to one of some words."""
+        """Read statements up to one of some words."""
         found: list[Run] = []
         while self.word not in ends:
             found.append(self._statement())
@@ -203,7 +203,7 @@ class _Reader:
 
         def assign(values: dict[str, Any]) -> None:
             found = value(values)
-            # No conversion is made silently: neither by the standard, nor here.
+            # There is no implicit conversion, as in the standard.
             if type(found) is not kind:
                 raise TypeError(f"{name} is {kind.__name__}, not {found!r}")
             values[name] = found
@@ -233,10 +233,10 @@ class _Reader:
 
         return run
 
-    # Expressions, the loosest first ------------------------------------------------------------------------------
+    # Expressions, lowest precedence first -------------------------------------------------------------------------
 
     def expression(self) -> Run:
-        """An expression, by the precedence of the standard."""
+        """Read an expression with the precedence of the standard."""
         return self._joined(0)
 
     def _joined(self, level: int) -> Run:

@@ -19,14 +19,14 @@ FIELDS: dict[str, dict[str, str]] = {
         "tolerances": "matrix", "positive": "flags", "longest": "double", "most": "double", "script": "vector",
         "replays": "bool",
     },
-    "Rows": {"grid": "vector", "table": "matrix", "y": "vector"},
+    "OutputRows": {"grid": "vector", "table": "matrix", "y": "vector"},
     "Stops": {"places": "integer_matrix", "weights": "matrix"},
     "Work": dict.fromkeys(
         ("u", "us", "slopes", "tt", "rates", "jacobian", "drift", "scratch", "stages", "estimate", "new", "dense",
          "inside"), "vector",
     ),
     "RunState": {
-        "functions": "Functions", "memory": "Memory", "control": "Control", "rows": "Rows", "stops": "Stops",
+        "functions": "Functions", "memory": "Memory", "control": "Control", "rows": "OutputRows", "stops": "Stops",
         "work": "Work", "x": "vector", "books": "vector", "watch": "vector", "counts": "integers",
     },
     "Segment": {"start": "double", "stop": "double", "inputs": "matrix"},

@@ -182,7 +182,7 @@ def code_pages() -> Pages:
     for group, codes in groups.items():
         text = [f"# Codes of `{group}`", ""]
         for code in codes:
-            text += [f"(code-{code})=", f"## `{code}`", "", *code_lines(code, cases.get(code, {})), ""]
+            text += [f"(code-{code})=", f"## `{code}`", "", *code_lines(code, cases.get(code, "")), ""]
         pages_by_path[f"reference/codes/{group}.md"] = "\n".join(text)
     rows = [
         (f"[`{group}`]({group}.md)", ", ".join(f"[`{c}`](#code-{c})" for c in codes)) for group, codes in groups.items()
@@ -201,7 +201,7 @@ def code_pages() -> Pages:
     return pages_by_path
 
 
-def code_lines(code: str, case: Mapping[str, Any]) -> Iterator[str]:
+def code_lines(code: str, case: str) -> Iterator[str]:
     """Yield the meaning and hint of a code, and its text in a real case."""
     template = every_code()[code]
     if isinstance(template, str):
@@ -210,8 +210,7 @@ def code_lines(code: str, case: Mapping[str, Any]) -> Iterator[str]:
         yield f"**Cause:** {prose(plain(template['given'] + ' ' + template['reason']))}"
         yield ""
         yield f"**Remedy:** {prose(plain(template['hint']))}"
-    words = case.get("words") or " ".join(case[part] for part in ("given", "reason", "hint") if part in case)
-    example = " ".join(str(words).split())
+    example = " ".join(case.split())
     if example and example != template:  # a text without facts needs no example
         yield from ("", f"> {prose(example)}")
 
@@ -232,7 +231,8 @@ def api_page() -> str:
         for name in sorted(imported.__all__):
             member = getattr(imported, name)
             if isinstance(member, type):
-                body = [f".. autoclass:: {module}.{name}", "   :members:"]
+                # `symbol` would be a target of the type names in other docstrings.
+                body = [f".. autoclass:: {module}.{name}", "   :members:", "   :exclude-members: symbol"]
                 if name == "Circuit":  # most of its methods are those of its base class
                     body.append("   :inherited-members:")
             elif callable(member):

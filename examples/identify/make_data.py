@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import poppet
-from poppet.identify.fit.fit_series import lagged
+from poppet.identify.fit.fit_series import apply_lag
 from poppet.iso6358 import mass_flow_rate
 from poppet.signals import Steps
 
@@ -61,7 +61,7 @@ def discharge(folder: Path, name: str, start: str, generator: np.random.Generato
     circuit = poppet.load(HERE / "bench.toml").with_values(truth)
     run = circuit.simulate()
     pressure = (run["tank.pressure"] - circuit.surroundings.pressure) / 1e5
-    temperature = lagged(run.time, run["tank.temperature"], LAG) - 273.15
+    temperature = apply_lag(run.time, run["tank.temperature"], LAG) - 273.15
     write(
         folder,
         name,

@@ -71,13 +71,13 @@ def _fit(path: Path) -> None:
 
 def _tank(path: Path) -> None:
     from poppet.core.toml_file import TomlFile
-    from poppet.identify.tank.tank_plan import tank_plan, tank_runs
-    from poppet.identify.tank.test import test_of
+    from poppet.identify.tank.tank_plan import plan_tank_fit, read_runs
+    from poppet.identify.tank.test import read_test
 
     file = TomlFile.read(path, "recordings")
     with file.errors():
-        test = test_of(file)
-        tank_plan(test, tank_runs(test))
+        test = read_test(file)
+        plan_tank_fit(test, read_runs(test))
 
 
 def _flow(path: Path) -> None:

@@ -134,7 +134,7 @@ def test_compare_shows_nominal_median_and_worst(poppet, files, tmp_path):
         "--seed", "1", "--plot", "spread.png", "-o", "figures.csv",
     )  # fmt: skip
     assert (answer.code, answer.err) == (0, "")
-    for word in ("nominal", "median", "worst", "ITAE [bar s^2]", "3 plants drawn, seed 1", "scheduled", "law"):
+    for word in ("nominal", "median", "worst", "ITAE [bar s^2]", "3 sampled plants, seed 1", "scheduled", "law"):
         assert word in answer.out
     assert len((tmp_path / "figures.csv").read_text().splitlines()) == 1 + 3 * 4
     assert (tmp_path / "spread.png").stat().st_size > 20_000

@@ -426,7 +426,7 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
         (("tank", "tank.toml", "--library", "x.toml"), "--library is not an option of `identify tank`"),
         (("characteristic", "characteristic.toml", "--bootstrap", "9"), "--bootstrap is not an option"),
         (("fit", "fit.toml", "--bootstrap", "-1"), "--bootstrap -1 must be at least 0"),
-        (("fit", "fit.toml", "--profile", "outlet.ratio"), "profile = outlet.ratio is not a free parameter"),
+        (("fit", "fit.toml", "--profile", "outlet.ratio"), "outlet.ratio is not a free parameter"),
         (("fit", "fit.toml", "-o", "x.xls"), "x.xls"),
         (("fit", "nowhere.toml"), "nowhere.toml"),
         (("fit", "tank.toml"), "is not a valid field of a fit file"),
@@ -450,7 +450,7 @@ def test_an_interrupted_fit_hands_over_its_best(poppet, bench, monkeypatch):
         if len(calls) == 6:
             raise KeyboardInterrupt
 
-    monkeypatch.setattr("poppet.cli.progress.Counting.__call__", interrupt)
+    monkeypatch.setattr("poppet.cli.progress.FitProgress.__call__", interrupt)
     code, out, _ = poppet("identify", "fit", str(bench / "fit.toml"), "-o", "result.toml")
     assert code == 130
     assert "interrupted" in out

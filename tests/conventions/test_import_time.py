@@ -51,7 +51,7 @@ def test_parts_are_loaded_with_the_circuits_that_have_them():
     code = f"import sys; from poppet import Circuit, Orifice, Reservoir; {circuit}; print(*sys.modules)"
     found = subprocess.run([sys.executable, "-W", "error", "-c", code], capture_output=True, text=True, check=True)
     loaded = {name for name in found.stdout.split() if name.startswith("poppet.parts.")}
-    assert "poppet.parts.orifice" in loaded
+    assert "poppet.parts.flow_path" in loaded
     assert not loaded & {f"poppet.parts.{name}" for name in ("bodies", "cylinder", "muscle", "tube", "electronics")}
 
 

@@ -12,18 +12,23 @@ import numpy as np
 import pytest
 
 import poppet
-from poppet import library, loads
+from poppet import identify, library, loads
 from poppet.circuit.schema import circuit_schema
+from poppet.cli import main
 from poppet.cli.main import run
 from poppet.core import message_format
 from poppet.core.command_options import Option
-from poppet.core.errors import OutOfRangeError
+from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
 from poppet.core.provenance import printed
 from poppet.core.symbolic import where
+from poppet.core.tables import Field, read_fields
+from poppet.core.toml_file import TomlFile
 from poppet.deploy.export_model import build_export_model
 from poppet.deploy.parity.parity_check import KernelReference, ParityCheck, TargetResult
 from poppet.deploy.parity.parity_table import compare_targets
 from poppet.deploy.targets import TARGETS, CircuitSource, Export, Target
+from poppet.identify import Estimate, Result
+from poppet.identify.methods import METHODS, Method, imported
 from poppet.laws.iso6358.domain import Domain, check
 from poppet.library import gases
 from poppet.parts import KINDS
@@ -95,7 +100,7 @@ def test_a_law(monkeypatch):
     traced = ca.Function("f", [p1, p2], [permeation(p1, p2, 1e-9)])
     assert [float(traced(2e5 + drop, 2e5)) for drop in drops] == values.tolist()
     words = {"permeance": {"given": "{address} = {value:g} {unit}", "reason": "cannot be.", "hint": "Give more."}}
-    monkeypatch.setattr(message_format, "_words", lambda room: {"toy": words}[room])
+    monkeypatch.setattr(message_format, "_templates", lambda topic: {"toy": words}[topic])
     with pytest.raises(OutOfRangeError) as caught:
         permeation(2e5, 1e5, -1.0)
     assert (caught.value.code, caught.value.address, caught.value.facts["value"]) == (
@@ -222,3 +227,71 @@ def test_a_printer():
     reader = Path(__file__).parents[1] / "unit" / "engine" / "test_second_printer.py"
     assert "poppet.engine.printers.instructions" in reader.read_text(encoding="utf-8")
     assert str(reader.relative_to(Path(__file__).parents[2]).as_posix()) in GUIDE
+
+
+# An identification method: declarations of the fields of its file, a reader, a function and one declaration.
+
+LEAK_FIELDS = {
+    "title": Field(type="text", default="Leak test"),
+    "volume": Field(unit="m^3", above=0.0, is_required=True, example='volume = "2 l"'),
+    "rates": Field(is_required=True, meaning="list of pressure rates", example="rates = [-10.0, -11.0]"),
+}
+
+
+def read_leak_file(path: Path) -> dict[str, Any]:
+    """Read a leak test."""
+    file = TomlFile.read(path)
+    with file.errors() as errors:
+        return read_fields(errors, file.content, LEAK_FIELDS, table="leak test file")
+
+
+def identify_leak(path: Path) -> Result:
+    """Identify the leak of a closed volume from its pressure rates [Pa/s]."""
+    fields = read_leak_file(path)
+    flows = -fields["volume"] * np.array(fields["rates"]) / (287.05 * 293.15)
+    mean, error = float(np.mean(flows)), float(np.std(flows, ddof=1) / np.sqrt(flows.size))
+    estimate = Estimate(mean, "kg/s", error, mean - 2.0 * error, mean + 2.0 * error, "determined")
+    return Result("leak", fields["title"], {"tank.leak": estimate})
+
+
+LEAK = Method(
+    "leak",
+    "leak of a closed volume",
+    run=identify_leak,
+    read=read_leak_file,
+    fields=LEAK_FIELDS,
+    description="Leak of a closed volume from pressure rates.",
+    intervals="The interval is two standard errors of the mean.",
+)
+
+
+def test_an_identification_method(monkeypatch, tmp_path, capsys):
+    assert "## Adding an identification method" in GUIDE
+    monkeypatch.setitem(METHODS, "leak", LEAK)
+    path = tmp_path / "leak.toml"
+    path.write_text('volume = "2 l"\nrates = [-10.0, -12.0, -11.0]\n')
+    result, page = tmp_path / "result.toml", tmp_path / "leak.html"
+    assert main.run(["identify", "leak", str(path), "-o", str(result), "--report", str(page)]) == 0
+    assert "tank.leak" in capsys.readouterr().out
+    assert identify.read_result(result).parameters["tank.leak"].value == pytest.approx(2e-3 * 11.0 / (287.05 * 293.15))
+    text = page.read_text(encoding="utf-8")
+    assert LEAK.description in text
+    assert LEAK.intervals in text
+    assert main.run(["identify", "--help"]) == 0
+    assert "leak of a closed volume" in " ".join(capsys.readouterr().out.split())
+    assert LEAK.file_schema()["properties"]["volume"]["description"] == "[m^3]"
+    path.write_text('volum = "2 l"\nrates = [-10.0, -12.0]\n')
+    with pytest.raises(InputError) as caught:
+        METHODS["leak"].identify(path)
+    assert [(problem.code, problem.line) for problem in caught.value.problems] == [("fields.unknown", 1)]
+    with pytest.raises(InputError) as caught, ErrorCollector() as errors:
+        read_fields(errors, {"volume": "-2 l"}, LEAK_FIELDS)
+    assert {problem.code for problem in caught.value.problems} == {"fields.out_of_range", "fields.missing"}
+
+
+def test_every_method_has_its_functions_and_a_schema():
+    for name, method in METHODS.items():
+        for reference in (method.run, method.read, method.report, method.text):
+            assert callable(imported(reference)), (name, reference)
+        properties = method.file_schema()["properties"]
+        assert "title" in properties, name

@@ -1,4 +1,4 @@
-"""Codes and their words: each has the other, templates show what they are given, and no logic reads a sentence."""
+"""Message codes: each has a template, templates show facts that are set, and no logic reads a text."""
 
 from __future__ import annotations
 
@@ -14,17 +14,17 @@ FILES = {path.relative_to(ROOT).as_posix(): path for path in sorted(ROOT.rglob("
 CODES = every_code()
 ROOMS = {code.partition(".")[0] for code in CODES}
 MAKERS = {"Note": 0, "InputError": 0, "OutOfRangeError": 0, "UnitError": 0}
-"""What takes a code, and at which place; functions with a parameter named `code` are found below."""
+"""Callables with a code argument and its index; functions with a parameter `code` are added below."""
 LATER = {
     "quantity": {"shown"},
     "run.condition_met": {"time"},
     "run.left_domain": {"time"},
     "friction": {"effort", "effort_unit", "length", "speed"},
 }
-"""Facts that are added further up, where they are known, by room or code."""
+"""Facts that callers add later, by topic or code."""
 WORDS_THEMSELVES = ("core/errors.py", "core/message_format.py", "core/codes.py")
 STILL_SENTENCES: set[str] = set()
-"""Rooms in which mistakes may still be three sentences, and sentences be read; who is done leaves, and none joins."""
+"""Packages in which logic may still read texts; no package joins."""
 
 
 def room_of(place: str) -> str:
@@ -47,7 +47,7 @@ def makers() -> dict[str, int]:
 
 
 def literals(node: ast.expr) -> Iterator[str]:
-    """Strings that an expression can be: itself, or either side of a choice."""
+    """Yield the strings of an expression: itself, or both sides of a conditional."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         yield node.value
     elif isinstance(node, ast.IfExp):
@@ -56,7 +56,7 @@ def literals(node: ast.expr) -> Iterator[str]:
 
 
 def calls() -> Iterator[tuple[str, ast.Call]]:
-    """Every call outside the files that make words of codes."""
+    """Yield all calls outside the files that format codes."""
     for place, path in FILES.items():
         for node in nodes(path) if place not in WORDS_THEMSELVES else ():
             if isinstance(node, ast.Call):
@@ -64,7 +64,7 @@ def calls() -> Iterator[tuple[str, ast.Call]]:
 
 
 def made() -> Iterator[tuple[str, ast.Call, str]]:
-    """Place, call and code of everything that is said."""
+    """Yield location, call and code of all messages."""
     places = makers()
     for where, call in calls():
         if len(call.args) > places.get(name_of(call), 99):
@@ -75,16 +75,16 @@ def is_code(text: str) -> bool:
     return text == "said" or (re.fullmatch(r"\w+(\.\w+)+", text) is not None and text.partition(".")[0] in ROOMS)
 
 
-def test_every_code_that_is_said_has_words():
+def test_every_message_has_a_template():
     missing = []
     for where, call, text in made():
-        # A helper of a room may put the room before what it is given.
+        # A helper of a topic may add the topic.
         known = CODES if name_of(call) in MAKERS else {*CODES, *(code.partition(".")[2] for code in CODES)}
         missing += [f"{where}: {text}"] if is_code(text) and text not in known else []
     assert not missing, "\n" + "\n".join(missing)
 
 
-def test_every_word_is_said():
+def test_every_template_has_a_message():
     strings: set[str] = set()
     patterns = []  # of f-strings that make a code of its parts
     for path in FILES.values():
@@ -107,7 +107,7 @@ def test_every_word_is_said():
     assert not unsaid, "\n" + "\n".join(unsaid)
 
 
-def test_templates_show_only_what_is_given():
+def test_templates_show_only_facts_that_are_set():
     wrong = []
     for where, call, code in made():
         keywords = [each.arg for each in call.keywords]
@@ -120,12 +120,12 @@ def test_templates_show_only_what_is_given():
     assert not wrong, "\n" + "\n".join(wrong)
 
 
-def test_mistakes_have_three_parts_and_end_as_sentences():
+def test_errors_have_three_parts_and_end_as_sentences():
     wrong = []
     for code, words in CODES.items():
         if isinstance(words, str):
             continue
-        # A cure may end in a command to be copied.
+        # A hint may end in a command.
         ends = words["reason"].endswith((".", "}")), words["hint"].endswith((".", "?", "}", "--help"))
         is_whole = set(words) == {"given", "reason", "hint"} and all(words.values())
         wrong += [] if is_whole and all(ends) else [code]
@@ -135,11 +135,11 @@ def test_mistakes_have_three_parts_and_end_as_sentences():
 READERS = {"startswith", "endswith", "partition", "rpartition", "split", "removeprefix", "removesuffix", "index"}
 SENTENCE = re.compile(r"[A-Za-z]+(,? [A-Za-z]+){2,}")  # three words: shorter ones are names, as `not determined` is
 FOREIGN = {"engine/reference_solvers/solvers.py": "TOO_MUCH_WORK"}
-"""Where sentences of others are read, which have no codes: those of CVODES."""
+"""Files that read texts of other packages without codes: CVODES."""
 
 
 def is_sentence(node: ast.expr) -> bool:
-    """A string of several words, or the words of a mistake or a note."""
+    """Return True for a string of several words, or the text of an error or a note."""
     if isinstance(node, ast.Constant) and isinstance(node.value, str):
         return SENTENCE.search(node.value) is not None
     if isinstance(node, ast.Tuple | ast.List | ast.Set):
@@ -148,7 +148,7 @@ def is_sentence(node: ast.expr) -> bool:
 
 
 def is_said(node: ast.expr) -> bool:
-    """`error.given`, `error.reason`, `error.hint`, `str(note)`."""
+    """Return True for `error.given`, `error.reason`, `error.hint`, `str(note)`."""
     if isinstance(node, ast.Attribute):
         return node.attr in ("given", "reason", "hint")
     is_text = isinstance(node, ast.Call) and name_of(node) == "str" and isinstance(node.args[0], ast.Name)
@@ -156,7 +156,7 @@ def is_said(node: ast.expr) -> bool:
 
 
 def readings() -> Iterator[str]:
-    """Where logic reads a sentence."""
+    """Yield the locations at which logic reads a text."""
     for place, path in FILES.items():
         for node in nodes(path) if place not in WORDS_THEMSELVES else ():
             is_reading = False
@@ -169,7 +169,7 @@ def readings() -> Iterator[str]:
 
 
 def sentences() -> Iterator[str]:
-    """Mistakes that are given as three sentences, and the house's own words handed on as a user's."""
+    """Yield errors that are built from texts, and texts that are passed as those of a user."""
     for where, call in calls():
         if call.args and name_of(call) in MAKERS:
             codes = list(literals(call.args[0]))
@@ -178,11 +178,11 @@ def sentences() -> Iterator[str]:
                 yield f"{where}: {ast.unparse(call)[:90]}"
 
 
-def test_no_logic_reads_a_sentence():
+def test_no_logic_reads_a_text():
     found = [line for line in readings() if room_of(line) not in STILL_SENTENCES]
     assert not found, "\n" + "\n".join(found)
 
 
-def test_what_the_house_says_is_a_code():
+def test_messages_are_codes():
     found = [line for line in sentences() if room_of(line) not in STILL_SENTENCES]
     assert not found, "\n" + "\n".join(found)

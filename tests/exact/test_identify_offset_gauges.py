@@ -12,7 +12,7 @@ from scipy.stats import binom
 from poppet import Chamber, Circuit, Orifice
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.identify_fit import describe
+from poppet.identify.fit.identify_fit import describe_optimum
 from poppet.identify.fit.search import optimise
 from poppet.identify.fit.statistics import covariance
 from poppet.identify.free_parameter import FreeParameter
@@ -89,7 +89,7 @@ def trial(bench: str, offsets: tuple[float, float], seed: int) -> Trial:
     )
     experiment = Experiment(circuit.instance, Measurement("run", channels, duration=duration), free)
     optimum = optimise([experiment], free)
-    result = describe(FitPlan((experiment,), free), optimum, with_trials=False)
+    result = describe_optimum(FitPlan((experiment,), free), optimum, with_trials=False)
     truth = [float(circuit.numbers()[f.address]) for f in free]
     found = [result.parameters[f.name] for f in free]
     plain = 1.96 * np.sqrt(np.diag(covariance(optimum)))

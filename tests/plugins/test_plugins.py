@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,8 @@ TOY = {
     "poppet.parts": ["toy_membrane = toy_plugin:Membrane"],
     "poppet.library": ["toy_set = toy_plugin:SET"],
     "poppet.readers": ["toy = toy_plugin:read"],
+    "poppet.targets": ["toy = toy_target:TARGET"],
+    "poppet.methods": ["toy_mean = toy_method:METHOD"],
 }
 BROKEN = {
     "poppet.parts": [
@@ -109,12 +112,31 @@ def test_the_command_line_lists_plugins_and_notes_those_that_it_ignores(environm
     assert '"toy_set"' in schema.stdout
 
 
+def test_an_export_target_is_a_command(environment, tmp_path):
+    (tmp_path / "circuit.toml").write_text(CIRCUIT)
+    listed = run(environment, "-m", "poppet", "--help", folder=tmp_path)
+    assert "numbers of a circuit as text" in listed.stdout
+    done = run(environment, "-m", "poppet", "export", "toy", "circuit.toml", "-o", "numbers.txt", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "tank.volume = 1 l" in (tmp_path / "numbers.txt").read_text()
+
+
+@pytest.mark.skipif(find_spec("poppet.identify.methods") is None, reason="methods are not in a registry")
+def test_an_identification_method_is_a_command(environment, tmp_path):
+    (tmp_path / "values.txt").write_text("1.0\n3.0\n")
+    listed = run(environment, "-m", "poppet", "identify", "--help", folder=tmp_path)
+    assert "toy_mean" in listed.stdout
+    done = run(environment, "-m", "poppet", "identify", "toy_mean", "values.txt", folder=tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert "mean 2" in done.stdout
+
+
 def test_invalid_plugins_are_ignored_with_a_warning(tmp_path, monkeypatch):
     install(tmp_path, "toy", TOY)
     install(tmp_path, "broken", BROKEN)
     monkeypatch.syspath_prepend(str(HERE))
     monkeypatch.syspath_prepend(str(tmp_path))
-    kinds = Registry("poppet.parts", {"reservoir": "poppet.parts.reservoir:Reservoir"}, lambda n, v: v.kind == n)
+    kinds = Registry("poppet.parts", {"reservoir": "poppet.parts.sources:Reservoir"}, lambda n, v: v.kind == n)
     assert kinds["reservoir"].kind == "reservoir"
     assert not kinds.is_extended
     with pytest.warns(PluginWarning) as caught:

@@ -14,9 +14,8 @@ from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.core.provenance import SOURCE_KINDS
 from poppet.parts import KINDS
 from poppet.parts.fields import OFF_ON, BodySpec, GroupSpec, MemberSpec, NumberSpec, OptionSpec, PortSpec, Spec, specs
-from poppet.parts.force_rows import ForceRows
-from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.quantities import QUANTITIES
+from poppet.parts.rows import ForceRows, GainSchedule
 
 DRAFT = "https://json-schema.org/draft/2020-12/schema"
 Schema = dict[str, Any]

@@ -6,7 +6,10 @@ from collections.abc import Iterable
 
 from poppet.cli.parser import Command
 from poppet.core.command_options import FILE, SET, WITH, Option
-from poppet.deploy.targets import BUILT_IN, TARGETS, Target
+from poppet.deploy import targets as export_targets
+from poppet.deploy.targets import TARGETS, Target
+from poppet.identify import methods as identification
+from poppet.identify.methods import METHODS, Method
 
 RECORDINGS = (".csv", ".parquet", ".mat")
 PICTURES = (".png", ".svg", ".pdf")
@@ -20,7 +23,6 @@ UNITS = Option("--units LIST", 'units of the results: "bar,degC,l/min ANR" or AD
 SELECT = Option("--select LIST", 'outputs of the results: "tank.*,valve.stroke"')
 ALL = Option("--all", "include internal outputs of the parts: sensors, integrals, duties")
 TUNE, COMPARE = ("tune",), ("compare",)
-FIT, FIT_OR_TANK = ("fit",), ("fit", "tank")
 
 _COMMANDS = {
     "simulate": Command(
@@ -50,40 +52,6 @@ _COMMANDS = {
             "poppet simulate valve-fill.toml",
             'poppet simulate valve-fill.toml --set tank.volume="0.1 m^3" -o fill.csv --plot fill.png',
             'poppet simulate valve-fill.toml --stop-when "tank.pressure > 2 bar" --units "bar,degC,l/min ANR"',
-        ),
-    ),
-    "identify": Command(
-        "parameters with intervals from recordings: fit, tank, flow, characteristic, muscle, friction, design",
-        "identify:execute",
-        (
-            Option(
-                "METHOD",
-                "",
-                choices={
-                    "fit": "any free parameters of any circuit, from any recordings",
-                    "tank": "C, b and wall heat from a charge or discharge test (ISO 6358-2)",
-                    "flow": "C, b, m and cracking pressure from a steady flow bench (ISO 6358-1)",
-                    "characteristic": "C(x), b(x) from tests at known strokes",
-                    "muscle": "force law of a muscle, from a force map or recordings",
-                    "friction": "friction law, from velocity-force tables or recordings of motion",
-                    "design": "most informative of the possible tests",
-                },
-            ),
-            Option("FILE", "identification file (.toml), see docs/identify.md"),
-            RESULT,
-            REPORT,
-            Option("--compare FILE", "compare with another fit file", actions=FIT),
-            Option("--profile ADDRESS ...", "interval by profile likelihood; may be repeated", actions=FIT_OR_TANK),
-            Option("--contour", "cost versus conductance and wall heat, for the report", actions=FIT_OR_TANK),
-            Option("--bootstrap N", "N bootstrap fits", actions=FIT_OR_TANK, keywords={"type": int, "default": 0}),
-            Option("--library FILE", "write C(x), b(x) for circuit files", (".toml",), actions=("characteristic",)),
-            Option("--all", "print all findings instead of the first three"),
-        ),
-        (
-            "poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",
-            "poppet identify friction FRICTION.toml -o RESULT.toml --report REPORT.html",
-            "poppet identify characteristic TESTS.toml --library valve.toml",
-            "poppet identify design DESIGN.toml --report DESIGN.html",
         ),
     ),
     "bench": Command(
@@ -387,7 +355,7 @@ _COMMANDS = {
         ("poppet paper", "poppet paper -o figures"),
     ),
 }
-"""Commands by name, except those of export targets."""
+"""Commands by name, except those of export targets and identification methods."""
 
 
 def target_command(target: Target) -> Command:
@@ -406,9 +374,34 @@ def target_command(target: Target) -> Command:
     )
 
 
-def _with_targets(targets: Iterable[Target]) -> dict[str, Command]:
+def identify_command(methods: Iterable[Method]) -> Command:
+    """Return the command of the identification methods, with the options that they declare."""
+    methods = tuple(methods)
+    options = {item.option.usage: item.option for method in methods for item in method.options}
+    actions = {
+        usage: tuple(m.name for m in methods if any(item.option.usage == usage for item in m.options))
+        for usage in options
+    }
+    return Command(
+        f"parameters with confidence intervals from recordings: {', '.join(method.name for method in methods)}",
+        "identify:execute",
+        (
+            Option("METHOD", "", choices={method.name: method.summary for method in methods}),
+            Option("FILE", "identification file (.toml), see docs/identify.md"),
+            RESULT,
+            REPORT,
+            *(option._replace(actions=actions[usage]) for usage, option in options.items()),
+            Option("--all", "print all findings instead of the first three"),
+        ),
+        tuple(example for method in methods for example in method.examples),
+    )
+
+
+def _with_plugins(targets: Iterable[Target], methods: Iterable[Method]) -> dict[str, Command]:
     commands: dict[str, Command] = {}
     for name, command in _COMMANDS.items():
+        if name == "bench":
+            commands["identify"] = identify_command(methods)
         if name == "export check":
             commands |= {target.command: target_command(target) for target in targets}
         commands[name] = command
@@ -416,9 +409,9 @@ def _with_targets(targets: Iterable[Target]) -> dict[str, Command]:
 
 
 def all_commands() -> dict[str, Command]:
-    """Return all commands, with those of targets of other packages."""
-    return _with_targets(TARGETS.values())
+    """Return all commands, with targets and methods of other packages."""
+    return _with_plugins(TARGETS.values(), METHODS.values())
 
 
-COMMANDS = _with_targets(BUILT_IN)
+COMMANDS = _with_plugins(export_targets.BUILT_IN, identification.BUILT_IN)
 """Built-in commands by name, in the order of the help."""

@@ -82,7 +82,9 @@ def run(arguments: Sequence[str] | None = None) -> int:
 
 def command_parser(name: str) -> CommandParser:
     """Return the parser of a command."""
-    return CommandParser(name, COMMANDS[name] if name in COMMANDS else all_commands()[name])
+    # `identify` has the methods of other packages.
+    is_built_in = name in COMMANDS and name != "identify"
+    return CommandParser(name, COMMANDS[name] if is_built_in else all_commands()[name])
 
 
 def split_command(arguments: list[str]) -> tuple[str, list[str]]:

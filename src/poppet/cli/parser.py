@@ -107,16 +107,16 @@ class CommandParser(argparse.ArgumentParser):
         """Reject an output file that is also an input file or another output file."""
         from os.path import realpath
 
-        used: set[str] = set()
+        paths: set[str] = set()
         written = [option for option in self.options if option.formats or option.name == "output"]
         for option in self.options:
             value = getattr(options, option.name)
             if value and option not in written and option.metavar in ("FILE", "RECORDING", "RESULT"):
-                used |= {realpath(path) for path in ([value] if isinstance(value, str) else value)}
+                paths |= {realpath(path) for path in ([value] if isinstance(value, str) else value)}
         for path in filter(None, (getattr(options, option.name) for option in written)):
-            if realpath(path) in used:
+            if realpath(path) in paths:
                 raise InputError("cli.output.taken", path=str(path))
-            used.add(realpath(path))
+            paths.add(realpath(path))
 
     def error(self, message: str) -> NoReturn:
         """Raise the message that argparse would print."""

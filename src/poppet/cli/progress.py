@@ -115,7 +115,7 @@ class BenchProgress(_Display):
 
 
 class Spinner(_Display):
-    """Text beside a spinner, for work without callbacks; a timer shows it."""
+    """Text with a spinner, for work without callbacks; a timer shows it."""
 
     def __init__(self, text: str, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)

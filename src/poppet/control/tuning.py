@@ -26,10 +26,9 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, SimulationError
 from poppet.core.provenance import Number, Source
 from poppet.core.units import convert
-from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.pid import PID
 from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of, gain_unit
-from poppet.parts.rows import as_numbers
+from poppet.parts.rows import GainSchedule, as_numbers
 from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:

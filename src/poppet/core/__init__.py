@@ -1,1 +1,1 @@
-"""What everything stands on: errors, units, sources of numbers, files. Imports nothing of the house."""
+"""Foundation of all packages: errors, units, sources of parameters, files. It imports no other package of poppet."""

@@ -1,4 +1,4 @@
-"""Files written whole or not at all, and their formats chosen by suffix."""
+"""Atomic writing of files, and selection of formats by file extension."""
 
 from __future__ import annotations
 
@@ -16,12 +16,12 @@ Choice = TypeVar("Choice")
 
 
 def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
-    """Write any file aside and rename it: it is replaced as a whole or not at all."""
-    # Through a link to the file itself: renaming onto the link would turn it into a file of its own.
+    """Write a temporary file and rename it, so that the target is replaced completely or not at all."""
+    # Resolve links: renaming onto a link would replace the link.
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(target.parent))
-    # In the same folder, because a rename across file systems is a copy, which can stop half way.
+    # In the same folder: a rename across file systems is a copy, which is not atomic.
     aside = target.with_name(f".{target.name}.{_host()}-{os.getpid()}-{uuid.uuid4().hex[:12]}")
     for orphan in _orphans(target):
         with suppress(OSError):
@@ -38,12 +38,12 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
 
 
 def _host() -> str:
-    """Tells machines that share a folder apart: a process of another one is not seen here, and yet may be writing."""
+    """Return a hash of the host name: processes of other hosts may write to a shared folder, but are not visible."""
     return f"{zlib.crc32(os.uname().nodename.encode()) if hasattr(os, 'uname') else 0:08x}"
 
 
 def _orphans(target: Path) -> Iterator[Path]:
-    """What killed processes of this machine have left beside a file."""
+    """Yield temporary files of killed processes of this host."""
     start = f".{target.name}.{_host()}-"
     with os.scandir(target.parent) as entries:
         names = [entry.name for entry in entries if entry.name.startswith(start)]
@@ -55,7 +55,7 @@ def _orphans(target: Path) -> Iterator[Path]:
 
 def _is_running(process: int) -> bool:
     if os.name != "posix":
-        return True  # where asking with signal 0 would end it
+        return True  # signal 0 would end the process
     try:
         os.kill(process, 0)
     except ProcessLookupError:
@@ -66,7 +66,7 @@ def _is_running(process: int) -> bool:
 
 
 def by_suffix(path: Path, choices: Mapping[str, Choice]) -> Choice:
-    """The choice for the format that a file's suffix names."""
+    """Return the choice for the file extension of a path."""
     suffix = path.suffix.lower()
     if suffix not in choices:
         raise InputError("files.suffix", path=str(path), suffix=path.suffix, near=NameSuggestion(suffix, choices))

@@ -130,16 +130,16 @@ def plain(text: str) -> str:
         if name is None:
             continue
         fact = re.split(r"[.\[]", name)[0]
-        shown, spec = f"<{fact}>", spec or ""
+        display, spec = f"<{fact}>", spec or ""
         if spec.startswith("|"):
-            shown = spec.rpartition("|")[2]
+            display = spec.rpartition("|")[2]
         elif spec.startswith("?"):
-            shown = f"[{plain(spec[1:].replace('%s', shown))}]"
+            display = f"[{plain(spec[1:].replace('%s', display))}]"
         elif spec == "unit":
-            shown = f" {shown}"
+            display = f" {display}"
         elif ">" in spec:
-            shown += f" {spec.rpartition(' ')[0].partition('>')[2]}".rstrip()
-        pieces.append(shown)
+            display += f" {spec.rpartition(' ')[0].partition('>')[2]}".rstrip()
+        pieces.append(display)
     return "".join(pieces)
 
 

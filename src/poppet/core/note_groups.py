@@ -42,12 +42,12 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
     >>> print(*grouped([Note("signals.held_after", each, source="", value=1.0, time=2.0) for each in "abcdefg"]))
     a is kept at its last value, 1, after t = 2 s. 6 similar notes: b, c, d and 3 others.
     """
-    said = list(dict.fromkeys(notes_of(notes)))
+    unique_notes = list(dict.fromkeys(notes_of(notes)))
     kinds: dict[str, list[Note]] = {}
-    for note in said:
+    for note in unique_notes:
         kinds.setdefault(_kind(note), []).append(note)
     is_many = {kind: len(alike) >= FEWEST for kind, alike in kinds.items()}
-    firsts = [note for note in said if not is_many[_kind(note)] or note is kinds[_kind(note)][0]]
+    firsts = [note for note in unique_notes if not is_many[_kind(note)] or note is kinds[_kind(note)][0]]
     return [_several(kinds[_kind(note)]) if is_many[_kind(note)] else note for note in firsts]
 
 
@@ -57,8 +57,8 @@ def _kind(note: Note) -> str:
 
 
 def _several(alike: list[Note]) -> Note:
-    first, *others = alike
-    facts = {"first": str(first), "more": len(others), "kind": first.code}
+    first, *rest_of_notes = alike
+    facts = {"first": str(first), "more": len(rest_of_notes), "kind": first.code}
     size = SIZES.get(first.code)
     if size is not None:
         # Files of older versions may not contain the fact.
@@ -67,6 +67,14 @@ def _several(alike: list[Note]) -> Note:
         if worst is first:
             return Note("several.none_worse", first.address, **facts)
         return Note("several.worst", worst.address, **facts, worst=str(worst))
-    places = [place for place in dict.fromkeys(note.address for note in others) if place != first.address]
-    shown = tuple(places[:3]) if len(places) > 4 else tuple(places)
-    return Note("several.alike", first.address, **facts, places=shown, others=len(places) - len(shown) or None)
+    addresses = [
+        address for address in dict.fromkeys(note.address for note in rest_of_notes) if address != first.address
+    ]
+    first_addresses = tuple(addresses[:3]) if len(addresses) > 4 else tuple(addresses)
+    return Note(
+        "several.alike",
+        first.address,
+        **facts,
+        places=first_addresses,
+        others=len(addresses) - len(first_addresses) or None,
+    )

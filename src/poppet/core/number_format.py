@@ -1,4 +1,4 @@
-"""Numbers as an engineer writes them: a usual unit, digits that fit the uncertainty, words where there is none."""
+"""Formatting of values: usual units, digits according to the uncertainty, words for values that are not finite."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 ROUNDING = 1e-12
-"""Part of a series' largest value below which a table shows 0."""
+"""Fraction of the largest value of a series below which a table shows 0."""
 USUAL = {
     "Pa": "bar",
     "K": "degC",
@@ -23,9 +23,9 @@ USUAL = {
     "Pa s": "bar s",
     "Pa s^2": "bar s^2",
 }
-"""SI unit to the one in which people read it, in figures, tables and on terminals alike; the others stay SI."""
+"""Usual unit of figures, tables and terminals for each SI unit; other units stay SI."""
 
-# SI unit to the units it is shown in where sizes differ by decades, each from this size in SI on.
+# Display units of each SI unit with their smallest size in SI, for sizes that differ by decades.
 _LADDERS: dict[str, tuple[tuple[str, float], ...]] = {
     "Pa": (("Pa", 0.0), ("kPa", 1e3), ("bar", 1e4)),
     "m": (("um", 0.0), ("mm", 1e-5), ("m", 0.1)),
@@ -40,11 +40,11 @@ _LADDERS: dict[str, tuple[tuple[str, float], ...]] = {
 }
 _NO_CHARACTERS = re.compile("[\x00-\x08\x0b\x0c\x0e-\x1f\x7f-\x9f\ud800-\udfff\ufffe\uffff]")
 _SMALLEST_PLAIN, _LARGEST_PLAIN = 1e-6, 1e6
-"""Errors between which a number is written without an exponent."""
+"""Errors between which a value is written without an exponent."""
 
 
 def printable(text: str) -> str:
-    """A text without what XML and HTML forbid and terminals obey.
+    """Return a text without control characters.
 
     Examples
     --------
@@ -55,7 +55,7 @@ def printable(text: str) -> str:
 
 
 def readable_unit(unit: str, *sizes: float) -> str:
-    """The unit in which the largest of some values is easy to read.
+    """Return the unit in which the largest of some values is easy to read.
 
     Examples
     --------
@@ -69,7 +69,7 @@ def readable_unit(unit: str, *sizes: float) -> str:
 
 
 def pretty(unit: str) -> str:
-    """A unit as print has it.
+    """Return a unit in print notation.
 
     Examples
     --------
@@ -80,12 +80,12 @@ def pretty(unit: str) -> str:
 
 
 def with_unit(text: str, unit: str) -> str:
-    """A number's text and its unit in print, or the text alone where there is no unit."""
+    """Return a text with its unit in print notation."""
     return text if unit in ("1", "") else f"{text} {pretty(unit)}"
 
 
 def digits_of(value: float, largest: float) -> str:
-    """Five digits of a value of a series; what is below the rounding of its largest value is zero.
+    """Return five digits of a value; values below the rounding error of the largest value are zero.
 
     Examples
     --------
@@ -96,7 +96,7 @@ def digits_of(value: float, largest: float) -> str:
 
 
 def decimals(error: float) -> int | None:
-    """Decimals that show two digits of an uncertainty.
+    """Return the number of decimals that show two digits of an uncertainty.
 
     Examples
     --------
@@ -108,8 +108,8 @@ def decimals(error: float) -> int | None:
     return max(0, 1 - math.floor(math.log10(error)))
 
 
-def number(value: float, places: int | None = None) -> str:
-    """A number with so many decimals, or with five digits; words where it is none.
+def number(value: float, n_decimals: int | None = None) -> str:
+    """Return a value with a number of decimals, or five digits; words if it is not finite.
 
     Examples
     --------
@@ -120,13 +120,13 @@ def number(value: float, places: int | None = None) -> str:
         return "not known"
     if math.isinf(value):
         return "infinite" if value > 0.0 else "minus infinite"
-    if places is None or abs(value) >= _LARGEST_PLAIN:
+    if n_decimals is None or abs(value) >= _LARGEST_PLAIN:
         return f"{value:z.5g}"
-    return f"{value:z.{places}f}"
+    return f"{value:z.{n_decimals}f}"
 
 
 def value_with_error(value: float, error: float, unit: str, shown_in: str) -> str:
-    """A value and its standard error in a common unit, without it, rounded to two digits of the error.
+    """Return a value and its standard error in a display unit, rounded to two digits of the error.
 
     Examples
     --------
@@ -138,41 +138,41 @@ def value_with_error(value: float, error: float, unit: str, shown_in: str) -> st
     value, error = scaled(value, unit, shown_in), scaled(error, unit, shown_in)
     if not math.isfinite(error):
         return f"{number(value)} (error {number(error)})"
-    places = decimals(error)
-    if places is None or error > abs(value):
+    n_decimals = decimals(error)
+    if n_decimals is None or error > abs(value):
         return f"{number(value)} ± {error:.2g}"
-    return f"{number(value, places)} ± {number(error, places)}"
+    return f"{number(value, n_decimals)} ± {number(error, n_decimals)}"
 
 
 def interval(low: float, high: float, unit: str, shown_in: str) -> str:
-    """An interval in a unit, without it, with words for ends that are none.
+    """Return an interval in a display unit, with words for infinite ends.
 
     Examples
     --------
     >>> interval(0.2, 0.31, "1", "1"), interval(2e5, float("inf"), "Pa", "bar")
     ('0.200 ... 0.310', '2 ... no upper limit')
     """
-    places = decimals(scaled((high - low) / 4.0, unit, shown_in))
-    below = number(scaled(low, unit, shown_in), places) if math.isfinite(low) else ""
-    above = number(scaled(high, unit, shown_in), places) if math.isfinite(high) else ""
-    if below and above:
-        return f"{below} ... {above}"
-    if not below and not above:
+    n_decimals = decimals(scaled((high - low) / 4.0, unit, shown_in))
+    low_text = number(scaled(low, unit, shown_in), n_decimals) if math.isfinite(low) else ""
+    high_text = number(scaled(high, unit, shown_in), n_decimals) if math.isfinite(high) else ""
+    if low_text and high_text:
+        return f"{low_text} ... {high_text}"
+    if not low_text and not high_text:
         return "not known" if math.isnan(low) or math.isnan(high) else "no limit"
-    return f"{below} ... no upper limit" if below else f"no lower limit ... {above}"
+    return f"{low_text} ... no upper limit" if low_text else f"no lower limit ... {high_text}"
 
 
 def scaled(difference: float, unit: str, shown_in: str) -> float:
-    """A value or a difference in another unit of the same zero; infinite stays infinite."""
+    """Return a value or a difference in another unit with the same zero."""
     if unit == shown_in or not math.isfinite(difference):
         return difference
-    from poppet.core.units import convert  # numpy, which the help of a command does without
+    from poppet.core.units import convert  # imports NumPy, which the help of a command does not need
 
     return float(convert(difference, unit, shown_in))
 
 
 def aligned(rows: Sequence[Sequence[str]], numbers: Iterable[int]) -> str:
-    """A table of text: columns under each other, those of numbers flush right.
+    """Return a table of text with aligned columns; columns of numbers are right-aligned.
 
     Examples
     --------

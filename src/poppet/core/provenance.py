@@ -1,4 +1,4 @@
-"""Where a number comes from: every value carries its unit, its reference and its source."""
+"""Parameters with value, unit, reference and source."""
 
 from __future__ import annotations
 
@@ -19,16 +19,16 @@ REFERENCES: tuple[Reference, ...] = get_args(Reference)
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """Where a number was found.
+    """Source of a parameter.
 
     Parameters
     ----------
     kind : str
-        One of `SOURCE_KINDS`; `given` means that the user typed it.
+        One of `SOURCE_KINDS`; `given` is a value of the user.
     locator : str, optional
-        Where to look it up: work, table, page, equation, file.
+        Location in the source: work, table, page, equation, file.
     note : str, optional
-        What a reader has to know: why it was assumed, what it was read from.
+        Note for the reader, for example the reason for an assumption.
 
     Examples
     --------
@@ -52,7 +52,7 @@ class Source:
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """A value with its unit, its reference and its source.
+    """Value with its unit, its reference and its source.
 
     Parameters
     ----------
@@ -61,15 +61,15 @@ class Number:
     unit : str
         An SI unit as `poppet.core.units` writes it, `m^3/(s Pa)`.
     source : Source
-        Where the value comes from.
+        Source of the value.
     reference : str, optional
         `absolute`, `gauge` or `difference` for pressures and temperatures, else empty.
     text : str, optional
-        What was written, `6 bar g`; shown instead of the SI value.
+        Text of the user, `6 bar g`; displayed instead of the SI value.
 
     Notes
     -----
-    A gauge pressure has no absolute value before the ambient pressure is known: `float(number)` refuses it.
+    A gauge pressure requires the ambient pressure for its absolute value: `float(number)` raises an error.
 
     Examples
     --------
@@ -98,7 +98,7 @@ class Number:
         return float(self.value)
 
     def absolute(self, ambient_pressure: float) -> float:
-        """The value with a gauge pressure referred to vacuum; every other number as it is.
+        """Return the value, a gauge pressure as an absolute pressure.
 
         Parameters
         ----------
@@ -118,7 +118,7 @@ class Number:
         return float(result)
 
     def display(self) -> str:
-        """The number as a person would write it: its text where there is one, else value and unit, `600000 Pa g`."""
+        """Return the text of the user, or value and unit, `600000 Pa g`."""
         if self.text and not _is_bare(self.text):
             return self.text
         unit = "" if self.unit in ("", "1") else f" {self.unit}"
@@ -137,7 +137,7 @@ def _is_bare(text: str) -> bool:
 
 
 def assumed(value: float, unit: str, note: str, *, reference: Reference = "") -> Number:
-    """A number nobody printed or measured; it is shown as such wherever it appears.
+    """Return an assumed parameter; reports mark it as assumed.
 
     Examples
     --------
@@ -148,7 +148,7 @@ def assumed(value: float, unit: str, note: str, *, reference: Reference = "") ->
 
 
 def printed(value: float, unit: str, locator: str, note: str = "", *, reference: Reference = "") -> Number:
-    """A number printed in a paper.
+    """Return a parameter from a paper.
 
     Examples
     --------

@@ -1,8 +1,8 @@
-"""The few functions with which a law is written once for floats, NumPy arrays and CasADi symbols.
+"""Functions for laws of floats, NumPy arrays and CasADi symbols.
 
-Plain operators work on all three already; this module adds choices and elementary functions. A symbol is recognised
-without importing CasADi. Conditions are evaluated on both sides everywhere, so keep the argument of a square root or a
-power in its domain (clip first): that is what makes derivatives finite too.
+Operators work for all three; this module adds conditions and elementary functions. It recognises a symbol without an
+import of CasADi. Both sides of a condition are always evaluated: clip the argument of a square root or a power to its
+domain first, which also keeps derivatives finite.
 """
 
 from __future__ import annotations
@@ -14,12 +14,12 @@ import numpy as np
 
 
 def is_symbolic(*values: Any) -> bool:
-    """True when any value is a CasADi symbol."""
+    """Return True if any value is a CasADi symbol."""
     return any(type(value).__module__.startswith("casadi") for value in values)
 
 
 def is_array(*values: Any) -> bool:
-    """True when any value is a NumPy array (or a sequence NumPy would take as one)."""
+    """Return True if any value is a NumPy array, a list or a tuple."""
     return any(isinstance(value, (np.ndarray, list, tuple)) for value in values)
 
 
@@ -30,7 +30,7 @@ def _casadi() -> Any:
 
 
 def where(condition: Any, if_true: Any, if_false: Any) -> Any:
-    """`if_true` where the condition holds, else `if_false`."""
+    """Return `if_true` if the condition is true, otherwise `if_false`, elementwise."""
     if is_symbolic(condition, if_true, if_false):
         ca = _casadi()
         if not is_symbolic(condition):
@@ -42,7 +42,7 @@ def where(condition: Any, if_true: Any, if_false: Any) -> Any:
 
 
 def minimum(a: Any, b: Any) -> Any:
-    """The smaller of two, elementwise; on a tie of a symbol the derivative is that of one side."""
+    """Return the smaller value, elementwise; for equal symbols the derivative is that of one side."""
     if is_symbolic(a, b):
         return _casadi().fmin(a, b)
     if is_array(a, b):
@@ -51,7 +51,7 @@ def minimum(a: Any, b: Any) -> Any:
 
 
 def maximum(a: Any, b: Any) -> Any:
-    """The larger of two, elementwise."""
+    """Return the larger value, elementwise."""
     if is_symbolic(a, b):
         return _casadi().fmax(a, b)
     if is_array(a, b):
@@ -60,18 +60,18 @@ def maximum(a: Any, b: Any) -> Any:
 
 
 def clip(value: Any, low: Any, high: Any) -> Any:
-    """`value` held between `low` and `high`; `low` wins where the two cross."""
+    """Limit a value to `low` and `high`; if `low` exceeds `high`, the result is `low`."""
     return maximum(minimum(value, high), low)
 
 
-# Plain floats go to `math`: NumPy's functions of one number take ten times as long.
-def _elementary(name: str, plain: Any) -> Any:
+# `math` for floats: the functions of NumPy take ten times longer for one value.
+def _elementary(name: str, float_function: Any) -> Any:
     def apply(value: Any) -> Any:
         if is_symbolic(value):
             return getattr(_casadi(), name)(value)
         if is_array(value):
             return getattr(np, name)(value)
-        return plain(value)
+        return float_function(value)
 
     apply.__name__ = apply.__qualname__ = name
     apply.__doc__ = f"{name} of a float, array or symbol."
@@ -88,6 +88,6 @@ floor = _elementary("floor", math.floor)
 
 
 def smoothstep(value: Any, low: Any, high: Any) -> Any:
-    """Zero below `low`, one above `high`, the C1 cubic 3 s^2 - 2 s^3 between."""
+    """Return 0 below `low`, 1 above `high`, and the cubic 3 s^2 - 2 s^3 between them."""
     s = clip((value - low) / (high - low), 0.0, 1.0)
     return s * s * (3.0 - 2.0 * s)

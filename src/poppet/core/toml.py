@@ -1,4 +1,4 @@
-"""Results as text for files: TOML and JSON of plain tables, nothing rounded."""
+"""Text of result files: TOML and JSON without rounding."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from typing import Any
 
 
 def json_text(content: Mapping[str, Any]) -> str:
-    """A result as JSON; what JSON has no number for stands as a text: "nan", "inf", "-inf"."""
+    """Return a result as JSON; values that are not finite become texts: "nan", "inf", "-inf"."""
     return json.dumps(_plain(content, as_text=True), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def from_json(value: Any) -> Any:
-    """What `json_text` wrote, with its numbers that are not finite as numbers again."""
+    """Return the content of JSON from `json_text`, with values that are not finite as numbers."""
     if isinstance(value, dict):
         return {key: from_json(v) for key, v in value.items()}
     if isinstance(value, list):
@@ -23,7 +23,7 @@ def from_json(value: Any) -> Any:
 
 
 def toml_text(content: Mapping[str, Any]) -> str:
-    """A result as TOML: plain values first, then tables within tables, then lists of tables.
+    """Return a result as TOML: values first, then nested tables, then lists of tables.
 
     Examples
     --------
@@ -40,30 +40,30 @@ def toml_text(content: Mapping[str, Any]) -> str:
 
 
 def _lines(path: str, table: Mapping[str, Any]) -> list[str]:
-    # First what is plain: behind the header of a table, everything would be a part of that.
-    plain = [f"{_key(k)} = {value_text(v)}" for k, v in table.items() if not _is_apart(path, v)]
-    lines = ["", f"[{path}]", *plain] if path and (plain or not table) else plain
+    # Values first: after the header of a table, they would belong to that table.
+    values = [f"{_key(k)} = {value_text(v)}" for k, v in table.items() if not _is_apart(path, v)]
+    lines = ["", f"[{path}]", *values] if path and (values or not table) else values
     for name, inner in table.items():
-        own = f"{path}.{_key(name)}" if path else _key(name)
+        address = f"{path}.{_key(name)}" if path else _key(name)
         if isinstance(inner, Mapping):
-            lines += _lines(own, inner)
+            lines += _lines(address, inner)
         elif _is_apart(path, inner):
             for row in inner:
-                lines += ["", f"[[{own}]]", *(f"{_key(k)} = {value_text(v)}" for k, v in row.items())]
+                lines += ["", f"[[{address}]]", *(f"{_key(k)} = {value_text(v)}" for k, v in row.items())]
     return lines
 
 
 def _is_apart(path: str, value: Any) -> bool:
-    """True for a table, and at the root for a list of nothing but tables."""
+    """Return True for a table, and at the root for a list of tables."""
     if isinstance(value, Mapping) or path:
         return isinstance(value, Mapping)
     return isinstance(value, list) and bool(value) and all(isinstance(row, Mapping) for row in value)
 
 
 def _plain(value: Any, *, as_text: bool = False) -> Any:
-    """Python's own types for numpy's; with `as_text` numbers that are not finite as texts."""
+    """Return values as types of Python; with `as_text`, values that are not finite as text."""
     if isinstance(value, Mapping):
-        # TOML has nothing for None; JSON has.
+        # TOML cannot contain None.
         return {str(key): _plain(v, as_text=as_text) for key, v in value.items() if as_text or v is not None}
     if hasattr(value, "tolist"):
         value = value.tolist()
@@ -77,7 +77,7 @@ def _key(name: str) -> str:
 
 
 def value_text(value: Any) -> str:
-    """One value as TOML in one line."""
+    """Return a value as TOML in one line."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Mapping):
@@ -87,10 +87,10 @@ def value_text(value: Any) -> str:
     if isinstance(value, int):
         return str(value)
     if isinstance(value, float):
-        return repr(value)  # nan, inf and -inf are TOML as they are
+        return repr(value)  # nan, inf and -inf are valid TOML
     return _quoted(str(value))
 
 
 def _quoted(text: str) -> str:
-    """A TOML basic string: JSON's, but for DEL, which TOML wants escaped."""
+    """Return a TOML basic string: a JSON string with DEL escaped."""
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -1,4 +1,4 @@
-"""TOML files that people write: their text, their tables, and the lines where mistakes stand."""
+"""TOML files of users: their text, their tables and the lines of errors."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ _KEY = re.compile(r"""\s*((?:[\w-]+|"[^"]*"|'[^']*')(?:\s*\.\s*(?:[\w-]+|"[^"]*"
 _PIECE = re.compile(r""""([^"]*)"|'([^']*)'|([\w-]+)""")
 _TOO_DEEP = re.compile(r"""(?<![\w"'-])(?:[\w"'-]++\s*+\.\s*+){64}""")
 LARGEST = 16 * 2**20
-"""Bytes of a file that a person should have written; recordings are read by others."""
+"""Maximum size of a file of a user in bytes; recordings have other readers."""
 _DECIMAL_COMMA = re.compile(r"[=\[,]\s*[+-]?\d+,\d+\s*(#|$)")
 
 
 @dataclass(frozen=True)
 class TomlFile:
-    """A TOML text with its name, to say in which line a mistake stands.
+    """TOML text with its name, which locates errors in lines.
 
     Examples
     --------
@@ -39,17 +39,17 @@ class TomlFile:
     """
 
     text: str
-    name: str  # shown with every mistake
-    folder: Path = Path()  # to which paths in it refer
+    name: str  # shown with each error
+    folder: Path = Path()  # base of relative paths in it
 
     @classmethod
     def read(cls, path: str | Path, table: str = "") -> TomlFile:
-        """The file at a path; where there is none, names of files with that table are offered that look alike."""
+        """Read a file; if it does not exist, suggest similar names of files with that table."""
         return cls(read_text(Path(path), table), str(path), Path(path).parent)
 
     @property
     def content(self) -> dict[str, Any]:
-        """Its tables; a control character in them is a mistake."""
+        """Tables of the file; a control character in them is an error."""
         tables = self.tables
         for address, text in _texts(tables):
             if printable(text) != text:
@@ -58,8 +58,8 @@ class TomlFile:
 
     @property
     def tables(self) -> dict[str, Any]:
-        """Its tables, whatever texts stand in them: results repeat what others wrote."""
-        # A table takes memory for each of the tables around it: 50,000 dotted names in 100 kB took 8 GB.
+        """Tables of the file with any texts: results repeat texts of other files."""
+        # A table takes memory for each enclosing table: 50,000 dotted names in 100 kB took 8 GB.
         if _TOO_DEEP.search(self.text):
             raise InputError("toml.too_deep")
         try:
@@ -70,42 +70,42 @@ class TomlFile:
             raise self._syntax_mistake(str(error)) from None
 
     def _syntax_mistake(self, message: str) -> InputError:
-        # The number of the line is nowhere but in the message.
-        found = re.search(r"at line (\d+)", message)
-        line = int(found.group(1)) if found else 0
+        # Only the message contains the line number.
+        match = re.search(r"at line (\d+)", message)
+        line = int(match.group(1)) if match else 0
         if line in self._lines.twice:
             name, is_table = self._lines.twice[line]
-            mistake = InputError("toml.table_twice" if is_table else "toml.key_twice", name)
+            error = InputError("toml.table_twice" if is_table else "toml.key_twice", name)
         else:
             has_comma = line and _DECIMAL_COMMA.search(self.text.splitlines()[line - 1])
-            mistake = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
-        return mistake.located(line=line or None)
+            error = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
+        return error.located(line=line or None)
 
     @contextmanager
     def errors(self) -> Iterator[ErrorCollector]:
-        """Raises all mistakes of a block at once, each with its line."""
+        """Raise all errors of a block together, each with its line."""
         try:
-            with ErrorCollector() as found:
-                yield found
-        except InputError as mistake:
-            raise self.located(mistake) from None
+            with ErrorCollector() as collector:
+                yield collector
+        except InputError as error:
+            raise self.located(error) from None
 
     def located(self, error: InputError) -> InputError:
-        """Mistakes with the lines where they stand, in the order of the lines; last what stands nowhere."""
+        """Return errors with their lines, in the order of the lines; errors without a line are last."""
         for problem in error.problems:
             if problem.file is None:
                 problem.located(file=self.name, line=self.line_of(problem.address))
-        found = sorted(error.problems, key=lambda problem: problem.line or math.inf)
-        return found[0] if len(found) == 1 else InputErrors(found)
+        problems = sorted(error.problems, key=lambda problem: problem.line or math.inf)
+        return problems[0] if len(problems) == 1 else InputErrors(problems)
 
     def line_of(self, address: str | None) -> int | None:
-        """Line of an address, or of the table around it."""
+        """Return the line of an address, or of its enclosing table."""
         while address:
             start = f"{address}."
-            found = self.lines.get(address) or next((n for path, n in self.lines.items() if path.startswith(start)), 0)
-            if found:
-                return found
-            # An entry of a list stands in the line of the list.
+            line = self.lines.get(address) or next((n for path, n in self.lines.items() if path.startswith(start)), 0)
+            if line:
+                return line
+            # An entry of a list has the line of the list.
             address = address[: address.rindex("[")] if address.endswith("]") else address.rpartition(".")[0]
         return None
 
@@ -120,9 +120,9 @@ class TomlFile:
 
 
 class _Lines:
-    """Where tables and keys of a TOML text stand: `of` by path, `twice` by line for what is not the first of its name.
+    """Lines of tables and keys of a TOML text by path (`of`), and repeated names by line (`twice`).
 
-    Texts that are no TOML are read as well, for it is in them that something stands twice.
+    Invalid TOML is read as well, because repeated names make it invalid.
     """
 
     def __init__(self, text: str) -> None:
@@ -131,15 +131,15 @@ class _Lines:
         self._known: set[str] = set()
         table, depth, quotes = "", 0, ""
         for number, line in enumerate(text.splitlines(), 1):
-            if quotes:  # inside a text of several lines, where nothing is a key
+            if quotes:  # inside a text of several lines, which contains no keys
                 quotes = "" if quotes in line else quotes
                 continue
-            # Within brackets that are still open, a line belongs to the value of a key above it.
+            # Inside open brackets, a line belongs to the value of an earlier key.
             header = _HEADER.match(line) if depth == 0 else None
             key = _KEY.match(line) if depth == 0 and not header else None
             if header:
                 table = _dotted(header.group(2))
-                if header.group(1) == "[[":  # another one of a list: its keys begin anew
+                if header.group(1) == "[[":  # next table of a list: its keys can repeat
                     self._known -= {path for path in self._known if path.startswith(table)}
                 self._add(table, number, is_table=True)
             elif key:
@@ -147,8 +147,15 @@ class _Lines:
                 self._add(f"{table}.{path}" if table else path, number, is_table=False)
             quotes = next((q for q in ('"""', "'''") if line.count(q) % 2), "")
             if not header and not quotes:
-                bare = re.sub(r"\"[^\"]*\"|'[^']*'|#.*", "", line)
-                depth = max(0, depth + bare.count("[") + bare.count("{") - bare.count("]") - bare.count("}"))
+                without_texts = re.sub(r"\"[^\"]*\"|'[^']*'|#.*", "", line)
+                depth = max(
+                    0,
+                    depth
+                    + without_texts.count("[")
+                    + without_texts.count("{")
+                    - without_texts.count("]")
+                    - without_texts.count("}"),
+                )
 
     def _add(self, path: str, number: int, *, is_table: bool) -> None:
         self.of.setdefault(path, number)
@@ -158,7 +165,7 @@ class _Lines:
 
 
 def _texts(value: Any, address: str = "") -> Iterator[tuple[str, str]]:
-    """All keys and texts of some tables with their addresses."""
+    """Yield all keys and texts of tables with their addresses."""
     if isinstance(value, str):
         yield address, value
     elif isinstance(value, dict):
@@ -175,30 +182,30 @@ def _dotted(text: str) -> str:
 
 
 def _like(path: Path, table: str) -> NameSuggestion:
-    """Files beside one that is not there; a circuit has nothing in common with the settings of a project."""
-    known = []
-    for each in path.parent.glob(f"*{path.suffix}"):
+    """Return a suggestion of similar files with that table in the folder of a missing file."""
+    names = []
+    for file in path.parent.glob(f"*{path.suffix}"):
         with suppress(OSError, UnicodeDecodeError):
-            if not 0 < each.stat().st_size < LARGEST:
+            if not 0 < file.stat().st_size < LARGEST:
                 continue
-            if not table or TomlFile(each.read_text(encoding="utf-8-sig"), each.name).line_of(table):
-                known.append(each.name)
-    return NameSuggestion(path.name, known)
+            if not table or TomlFile(file.read_text(encoding="utf-8-sig"), file.name).line_of(table):
+                names.append(file.name)
+    return NameSuggestion(path.name, names)
 
 
 def read_text(path: Path, table: str = "") -> str:
-    """The text of a file a person should have written."""
+    """Return the text of a file of a user."""
     name = str(path)
     if "\n" in name:
         raise InputError("toml.no_path")
     try:
         with path.open("rb") as file:
-            data = file.read(LARGEST + 1)  # devices have no size, and no end
+            data = file.read(LARGEST + 1)  # devices have no size
     except FileNotFoundError:
-        near = _like(path, table)
-        is_lost = not near.names
+        suggestion = _like(path, table)
+        is_lost = not suggestion.names
         new = is_lost and table == "parts"
-        raise InputError("toml.no_file", path=name, near="" if is_lost else near, lost=is_lost, new=new) from None
+        raise InputError("toml.no_file", path=name, near="" if is_lost else suggestion, lost=is_lost, new=new) from None
     except OSError as error:
         raise InputError("toml.unreadable", path=name, why=error.strerror) from None
     if len(data) > LARGEST:

@@ -1,4 +1,4 @@
-"""The table of units and the grammar that reads a unit expression.
+"""Table of units, and grammar of unit expressions.
 
 Products by a space, `*` or `.`, division by `/`, powers by `^` or `**` with integer or fractional exponents,
 parentheses. Factors are exact rational numbers, so that a conversion is rounded once.
@@ -21,7 +21,7 @@ Dimension = tuple[Fraction, ...]  # exponents of m, kg, s, K, A, rad; the angle 
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """SI value = scale * (value + offset).
+    """Unit with SI value = scale * (value + offset).
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class Unit:
     scale : Fraction
         Factor to the SI unit.
     offset : Fraction, optional
-        What the scale's zero lies above absolute zero, in its own degrees.
+        Zero of the scale above absolute zero, in degrees of the scale.
     """
 
     dimension: Dimension
@@ -98,7 +98,7 @@ def _table() -> dict[str, Unit]:
 
 TABLE = _table()
 
-# How instruments write them in column headings.
+# Spellings of instruments in column headings.
 SPELLINGS = str.maketrans({"°": "deg", "µ": "u", "μ": "u", "²": "^2", "³": "^3", "·": "*"})
 
 
@@ -123,7 +123,7 @@ def read_unit(text: str) -> Unit:
     Raises
     ------
     UnitError
-        It is not an expression, or one of its symbols is unknown.
+        If the expression is invalid or contains an unknown symbol.
 
     Examples
     --------
@@ -134,7 +134,7 @@ def read_unit(text: str) -> Unit:
 
 
 class _Expression:
-    """A unit expression read once from left to right."""
+    """Parser of a unit expression, from left to right."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -165,7 +165,7 @@ class _Expression:
         unit, divided = self.power(), False
         while self.next not in (None, ")"):
             operator = self.take() if self.next in ("*", ".", "/") else "*"
-            # J/kg K is J/(kg K) to one reader and (J/kg) K to another; a/b/c is read one way only.
+            # J/kg K is ambiguous: J/(kg K) or (J/kg) K; a/b/c is not.
             if divided and operator != "/":
                 raise self.refused("unit.two_ways")
             divided = operator == "/"
@@ -230,11 +230,11 @@ def _tokens(text: str) -> Iterator[str]:
     end = len(text.rstrip())
     position = 0
     while position < end:
-        found = _TOKEN.match(text, position)
-        if found is None:
+        match = _TOKEN.match(text, position)
+        if match is None:
             raise UnitError("unit.character", unit=text, character=text[position:].strip()[0])
-        yield found.group(1)
-        position = found.end()
+        yield match.group(1)
+        position = match.end()
 
 
 def _decades(scale: Fraction) -> float:
@@ -245,13 +245,13 @@ _MEANT = {"C": "degC", "F": "degF", "sec": "s", "lpm": "l/min", "liter": "l", "l
 
 
 def _unknown(text: str, symbol: str) -> UnitError:
-    """The mistake with the cure that fits best."""
+    """Return the error of an unknown symbol with the most specific hint."""
     facts: dict[str, Any] = {"unit": text, "symbol": symbol}
     powered = re.fullmatch(r"([A-Za-z]+)([2-6])", symbol)
     if powered and powered[1] in TABLE:
         return UnitError("unit.power", base=powered[1], exponent=powered[2], **facts)
     if symbol[0] == "N" and symbol[1:] in TABLE:  # Nl/min: a normal litre, not a newton
         return UnitError("unit.normal", base=symbol[1:], **facts)
-    same_letters = [known for known in TABLE if known.lower() == symbol.lower()]
-    near = [_MEANT[symbol]] if symbol in _MEANT else same_letters or difflib.get_close_matches(symbol, TABLE)
-    return UnitError("unit.misspelt", near=tuple(near), **facts) if near else UnitError("unit.unknown", **facts)
+    same_letters = [symbol_of_table for symbol_of_table in TABLE if symbol_of_table.lower() == symbol.lower()]
+    similar = [_MEANT[symbol]] if symbol in _MEANT else same_letters or difflib.get_close_matches(symbol, TABLE)
+    return UnitError("unit.misspelt", near=tuple(similar), **facts) if similar else UnitError("unit.unknown", **facts)

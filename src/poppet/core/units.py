@@ -1,6 +1,6 @@
-"""Quantities at the door: a number with its unit, gauge and absolute, ANR and normal volume flow.
+"""Conversion of values with units: gauge and absolute pressure, ANR and normal volume flow.
 
-How a unit is written stands in `poppet.core.unit_table`. A text is converted in exact arithmetic and rounded once.
+`poppet.core.unit_table` defines the notation of units. A text is converted in exact arithmetic and rounded once.
 """
 
 from __future__ import annotations
@@ -104,9 +104,9 @@ _MARKS: dict[str, _Mark] = {
     "N": "normal",
 }
 _MARKED_DIMENSION = {"gauge": PRESSURE, "absolute": PRESSURE, "ANR": VOLUME_FLOW, "normal": VOLUME_FLOW}
-# By its decimal digits as printed, so that factors stay short fractions and a conversion is rounded once.
+# From decimal digits: factors are short fractions, and a conversion is rounded once.
 _DENSITY = {"ANR": Fraction(repr(ANR.density)), "normal": Fraction(repr(NORMAL.density))}
-# Standard litres are counted at the state of normal ones where SEMI E12 is kept; `counted_at` tells those who say so.
+# According to SEMI E12, standard litres have the state of normal litres; callers of `counted_at` add a note.
 _DENSITY["standard"] = _DENSITY["normal"]
 _MARKED = re.compile(r"(.*\S)\s*(?:\(\s*(gauge|absolute|abs|ANR|N|g|a)\s*\)|\s(gauge|absolute|abs|ANR|N|g|a))\s*")
 _ATTACHED = re.compile(r"\s*([A-Za-z]+)([ga])\s*")
@@ -117,40 +117,42 @@ _ABBREVIATED: dict[str, tuple[str, _Mark]] = {
     **dict.fromkeys(("slpm", "slm", "sl/min"), ("l/min", "standard")),
     "sccm": ("cm^3/min", "standard"),
 }
-"""Flows as instruments write them, in any case."""
+"""Abbreviations of flow units on instruments, in lower case."""
 
 
 @lru_cache(maxsize=4096)
 def _parse(text: str) -> tuple[Unit, _Mark]:
-    """A unit with its mark; `g` is a mark behind a pressure and a gram elsewhere, `N` likewise."""
+    """Return a unit and its mark; `g` marks a gauge pressure and is a gram elsewhere, `N` likewise."""
     text = text.translate(SPELLINGS).strip()
     if text.casefold() in _ABBREVIATED:
         written, mark = _ABBREVIATED[text.casefold()]
         return read_unit(written), mark
-    found = _MARKED.fullmatch(text)
-    if found:
-        mark = _MARKS[found[2] or found[3]]
+    match = _MARKED.fullmatch(text)
+    if match:
+        mark = _MARKS[match[2] or match[3]]
         head = None
         with suppress(UnitError):
-            head = read_unit(found[1])
-        if head and head.dimension == _MARKED_DIMENSION[mark]:  # else `m N` is a moment, `m g` a length times a mass
+            head = read_unit(match[1])
+        if (
+            head and head.dimension == _MARKED_DIMENSION[mark]
+        ):  # otherwise `m N` is a torque, `m g` a length times a mass
             return head, mark
         if head and mark == "ANR" and head.dimension == CONDUCTANCE:
-            raise UnitError("unit.conductance_marked", unit=text, plain=found[1])
-    found = _NORMAL.fullmatch(text)
-    if found:
+            raise UnitError("unit.conductance_marked", unit=text, plain=match[1])
+    match = _NORMAL.fullmatch(text)
+    if match:
         with suppress(UnitError):
-            head = read_unit(found[1].replace("m3", "m^3") + found[2])
+            head = read_unit(match[1].replace("m3", "m^3") + match[2])
             if head.dimension == VOLUME_FLOW:
                 return head, "normal"
-    found = _ATTACHED.fullmatch(text)  # psig, bara
-    if found and text not in TABLE and found[1] in TABLE and TABLE[found[1]].dimension == PRESSURE:
-        return TABLE[found[1]], _MARKS[found[2]]
+    match = _ATTACHED.fullmatch(text)  # psig, bara
+    if match and text not in TABLE and match[1] in TABLE and TABLE[match[1]].dimension == PRESSURE:
+        return TABLE[match[1]], _MARKS[match[2]]
     return read_unit(text), ""
 
 
 def is_known(unit: str) -> bool:
-    """True when the unit can be read.
+    """Return True if the unit is valid.
 
     Parameters
     ----------
@@ -174,7 +176,7 @@ def is_known(unit: str) -> bool:
 
 
 def check_unit(unit: str) -> None:
-    """Refuse a unit that cannot be read.
+    """Raise an error if a unit is invalid.
 
     Parameters
     ----------
@@ -184,13 +186,13 @@ def check_unit(unit: str) -> None:
     Raises
     ------
     UnitError
-        With the nearest known unit where there is one.
+        If the unit is invalid; the error suggests the closest unit.
     """
     _parse(unit)
 
 
 def same_dimension(first: str, second: str) -> bool:
-    """True when both units can be read and `convert` leads from one to the other.
+    """Return True if both units are valid and `convert` can convert between them.
 
     Parameters
     ----------
@@ -210,13 +212,13 @@ def same_dimension(first: str, second: str) -> bool:
 
 
 def _flow_dimension(unit: str) -> Dimension:
-    """The dimension, a flow at a reference atmosphere counting as the mass flow it stands for."""
+    """Return the dimension; a flow at a reference atmosphere counts as a mass flow."""
     parsed, mark = _parse(unit)
     return MASS_FLOW if mark in _DENSITY else parsed.dimension
 
 
 def counted_at(text: str) -> str:
-    """The state at which a volume flow is counted, of a unit or of a number with its unit.
+    """Return the reference state of a volume flow, from a unit or a value with unit.
 
     Parameters
     ----------
@@ -226,8 +228,8 @@ def counted_at(text: str) -> str:
     Returns
     -------
     str
-        `ANR`, `normal`, `standard` (slpm: makers differ), `open` (l/min: nothing is said), or nothing for what is no
-        volume flow.
+        `ANR`, `normal`, `standard` (slpm: manufacturers differ), `open` (l/min: not specified), or empty if the unit is
+        not a volume flow.
 
     Examples
     --------
@@ -243,7 +245,7 @@ def counted_at(text: str) -> str:
 
 
 def with_state(text: str) -> str:
-    """A volume flow with the state at which what `counted_at` leaves open is read: ANR, or of slpm normal.
+    """Return a volume flow with an explicit reference state: ANR by default, normal for slpm.
 
     Parameters
     ----------
@@ -253,7 +255,7 @@ def with_state(text: str) -> str:
     Returns
     -------
     str
-        What leaves nothing open; the text itself where it leaves nothing.
+        Unit with a reference state; the text itself if it needs none.
 
     Examples
     --------
@@ -265,15 +267,15 @@ def with_state(text: str) -> str:
 
 
 def _spelt(text: str) -> str:
-    """A volume flow without the abbreviations of instruments."""
+    """Return a volume flow without abbreviations of instruments."""
     number = _NUMBER.fullmatch(text)
     unit = (number[2] if number else text).strip()
-    plain = _ABBREVIATED.get(unit.casefold(), (unit, ""))[0]
-    return f"{number[1]} {plain}" if number else plain
+    plain_unit = _ABBREVIATED.get(unit.casefold(), (unit, ""))[0]
+    return f"{number[1]} {plain_unit}" if number else plain_unit
 
 
 def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressure: float = 100000.0) -> FloatOrArray:
-    r"""Restate a value in another unit.
+    r"""Convert a value to another unit.
 
     .. math:: p = p_\mathrm{gauge} + p_\mathrm{ambient}, \qquad q_m = \rho_0\, q_{V,\mathrm{ANR}}
 
@@ -283,7 +285,7 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
         In `from_unit`.
     from_unit, to_unit : str
         Units. An unmarked pressure is absolute; `g` marks gauge, `ANR` and `N` (normal) a volume flow. `Nl/min` is
-        short for `l/min N`; `slpm` is refused, since nobody can be told here at which state it is read.
+        short for `l/min N`; `slpm` raises an error because its reference state is ambiguous.
     ambient_pressure : float, optional
         Absolute pressure to which gauge values refer [Pa].
 
@@ -294,8 +296,8 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
 
     Notes
     -----
-    degC and degF are points of a scale, not differences. ANR and normal flows are of air: for another gas the
-    two densities do not hold.
+    degC and degF are temperatures, not differences. ANR and normal flows are flows of air: the two densities are not
+    valid for another gas.
 
     References
     ----------
@@ -319,11 +321,11 @@ def convert(value: FloatOrArray, from_unit: str, to_unit: str, *, ambient_pressu
         raise UnitError(code, unit=from_unit, asked=to_unit)
     source_shift, target_shift = _shift(source_mark, ambient_pressure), _shift(target_mark, ambient_pressure)
     factor = _si_factor(source, source_mark) / _si_factor(target, target_mark)
-    # In one sum, so that equal references cancel exactly and a plain conversion is one product.
+    # One sum: equal references cancel exactly, and a conversion without shift is one product.
     shift = source.offset * factor - target.offset + (source_shift - target_shift) / target.scale
     # Two roundings of exact numbers keep more digits than one of a rounded factor.
     is_exact = factor.numerator < 2**53 and factor.denominator < 2**53
-    # What is too large becomes infinite, in an array as in a float.
+    # Overflow becomes infinite, in arrays and floats.
     with np.errstate(over="ignore"):
         result = value * float(factor.numerator) / float(factor.denominator) if is_exact else value * float(factor)
         return result + float(shift) if shift else result
@@ -334,7 +336,7 @@ def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
 
 
 def _si_factor(unit: Unit, mark: _Mark) -> Fraction:
-    """From a unit to SI, a volume flow at a reference atmosphere to the mass flow it stands for."""
+    """Return the factor to SI; a volume flow at a reference atmosphere becomes a mass flow."""
     return unit.scale * _DENSITY.get(mark, Fraction(1))
 
 
@@ -372,12 +374,12 @@ _RANGES = {
     "J/K": (1e-15, 1e15),
     "W/K": (1e-15, 1e9),
 }
-"""Sizes beyond which nobody has anything, by SI unit: a number there is a slip, and a model of it takes minutes and
-says nothing. The lower ends hold for what must be above zero."""
+"""Plausibility limits by SI unit: a value outside is a typing error, and its model would take minutes. The lower limits
+apply to values that must be above zero."""
 
 
 def sizes_of(unit: str) -> tuple[float, float]:
-    """The smallest size of what must be above zero, and the largest of any number.
+    """Return the smallest size of positive values and the largest size of all values.
 
     Parameters
     ----------
@@ -387,29 +389,29 @@ def sizes_of(unit: str) -> tuple[float, float]:
     Returns
     -------
     tuple of float
-        Both in that unit; 1e-30 and 1e30 for a unit without a range of its own.
+        Both in that unit; 1e-30 and 1e30 for other units.
     """
     return _RANGES.get(unit, (SMALLEST, LARGEST))
 
 
 def quantity(
-    given: str | float | int, unit: str, *, kind: Kind = "plain", name: str = "value", is_told: bool = False
+    argument: str | float | int, unit: str, *, kind: Kind = "plain", name: str = "value", is_told: bool = False
 ) -> Quantity:
-    """Read one number of a circuit file, a command line or a call.
+    """Read a value of a circuit file, a command line or a call.
 
     Parameters
     ----------
-    given : str or float
-        A number with a unit, `"6 bar g"`, or a bare number, which is SI and for a pressure absolute.
+    argument : str or float
+        Value with a unit, `"6 bar g"`, or a bare number in SI; a bare pressure is absolute.
     unit : str
-        The SI unit of the field, `m^3/(s Pa)`; `1` where it has no dimension.
+        SI unit of the field, `m^3/(s Pa)`; `1` if it is dimensionless.
     kind : str, optional
-        What else the field accepts: see Notes.
+        Kind of quantity: see Notes.
     name : str, optional
-        The field's name or address, for messages.
+        Name or address of the field, for messages.
     is_told : bool, optional
-        True where the reader of the result is told what a volume flow leaves open (`counted_at`): then `l/min` is read
-        at ANR and `slpm` at 0 degC and 1.01325 bar. Else both are refused.
+        If True, `l/min` is read at ANR and `slpm` at 0 degC and 1.01325 bar, and the caller adds a note (`counted_at`).
+        If False, both raise an error.
 
     Returns
     -------
@@ -419,11 +421,11 @@ def quantity(
     Raises
     ------
     UnitError
-        The unit is missing, unknown, of another quantity or of another reference.
+        If the unit is missing, unknown, of another quantity or of another reference.
     InputError
-        It is not a finite number.
+        If the value is not a finite number.
     OutOfRangeError
-        An absolute pressure or temperature lies below zero, or a number is larger than anything of its kind.
+        If an absolute pressure or temperature is below zero, or a value exceeds the plausibility limit.
 
     Notes
     -----
@@ -442,60 +444,64 @@ def quantity(
     1.65e-08
     """
     try:
-        result = _from_text(given, unit, kind, is_told) if isinstance(given, str) else _from_number(given, unit, kind)
+        result = (
+            _from_text(argument, unit, kind, is_told)
+            if isinstance(argument, str)
+            else _from_number(argument, unit, kind)
+        )
     except InputError as problem:
-        shown = f'"{given}"' if isinstance(given, str) else repr(given)
-        raise type(problem)(problem.code, name, shown=shown, **problem.facts) from None
+        display = f'"{argument}"' if isinstance(argument, str) else repr(argument)
+        raise type(problem)(problem.code, name, shown=display, **problem.facts) from None
     return result
 
 
-def _from_number(given: Any, unit: str, kind: Kind) -> Quantity:
-    # True is an integer to Python, and 1 to nobody.
-    if isinstance(given, (bool, np.bool_)) or not isinstance(given, Real):
+def _from_number(argument: Any, unit: str, kind: Kind) -> Quantity:
+    # Python treats True as an integer.
+    if isinstance(argument, (bool, np.bool_)) or not isinstance(argument, Real):
         raise InputError("quantity.not_a_number", example=_example(unit, kind))
     try:
-        value = float(given)
+        value = float(argument)
     except OverflowError:  # an integer of more than 308 digits
         value = math.inf
     return _checked(value, unit, kind, "")
 
 
 @lru_cache(maxsize=4096)
-def _from_text(given: str, unit: str, kind: Kind, is_told: bool) -> Quantity:
-    number, rest = _split(given, unit, kind)
-    if not rest.strip():
+def _from_text(text: str, unit: str, kind: Kind, is_told: bool) -> Quantity:
+    number, unit_text = _split(text, unit, kind)
+    if not unit_text.strip():
         if _parse(unit)[0].dimension != ONE:
             raise UnitError("quantity.no_unit", number=number, unit=unit)
         return _checked(float(number), unit, kind, "")
     try:
-        parsed, mark = _parse(rest)
+        parsed, mark = _parse(unit_text)
     except UnitError as problem:
         raise UnitError("quantity.unreadable_unit", cause=problem) from None
     if kind in ("mass_flow", "volume_flow_anr") and parsed.dimension == VOLUME_FLOW and mark in ("", "standard"):
         if not is_told:
             code = "quantity.standard_flow" if mark else "quantity.flow_without_state"
-            raise UnitError(code, flow=_spelt(given), stated=with_state(given))
+            raise UnitError(code, flow=_spelt(text), stated=with_state(text))
         mark = mark or "ANR"
-    _check_unit(given, parsed, mark, unit, kind)
+    _check_unit(text, parsed, mark, unit, kind)
     return _checked(_in_si(number, parsed, mark, unit), unit, kind, mark)
 
 
-def _split(given: str, unit: str, kind: Kind) -> tuple[str, str]:
-    if _DECIMAL_COMMA.fullmatch(given):
-        with_point, without = given.strip().replace(",", ".", 1), given.strip().replace(",", "")
-        if _THOUSANDS.match(given):  # 1,500 is fifteen hundred to one reader and one and a half to another
+def _split(text: str, unit: str, kind: Kind) -> tuple[str, str]:
+    if _DECIMAL_COMMA.fullmatch(text):
+        with_point, without = text.strip().replace(",", ".", 1), text.strip().replace(",", "")
+        if _THOUSANDS.match(text):  # 1,500 is ambiguous
             raise InputError("quantity.comma", with_point=with_point, without=without)
         raise InputError("quantity.decimal_comma", with_point=with_point)
-    found = _NUMBER.fullmatch(given)
-    if found is None:
+    match = _NUMBER.fullmatch(text)
+    if match is None:
         raise InputError("quantity.no_number", example=_example(unit, kind))
-    if found[2].startswith("_"):  # 1_000 is a number to Python alone
+    if match[2].startswith("_"):  # only Python accepts 1_000
         raise InputError("quantity.underscore")
-    return found[1], found[2]
+    return match[1], match[2]
 
 
-def _check_unit(given: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) -> None:
-    """Refuse another reference of the same quantity by name, then any other quantity."""
+def _check_unit(text: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) -> None:
+    """Raise an error for another reference of the same quantity, or for another quantity."""
     target = _parse(unit)[0].dimension
     if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:
         raise UnitError("quantity.gauge_difference" if mark == "gauge" else "quantity.absolute_difference")
@@ -520,8 +526,8 @@ def _in_si(number: str, parsed: Unit, mark: _Mark, unit: str) -> float:
 def _checked(value: float, unit: str, kind: Kind, mark: _Mark) -> Quantity:
     if not math.isfinite(value):
         raise InputError("quantity.not_finite")
-    if abs(value) > (most := sizes_of(unit)[1]):
-        raise OutOfRangeError("quantity.too_large", most=most, unit=unit)
+    if abs(value) > (limit := sizes_of(unit)[1]):
+        raise OutOfRangeError("quantity.too_large", most=limit, unit=unit)
     if kind in ("pressure", "temperature") and mark != "gauge" and value < 0.0:
         is_pressure = kind == "pressure"
         raise OutOfRangeError("quantity.pressure_below_zero" if is_pressure else "quantity.temperature_below_zero")

@@ -237,10 +237,10 @@ def _trace_functions(
 
 def _used_elements(arguments: Sequence[tuple[Any, int]]) -> list[int]:
     """Return the elements of an argument, given by function and position, on which any result depends."""
-    used: set[int] = set()
+    indices: set[int] = set()
     for function, position in arguments:
-        used |= set(function.jac_sparsity(0, position).get_col())
-    return sorted(used)
+        indices |= set(function.jac_sparsity(0, position).get_col())
+    return sorted(indices)
 
 
 def _restrict_arguments(functions: Mapping[str, Any], elements: Mapping[str, list[int]]) -> dict[str, Any]:

@@ -59,15 +59,15 @@ def identifiers(texts: Sequence[str]) -> list[str]:
     >>> identifiers(["a.b_c", "a_b.c", "A.b.c"])
     ['a_b_c', 'a_b_c_2', 'A_b_c_3']
     """
-    used: set[str] = set()
+    lower_names: set[str] = set()
     names = []
     for text in texts:
         name = base = identifier(text)
         count = 1
-        while name.lower() in used:
+        while name.lower() in lower_names:
             count += 1
             name = f"{base}_{count}"
-        used.add(name.lower())
+        lower_names.add(name.lower())
         names.append(name)
     return names
 

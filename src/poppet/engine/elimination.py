@@ -38,15 +38,15 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
         # Markowitz's estimate of the fill; the first state has priority.
         pivot = min(remaining, key=lambda k: (len(in_row[k]) * len(in_column[k]), k))
         remaining.discard(pivot)
-        below, right = in_column[pivot], in_row[pivot]
+        lower_rows, right_columns = in_column[pivot], in_row[pivot]
         order.append(pivot)
-        rows[pivot], columns[pivot] = tuple(sorted(below)), tuple(sorted(right))
-        for row in below:
+        rows[pivot], columns[pivot] = tuple(sorted(lower_rows)), tuple(sorted(right_columns))
+        for row in lower_rows:
             in_row[row].discard(pivot)
-            in_row[row].update(right - {row})
-        for column in right:
+            in_row[row].update(right_columns - {row})
+        for column in right_columns:
             in_column[column].discard(pivot)
-            in_column[column].update(below - {column})
+            in_column[column].update(lower_rows - {column})
     return Elimination(tuple(order), rows, columns)
 
 

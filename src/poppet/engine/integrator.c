@@ -1,4 +1,4 @@
-/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 c4ceb35092ace35e75e4559992dc6ff47f30414a7a0af50a9ad1d7cc51fb1fd4 */
+/* made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 8854a3a601377dee55992b961cdd6f2b9a91150399980846dda3d533cd3a5640 */
 /* The adaptive integrator, translated from Python (tools/integrator_c.py); change it there.
 
    `integrate` takes one row of 64 bit numbers, addresses of functions and arrays and their lengths, and gives back how
@@ -167,7 +167,7 @@ typedef struct {
   vector grid;
   matrix table;
   vector y;
-} Rows;
+} OutputRows;
 
 typedef struct {
   integer_matrix places;
@@ -194,7 +194,7 @@ typedef struct {
   Functions functions;
   Memory memory;
   Control control;
-  Rows rows;
+  OutputRows rows;
   Stops stops;
   Work work;
   vector x;
@@ -233,7 +233,7 @@ static const double INPUT_TIMES[4] = {0.386, 0.21, 0.63, 1.0};
 #define STOPPED 1
 #define TOO_MANY 3
 
-/* Arrays of a job; those without an address of their own lie one behind the other in its scratch memory. */
+/* Return the arrays of a job; arrays without their own address are contiguous in its scratch memory. */
 static RunState do_run_of(const Job *job) {
   int64_t n = 0;
   int64_t n_c = 0;
@@ -245,7 +245,7 @@ static RunState do_run_of(const Job *job) {
   vector limits;
   matrix tolerances;
   int64_t of_model = 0;
-  vector rest;
+  vector tail;
   vector vectors;
   vector u;
   vector us;
@@ -268,21 +268,21 @@ static RunState do_run_of(const Job *job) {
   limits = vector_at(job->limits, 4);
   tolerances = matrix_at(job->memory, 3, n_c);
   of_model = 12 * n + 6 * n_u + n_y + n_z + n_m;
-  rest = vector_at(job->memory + 24 * n_c, of_model + 2 + job->n_jacobian + job->n_scratch);
-  vectors = part_of(rest, 0, 12 * n);
-  rest = part_of(rest, 12 * n, rest.size);
-  u = part_of(rest, 0, n_u);
-  us = part_of(rest, n_u, 5 * n_u);
-  slopes = part_of(rest, 5 * n_u, 6 * n_u);
-  rest = part_of(rest, 6 * n_u, rest.size);
-  tt = part_of(rest, 0, 2);
-  jacobian = part_of(rest, 2, 2 + job->n_jacobian);
-  rest = part_of(rest, 2 + job->n_jacobian, rest.size);
-  scratch = part_of(rest, 0, job->n_scratch);
-  rest = part_of(rest, job->n_scratch, rest.size);
-  fired = part_of(rest, 0, n_m);
-  after = part_of(rest, n_m, n_m + n_z);
-  y = part_of(rest, n_m + n_z, rest.size);
+  tail = vector_at(job->memory + 24 * n_c, of_model + 2 + job->n_jacobian + job->n_scratch);
+  vectors = part_of(tail, 0, 12 * n);
+  tail = part_of(tail, 12 * n, tail.size);
+  u = part_of(tail, 0, n_u);
+  us = part_of(tail, n_u, 5 * n_u);
+  slopes = part_of(tail, 5 * n_u, 6 * n_u);
+  tail = part_of(tail, 6 * n_u, tail.size);
+  tt = part_of(tail, 0, 2);
+  jacobian = part_of(tail, 2, 2 + job->n_jacobian);
+  tail = part_of(tail, 2 + job->n_jacobian, tail.size);
+  scratch = part_of(tail, 0, job->n_scratch);
+  tail = part_of(tail, job->n_scratch, tail.size);
+  fired = part_of(tail, 0, n_m);
+  after = part_of(tail, n_m, n_m + n_z);
+  y = part_of(tail, n_m + n_z, tail.size);
   work.u = u;
   work.us = us;
   work.slopes = slopes;
@@ -325,7 +325,7 @@ static RunState do_run_of(const Job *job) {
   return made;
 }
 
-/* Tolerances of the controlled states, from their scales and the state at the start. */
+/* Set the tolerances of the controlled states from their scales and the initial state. */
 static void do_set_tolerances(const Control *control, matrix scales, double relative, vector x) {
   int64_t s = 0;
   double initial = 0.0;
@@ -339,12 +339,12 @@ static void do_set_tolerances(const Control *control, matrix scales, double rela
   }
 }
 
-/* Instants closer than this are one. */
+/* Return the difference below which two instants are equal. */
 static double do_rounding(double t) {
   return 1e-14 * t + 1e-15;
 }
 
-/* The earliest time among the timers. */
+/* Return the earliest time of the timers. */
 static double do_next_instant(const Memory *memory) {
   double first = 0.0;
   int64_t k = 0;
@@ -355,14 +355,14 @@ static double do_next_instant(const Memory *memory) {
   return first;
 }
 
-/* Phase of a wave; whole turns are dropped, which keeps the digits of a late one. */
+/* Return the phase of a wave without complete turns, to keep its digits at late times. */
 static double do_angle(vector c, double dt) {
   double turns = 0.0;
   turns = (c.at[3] + 0.5 * c.at[4] * dt) * dt;
   return 2.0 * 3.141592653589793 * (turns - floor(turns)) + c.at[5];
 }
 
-/* Inputs at a time inside a segment. */
+/* Compute the inputs at a time in a segment. */
 static void do_inputs_at(double t, Segment segment, vector u) {
   matrix c;
   int64_t k = 0;
@@ -379,8 +379,8 @@ static void do_inputs_at(double t, Segment segment, vector u) {
   }
 }
 
-/* Let all timers act whose time has come; returns whether the rates have changed. A part may set a timer to the same
-   instant again, so it goes on until none is left. */
+/* Run all timers that are due, and return True if the rates have changed. A timer can be set to the same instant
+   again; the loop ends when no timer is due. */
 static int do_act(const RunState *run, Segment segment, double t, vector x) {
   int changed = 0;
   const Work *w;
@@ -408,7 +408,7 @@ static int do_act(const RunState *run, Segment segment, double t, vector x) {
   return changed;
 }
 
-/* Outputs of a state at a time inside a segment. */
+/* Return the outputs of a state at a time in a segment. */
 static vector do_outputs_at(const RunState *run, Segment segment, double t, vector x) {
   const Work *w;
   vector y;
@@ -420,7 +420,7 @@ static vector do_outputs_at(const RunState *run, Segment segment, double t, vect
   return y;
 }
 
-/* Index of the first stop condition that holds, or -1. */
+/* Return the index of the first true stop condition, or -1. */
 static int64_t do_stop_condition(const RunState *run, Segment segment, double t, vector x) {
   vector y;
   integer_matrix places;
@@ -445,7 +445,7 @@ static int64_t do_stop_condition(const RunState *run, Segment segment, double t,
   return -1;
 }
 
-/* True when an input changes inside a segment. */
+/* Return True if an input changes in a segment. */
 static int do_varies(Segment segment) {
   int64_t k = 0;
   for (k = 0; k < segment.inputs.rows; k++) {
@@ -456,7 +456,7 @@ static int do_varies(Segment segment) {
   return 0;
 }
 
-/* Inputs at the stages of a step, one set behind the other. */
+/* Compute the inputs at the stages of a step. */
 static void do_stage_inputs(const RunState *run, Segment segment, double t, double h) {
   int64_t n = 0;
   int64_t i = 0;
@@ -466,7 +466,7 @@ static void do_stage_inputs(const RunState *run, Segment segment, double t, doub
   }
 }
 
-/* Time derivatives of the inputs inside a segment. */
+/* Compute the time derivatives of the inputs in a segment. */
 static void do_input_slopes_at(double t, Segment segment, vector slopes) {
   matrix c;
   int64_t k = 0;
@@ -483,7 +483,7 @@ static void do_input_slopes_at(double t, Segment segment, vector slopes) {
   }
 }
 
-/* A step over which no controlled state moves by more than a twentieth of its size. */
+/* Return a step length in which no controlled state changes by more than a twentieth of its size. */
 static double do_first_step(const RunState *run, double span) {
   double fastest = 0.0;
   matrix tolerances;
@@ -496,8 +496,8 @@ static double do_first_step(const RunState *run, double span) {
   return 1.0 / fastest;
 }
 
-/* Rates, Jacobian and drift at the begin of a step; returns its length, chosen where none is known. A negative length
-   asks for one that is not longer. */
+/* Compute rates, Jacobian and drift at the start of a step, and return its length. If h is positive, it is the length.
+   Otherwise first_step selects the length, which is at most -h if h is negative. */
 static double do_begin(const RunState *run, Segment segment, double t, double h) {
   const Work *w;
   double longest = 0.0;
@@ -513,47 +513,47 @@ static double do_begin(const RunState *run, Segment segment, double t, double h)
   return (h < 0.0) ? least(-h, longest) : longest;
 }
 
-/* Length wanted of a step, and where it has to end at the latest. That is the next instant of the memory, unless the
-   instants have left the rates alone since calm: then a step may pass over as much time again, and they act on its
-   interpolant. */
+/* Return the desired length of a step and its latest end. The latest end is the next sample instant. If no instant has
+   changed the rates since calm, a step can pass instants for the same duration again; they are then evaluated with
+   its interpolant. */
 static void do_reach(const RunState *run, Segment segment, double t, double h, double calm, int lands, double *r0, double *r1) {
-  double wanted = 0.0;
+  double desired = 0.0;
   double goal = 0.0;
   double instant = 0.0;
-  wanted = least(h, run->control.longest);
+  desired = least(h, run->control.longest);
   goal = segment.stop;
   if (run->memory.fired.size > 0) {
     instant = do_next_instant(&run->memory);
     if (instant < (goal - do_rounding(goal))) {
       if (lands || ((instant - t) >= (t - calm))) {
-        *r0 = wanted;
+        *r0 = desired;
         *r1 = instant;
         return;
       }
-      wanted = least(wanted, t - calm);
+      desired = least(desired, t - calm);
     }
   }
-  *r0 = wanted;
+  *r0 = desired;
   *r1 = goal;
   return;
 }
 
-/* Length of a step that is replayed: one that ended on an instant ends on it wherever that has moved. */
+/* Return the length of a replayed step; a step that ended at an instant ends at the new time of the instant. */
 static double do_again(vector script, int64_t step, double remaining) {
   double h = 0.0;
   h = script.at[least_integer(step, script.size - 1)];
   return ((h <= 0.0) || (h >= remaining)) ? remaining : h;
 }
 
-/* Length of the next step: never past the end of the segment, and no crumb left over. */
-static double do_length(double wanted, double remaining) {
-  if (wanted < (0.5 * remaining)) {
-    return wanted;
+/* Return the length of the next step, which ends in the segment and leaves no tiny step. */
+static double do_length(double desired, double remaining) {
+  if (desired < (0.5 * remaining)) {
+    return desired;
   }
-  return (wanted < remaining) ? (0.5 * remaining) : remaining;
+  return (desired < remaining) ? (0.5 * remaining) : remaining;
 }
 
-/* Largest weighted error of the controlled states; infinite where a state left its domain. */
+/* Return the largest weighted error of the controlled states; infinite if a state is outside its domain. */
 static double do_error(const RunState *run) {
   double worst = 0.0;
   matrix tolerances;
@@ -575,28 +575,28 @@ static double do_error(const RunState *run) {
   return worst;
 }
 
-/* State, or the begin of it, inside the step just made, theta from 0 to 1. */
+/* Compute the first elements of the state inside a completed step, with theta from 0 to 1. */
 static void do_interpolate(const RunState *run, Step step, double theta, vector x) {
-  double rest = 0.0;
+  double complement = 0.0;
   int64_t n = 0;
   vector dense;
   int64_t s = 0;
-  rest = 1.0 - theta;
+  complement = 1.0 - theta;
   n = run->x.size;
   dense = run->work.dense;
   for (s = 0; s < x.size; s++) {
-    x.at[s] = rest * run->x.at[s] + theta * (step.new_x.at[s] + rest * (dense.at[s] + theta * dense.at[n + s]));
+    x.at[s] = complement * run->x.at[s] + theta * (step.new_x.at[s] + complement * (dense.at[s] + theta * dense.at[n + s]));
   }
 }
 
-/* Look for a stop condition in the middle and at the end of the step just made: its index and theta, or -1. The state
-   at theta is left in inside. */
+/* Return the first stop condition in a completed step and its theta, or -1. Conditions are evaluated in the middle and
+   at the end of the step. The state at theta is stored in inside. */
 static void do_stop_inside(const RunState *run, Segment segment, Step step, int64_t *r0, double *r1) {
   double low = 0.0;
   double high = 0.0;
   int64_t event = 0;
   vector x;
-  int64_t found = 0;
+  int64_t condition = 0;
   double theta = 0.0;
   low = 0.0;
   high = 0.5;
@@ -604,8 +604,8 @@ static void do_stop_inside(const RunState *run, Segment segment, Step step, int6
   x = run->work.inside;
   for (;;) {
     do_interpolate(run, step, high, x);
-    found = do_stop_condition(run, segment, step.t + high * step.h, x);
-    if ((event < 0) && (found < 0)) {
+    condition = do_stop_condition(run, segment, step.t + high * step.h, x);
+    if ((event < 0) && (condition < 0)) {
       if (high == 1.0) {
         *r0 = -1;
         *r1 = 1.0;
@@ -615,8 +615,8 @@ static void do_stop_inside(const RunState *run, Segment segment, Step step, int6
       high = 1.0;
       continue;
     }
-    if (found >= 0) {
-      event = found;
+    if (condition >= 0) {
+      event = condition;
       theta = high;
     } else {
       low = high;
@@ -644,24 +644,24 @@ static void do_write_row(const RunState *run, Segment segment, double t, vector 
   run->counts.at[COLUMN] = column + 1;
 }
 
-/* Write the rows inside the step just made, up to a time that is excluded: a row on it shows what comes after. */
-static void do_write_rows(const RunState *run, Segment segment, Step step, double until) {
-  double before = 0.0;
+/* Write the rows inside a completed step before a time; a row at that time shows the values after it. */
+static void do_write_rows(const RunState *run, Segment segment, Step step, double end) {
+  double limit = 0.0;
   vector grid;
   vector row;
   double t = 0.0;
-  before = until - do_rounding(until);
+  limit = end - do_rounding(end);
   grid = run->rows.grid;
   row = part_of(run->work.drift, 0, run->control.positive.size);
-  while ((run->counts.at[COLUMN] < grid.size) && (grid.at[run->counts.at[COLUMN]] < before)) {
+  while ((run->counts.at[COLUMN] < grid.size) && (grid.at[run->counts.at[COLUMN]] < limit)) {
     t = grid.at[run->counts.at[COLUMN]];
     do_interpolate(run, step, most(0.0, (t - step.t) / step.h), row);
     do_write_row(run, segment, t, row);
   }
 }
 
-/* Let the instants inside the step just made act, rows before them written first. Returns where the step ends: at the
-   first instant that changed the rates, whose state is left in inside, or as it was. */
+/* Run the instants inside a completed step, after writing the rows before each, and return the end of the step. The
+   step ends at the first instant that changes the rates, with its state in inside; else its end is unchanged. */
 static double do_act_inside(const RunState *run, Segment segment, Step step) {
   double instant = 0.0;
   for (;;) {
@@ -677,7 +677,7 @@ static double do_act_inside(const RunState *run, Segment segment, Step step) {
   }
 }
 
-/* Make a state the current one. */
+/* Accept a new state, and update extremes and sums of |change|. */
 static void do_take(const RunState *run, vector new_x) {
   vector x;
   vector books;
@@ -697,8 +697,8 @@ static void do_take(const RunState *run, vector new_x) {
   run->counts.at[ACCEPTED] += 1;
 }
 
-/* Take the step just made, with its rows, up to a stop condition or an instant that changes the rates. Returns where
-   it ended; counts[CONDITION] says which stop condition was met. */
+/* Accept a completed step with its rows, up to a stop condition or an instant that changes the rates. The result is
+   the end of the step; counts[CONDITION] is the index of the stop condition or -1. */
 static double do_accept(const RunState *run, Segment segment, Step step) {
   const Memory *memory;
   integers counts;
@@ -729,12 +729,12 @@ static double do_accept(const RunState *run, Segment segment, Step step) {
   return reached;
 }
 
-/* The same bits on every machine, which no library of powers promises. */
+/* Return the fourth root with identical bits on all machines, unlike the power function of a library. */
 static double do_fourth_root(double value) {
   return sqrt(sqrt(value));
 }
 
-/* Factor for the step after an accepted one, with the predictive control of Gustafsson. */
+/* Return the factor of the step after an accepted step, from the predictive control of Gustafsson. */
 static double do_growth(double error, double h, double error_before, double step_before) {
   double factor = 0.0;
   factor = SAFETY / do_fourth_root(error);
@@ -744,7 +744,7 @@ static double do_growth(double error, double h, double error_before, double step
   return least(GROWTH, most(SHRINK, factor));
 }
 
-/* Why to give up after an attempt, or DONE to go on; a run that gets from instant to instant has not stalled. */
+/* Return the status after an attempt, DONE to continue; a run that reaches a sample instant has not stalled. */
 static int64_t do_verdict(const RunState *run, double t, double window, int has_acted) {
   integers counts;
   double end = 0.0;
@@ -764,8 +764,8 @@ static int64_t do_verdict(const RunState *run, double t, double window, int has_
   return (run->watch.at[1] != 0.0) ? INTERRUPTED : DONE;
 }
 
-/* Integrate over one segment of the inputs; returns status, time and step. calm is when the memory changed the rates
-   last, first the step that went well after that. */
+/* Integrate over one segment of the inputs, and return status, time and step length. calm is the last time at which
+   discrete states changed the rates, first the first successful step after it. */
 static void do_over(const RunState *run, Segment segment, double h, int64_t *r0, double *r1, double *r2) {
   const Work *work;
   const Control *control;
@@ -786,7 +786,7 @@ static void do_over(const RunState *run, Segment segment, double h, int64_t *r0,
   double first = 0.0;
   int has_changed = 0;
   int has_acted = 0;
-  double wanted = 0.0;
+  double desired = 0.0;
   double goal = 0.0;
   double end = 0.0;
   double error = 0.0;
@@ -819,8 +819,8 @@ static void do_over(const RunState *run, Segment segment, double h, int64_t *r0,
       h = do_begin(run, segment, t, h);
       fresh = 0;
     }
-    do_reach(run, segment, t, h, calm, lands, &wanted, &goal);
-    h = control->replays ? do_again(script, counts.at[ACCEPTED], goal - t) : do_length(wanted, goal - t);
+    do_reach(run, segment, t, h, calm, lands, &desired, &goal);
+    h = control->replays ? do_again(script, counts.at[ACCEPTED], goal - t) : do_length(desired, goal - t);
     if (moves) {
       do_stage_inputs(run, segment, t, h);
     }
@@ -856,7 +856,7 @@ static void do_over(const RunState *run, Segment segment, double h, int64_t *r0,
         first = h * least(2.0, most(0.5, factor));
         has_changed = 0;
       }
-      h = (h < wanted) ? most(wanted, h * factor) : (h * (rejected ? least(1.0, factor) : factor));
+      h = (h < desired) ? most(desired, h * factor) : (h * (rejected ? least(1.0, factor) : factor));
       rejected = 0;
       if (has_timers && (t < (stop - do_rounding(stop)))) {
         has_acted = 1;
@@ -895,8 +895,8 @@ static void do_over(const RunState *run, Segment segment, double h, int64_t *r0,
   return;
 }
 
-/* Rows, instants and stop conditions of a segment of a circuit that has no states; returns where it ends. Stop
-   conditions are looked for between rows. */
+/* Process rows, instants and stop conditions of a segment without states, and return its end. Stop conditions are
+   evaluated between rows. */
 static double do_without_states(const RunState *run, Segment segment) {
   double t = 0.0;
   double stop = 0.0;
@@ -947,7 +947,7 @@ static double do_without_states(const RunState *run, Segment segment) {
   return t;
 }
 
-/* Integrate over all segments; returns the status. fields are those of poppet.engine.job.Job. */
+/* Integrate over all segments and return the status; fields are those of poppet.engine.job.Job. */
 int64_t integrate(const int64_t *fields) {
   const Job *job;
   RunState run;

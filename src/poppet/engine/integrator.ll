@@ -1,4 +1,4 @@
-; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 c4ceb35092ace35e75e4559992dc6ff47f30414a7a0af50a9ad1d7cc51fb1fd4
+; made from integrator.py, stepping.py, job.py, rosenbrock.py, sha256 8854a3a601377dee55992b961cdd6f2b9a91150399980846dda3d533cd3a5640
 @v46 = private unnamed_addr constant [4 x double] [double 3.860000e-01, double 2.100000e-01, double 6.300000e-01, double 1.000000e+00], align 8
 define internal fastcc void @v47(ptr noalias nonnull writeonly %retptr, ptr readonly %arg.fields) unnamed_addr {
 entry:
@@ -1016,7 +1016,7 @@ B232.i.i:
   %.13.i1000.i.i = select i1 %.12.i999.i.i, double %.833.i.i, double %.13.i.i5977.i
   br label %b65
 b65:
-  %wanted.2.0.sink.i.i = phi double [ %.13.i.i5977.i, %B450.i ], [ %.13.i.i5977.i, %B200.i.i ], [ %.13.i1000.i.i, %B232.i.i ], [ %.13.i.i5977.i, %b66 ]
+  %desired.2.0.sink.i.i = phi double [ %.13.i.i5977.i, %B450.i ], [ %.13.i.i5977.i, %B200.i.i ], [ %.13.i1000.i.i, %B232.i.i ], [ %.13.i.i5977.i, %b66 ]
   %arg.segment.1.sink.i.i = phi double [ %"$phi1276.4.2.1", %B450.i ], [ %.13.i.i.i5979.i, %B200.i.i ], [ %"$phi1276.4.2.1", %B232.i.i ], [ %arg.segment.1.mux.i.i, %b66 ]
   br i1 %.4657.i, label %B520.i, label %B582.i
 B520.i:
@@ -1036,10 +1036,10 @@ B520.i:
 B582.i:
   %.2149.i = fsub double %arg.segment.1.sink.i.i, %t.2.0.i
   %.11.i.i = fmul double %.2149.i, 5.000000e-01
-  %.13.i.i = fcmp olt double %wanted.2.0.sink.i.i, %.11.i.i
-  %.24.i.i = fcmp olt double %wanted.2.0.sink.i.i, %.2149.i
+  %.13.i.i = fcmp olt double %desired.2.0.sink.i.i, %.11.i.i
+  %.24.i.i = fcmp olt double %desired.2.0.sink.i.i, %.2149.i
   %.11.arg.remaining.i.i = select i1 %.24.i.i, double %.11.i.i, double %.2149.i
-  %storemerge.i5982.i = select i1 %.13.i.i, double %wanted.2.0.sink.i.i, double %.11.arg.remaining.i.i
+  %storemerge.i5982.i = select i1 %.13.i.i, double %desired.2.0.sink.i.i, double %.11.arg.remaining.i.i
   br label %B628.i
 B628.i:
   %"$phi628.0.2.1.in.sroa.speculated.i" = phi double [ %"$phi94.0.2.0.i.i", %B520.i ], [ %storemerge.i5982.i, %B582.i ]
@@ -1341,12 +1341,12 @@ B1484.i:
   br label %B1554.i
 B1554.i:
   %first.2.1.i = phi double [ %.3560.i, %B1484.i ], [ %first.3.0.i, %b73 ]
-  %.3568.i = fcmp olt double %"$phi628.0.2.1.in.sroa.speculated.i", %wanted.2.0.sink.i.i
+  %.3568.i = fcmp olt double %"$phi628.0.2.1.in.sroa.speculated.i", %desired.2.0.sink.i.i
   br i1 %.3568.i, label %B1566.i, label %B1604.i
 B1566.i:
   %.3574.i = fmul double %"$phi628.0.2.1.in.sroa.speculated.i", %.13.i10.i.i
-  %.12.i6090.i = fcmp ogt double %.3574.i, %wanted.2.0.sink.i.i
-  %.13.i6091.i = select i1 %.12.i6090.i, double %.3574.i, double %wanted.2.0.sink.i.i
+  %.12.i6090.i = fcmp ogt double %.3574.i, %desired.2.0.sink.i.i
+  %.13.i6091.i = select i1 %.12.i6090.i, double %.3574.i, double %desired.2.0.sink.i.i
   br label %B1648.i
 B1604.i:
   %.12.i6092.i = fcmp olt double %.13.i10.i.i, 1.000000e+00
@@ -2078,11 +2078,11 @@ b81:
   %.1311.not = icmp eq i8 %.1308, 0
   br i1 %.1311.not, label %B6, label %common.ret
 }
-define internal fastcc void @v51(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4, double %arg.until) unnamed_addr {
+define internal fastcc void @v51(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4, double %arg.end) unnamed_addr {
 entry:
-  %.5.i = fmul double %arg.until, 0x3D06849B86A12B9B
+  %.5.i = fmul double %arg.end, 0x3D06849B86A12B9B
   %.6.i = fadd double %.5.i, 1.000000e-15
-  %.510 = fsub double %arg.until, %.6.i
+  %.510 = fsub double %arg.end, %.6.i
   %.731 = icmp slt i64 %arg.run.5.6.5.0, 1
   br i1 %.731, label %B0.endif.else.endif.if, label %B0.endif.else.endif.endif, !prof !3
 B188:

@@ -1,8 +1,8 @@
-"""The one generic integrator: step control, rows and stop conditions around a step that it is handed by address.
+"""Generic integrator: step control, rows and stop conditions for a step function, which is passed by its address.
 
-Numba turns this file and `stepping.py` into LLVM IR once, when they change (`tools/make_integrator.py`); the text is
-shipped beside them, and a user's machine makes object code of it (`poppet.engine.compiled`), so that nobody but a
-developer needs numba. The method itself is printed with the model (`poppet.engine.printers.llvm_step`).
+After a change of this file or `stepping.py`, Numba translates them to LLVM IR (`tools/make_integrator.py`). The text is
+part of the package and is compiled on the user's machine (`poppet.engine.compiled`), so only developers need Numba. The
+step of the method is printed with the model (`poppet.engine.printers.llvm_step`).
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from poppet.engine.stepping import (
     Control,
     Functions,
     Memory,
-    Rows,
+    OutputRows,
     RunState,
     Segment,
     Step,
@@ -40,22 +40,22 @@ from poppet.engine.stepping import (
 )
 
 APART = ("act", "act_inside", "stop_inside", "write_rows")
-"""Functions that stay apart: several copies of them make the code half as long again, and hardly faster."""
+"""Functions that are not inlined: copies of them would increase the code by half without a gain in speed."""
 N_FIELDS = len(Job._fields)
 
 
 @compiled
 def _again(script, step, remaining):
-    """Length of a step that is replayed: one that ended on an instant ends on it wherever that has moved."""
+    """Return the length of a replayed step; a step that ended at an instant ends at the new time of the instant."""
     h = script[min(step, script.size - 1)]
     return remaining if h <= 0.0 or h >= remaining else h
 
 
 @compiled
 def _accept(run, segment, step):
-    """Take the step just made, with its rows, up to a stop condition or an instant that changes the rates.
+    """Accept a completed step with its rows, up to a stop condition or an instant that changes the rates.
 
-    Returns where it ended; counts[CONDITION] says which stop condition was met.
+    The result is the end of the step; counts[CONDITION] is the index of the stop condition or -1.
     """
     memory, counts, end = run.memory, run.counts, step.end
     passes = memory.fired.size > 0 and stepping.next_instant(memory) < end - stepping.rounding(end)
@@ -74,23 +74,23 @@ def _accept(run, segment, step):
 
 @compiled
 def _over(run, segment, h):
-    """Integrate over one segment of the inputs; returns status, time and step.
+    """Integrate over one segment of the inputs, and return status, time and step length.
 
-    `calm` is when the memory changed the rates last, `first` the step that went well after that.
+    `calm` is the last time at which discrete states changed the rates, `first` the first successful step after it.
     """
     work, control, counts, memory, script = run.work, run.control, run.counts, run.memory, run.control.script
     t, stop, has_timers = segment.start, segment.stop, run.memory.fired.size > 0
     error_before, step_before, rejected, fresh, moves = 1e-2, 0.0, False, True, stepping.varies(segment)
     window, lands = t, run.stops.weights.shape[0] > 0 or script.size > 0
-    # To have come to another segment is progress, as to an instant.
+    # A new segment counts as progress, like a sample instant.
     calm, first, has_changed, has_acted = t, 0.0, True, has_timers or t > 0.0
     stepping.stage_inputs(run, segment, t, 0.0)
     while t < stop:
         if fresh:
             h = stepping.begin(run, segment, t, h)
             fresh = False
-        wanted, goal = stepping.reach(run, segment, t, h, calm, lands)
-        h = _again(script, counts[ACCEPTED], goal - t) if control.replays else stepping.length(wanted, goal - t)
+        desired, goal = stepping.reach(run, segment, t, h, calm, lands)
+        h = _again(script, counts[ACCEPTED], goal - t) if control.replays else stepping.length(desired, goal - t)
         if moves:
             stepping.stage_inputs(run, segment, t, h)
         end = goal if h >= (goal - t) * (1.0 - 1e-12) else t + h
@@ -112,13 +112,13 @@ def _over(run, segment, h):
             step_before, error_before = h, max(1e-2, error)
             if has_changed:
                 first, has_changed = h * min(2.0, max(0.5, factor)), False
-            # A step that was cut at the end of the segment says nothing against the longer one that was wanted.
-            h = max(wanted, h * factor) if h < wanted else h * (min(1.0, factor) if rejected else factor)
+            # A step that the end of the segment shortened does not reduce the desired length.
+            h = max(desired, h * factor) if h < desired else h * (min(1.0, factor) if rejected else factor)
             rejected = False
             if has_timers and t < stop - stepping.rounding(stop):
                 has_acted = True
                 if stepping.act(run, segment, t, run.x) or changes:
-                    # The rates have jumped: begin with what went well after the last jump.
+                    # The rates have jumped: start with the length that was successful after the last jump.
                     h, step_before, calm, has_changed = min(h, first), 0.0, t, True
         else:
             h *= max(SHRINK, min(0.8, SAFETY / stepping.fourth_root(error))) if np.isfinite(error) else SHRINK
@@ -135,9 +135,9 @@ def _over(run, segment, h):
 
 @compiled
 def _without_states(run, segment):
-    """Rows, instants and stop conditions of a segment of a circuit that has no states; returns where it ends.
+    """Process rows, instants and stop conditions of a segment without states, and return its end.
 
-    Stop conditions are looked for between rows.
+    Stop conditions are evaluated between rows.
     """
     t, stop, counts, grid = segment.start, segment.stop, run.counts, run.rows.grid
     while t < stop:
@@ -162,18 +162,18 @@ def _without_states(run, segment):
 
 @compiled
 def _run_of(job):
-    """Arrays of a job; those without an address of their own lie one behind the other in its scratch memory."""
+    """Return the arrays of a job; arrays without their own address are contiguous in its scratch memory."""
     n, n_c, n_u, n_y, n_z, n_m = job.n_states, job.n_controlled, job.n_inputs, job.n_outputs, job.n_memory, job.n_timers
     p = carray(stepping.doubles_at(job.p), (job.n_numbers + n_z,))
     limits = carray(stepping.doubles_at(job.limits), (4,))
     tolerances = carray(stepping.doubles_at(job.memory), (3, n_c))
     of_model = 12 * n + 6 * n_u + n_y + n_z + n_m
-    rest = carray(stepping.doubles_at(job.memory + 24 * n_c), (of_model + 2 + job.n_jacobian + job.n_scratch,))
-    vectors, rest = rest[: 12 * n], rest[12 * n :]
-    u, us, slopes, rest = rest[:n_u], rest[n_u : 5 * n_u], rest[5 * n_u : 6 * n_u], rest[6 * n_u :]
-    tt, jacobian, rest = rest[:2], rest[2 : 2 + job.n_jacobian], rest[2 + job.n_jacobian :]
-    scratch, rest = rest[: job.n_scratch], rest[job.n_scratch :]
-    fired, after, y = rest[:n_m], rest[n_m : n_m + n_z], rest[n_m + n_z :]
+    tail = carray(stepping.doubles_at(job.memory + 24 * n_c), (of_model + 2 + job.n_jacobian + job.n_scratch,))
+    vectors, tail = tail[: 12 * n], tail[12 * n :]
+    u, us, slopes, tail = tail[:n_u], tail[n_u : 5 * n_u], tail[5 * n_u : 6 * n_u], tail[6 * n_u :]
+    tt, jacobian, tail = tail[:2], tail[2 : 2 + job.n_jacobian], tail[2 + job.n_jacobian :]
+    scratch, tail = tail[: job.n_scratch], tail[job.n_scratch :]
+    fired, after, y = tail[:n_m], tail[n_m : n_m + n_z], tail[n_m + n_z :]
     work = Work(
         u, us, slopes, tt, vectors[:n], jacobian, vectors[n : 2 * n], scratch, vectors[6 * n :], vectors[11 * n :],
         vectors[2 * n : 3 * n], vectors[4 * n : 6 * n], vectors[3 * n : 4 * n],
@@ -185,7 +185,7 @@ def _run_of(job):
             tolerances, carray(stepping.flags_at(job.positive), (n_c,)), limits[0], limits[1],
             carray(stepping.doubles_at(job.script), (job.n_script,)), limits[2] > 0.0,
         ),
-        Rows(
+        OutputRows(
             carray(stepping.doubles_at(job.grid), (job.n_rows,)),
             carray(stepping.doubles_at(job.table), (n_y, job.n_rows)),
             y,
@@ -203,7 +203,7 @@ def _run_of(job):
 
 
 def integrate(fields):
-    """Integrate over all segments; returns the status. `fields` are those of `poppet.engine.job.Job`."""
+    """Integrate over all segments and return the status; `fields` are those of `poppet.engine.job.Job`."""
     job = Job(*to_fixed_tuple(carray(fields, (N_FIELDS,)), N_FIELDS))
     run = _run_of(job)
     n, n_u, n_k, counts, grid = job.n_states, job.n_inputs, job.n_segments, run.counts, run.rows.grid
@@ -214,7 +214,7 @@ def integrate(fields):
         carray(stepping.doubles_at(job.limits), (4,)),
         carray(stepping.doubles_at(job.scales), (3, job.n_controlled)),
     )
-    # Without a tolerance the run goes on with the tolerances and the step that the one before has left behind.
+    # Without a tolerance, the run continues with the tolerances and the step length of the previous run.
     if limits[3] > 0.0:
         stepping.set_tolerances(run.control, scales, limits[3], run.x)
         run.work.tt[1] = 0.0
@@ -233,7 +233,7 @@ def integrate(fields):
             if counts[CONDITION] >= 0:
                 status = STOPPED
                 break
-        # After a jump of an input the step is chosen anew, but not longer than before.
+        # After a jump of an input, the step length is selected again and is at most the previous length.
         h = -h if jumps[k] else h
         if n > 0:
             status, t, h = _over(run, segment, h)
@@ -250,16 +250,15 @@ def integrate(fields):
 
 
 def integrator_text() -> str:
-    """LLVM IR of the integrator, `i64 integrate(ptr)`."""
+    """Return LLVM IR of the integrator, `i64 integrate(ptr)`."""
     return portable_text(integrate, APART)
 
 
 def portable_text(function: Any, apart: Sequence[str]) -> str:
-    """LLVM IR of an integrator of a row of fields, free of Python and of numba's run-time.
+    """Return LLVM IR of an integrator without Python and without the run-time library of Numba.
 
-    Numba's own wrapper is replaced, because it would tie the code to a process in which numba lives; the reference
-    counts are dropped, because `carray` makes arrays without an owner. Functions that are `apart` are not inlined.
-    Compiling takes seconds.
+    The wrapper of Numba is replaced, because it needs Numba in the process. Reference counts are removed, because the
+    arrays of `carray` have no owner. Functions of `apart` are not inlined. The compilation takes seconds.
     """
     compiled = cfunc(types.int64(types.CPointer(types.int64)), nopython=True, error_model="numpy")(function)
     text = compiled._library.get_llvm_str()
@@ -274,7 +273,7 @@ def portable_text(function: Any, apart: Sequence[str]) -> str:
     names = "|".join(f"{len(name)}{name}" for name in apart)
     text = re.sub(rf"^(define [^\n]*(?:stepping|lanes)(?:{names})[^\n]*) {{$", r"\1 noinline {", text, flags=re.M)
     text = re.sub(r"^ *(?:tail )?call void @NRT_(?:incref|decref)\(.*$", "", text, flags=re.M)
-    # A root that sets no error number is an instruction of every processor.
+    # A square root without an error number is one instruction.
     root = "declare double @llvm.sqrt.f64(double)"
     text = re.sub(r"^declare double @sqrt\(.*$", "" if root in text else root, text, flags=re.M)
     text = text.replace("@sqrt(", "@llvm.sqrt.f64(")

@@ -1,4 +1,4 @@
-"""What compiled code is handed: addresses of arrays, and for the integrator one row of them and of lengths."""
+"""Arguments of compiled code: addresses of arrays and, for the integrator, one row of addresses and lengths."""
 
 from __future__ import annotations
 
@@ -7,39 +7,37 @@ from typing import Any, NamedTuple
 
 
 def address(array: Any) -> int:
-    """Where the numbers of a contiguous array lie; 0 for an empty one."""
+    """Return the address of a contiguous array, 0 for an empty array."""
     if not array.size:
         return 0
     try:
-        # A third of the time of `array.ctypes.data`, and refuses what is not contiguous.
+        # Three times faster than `array.ctypes.data`; it rejects arrays that are not contiguous.
         return addressof(c_char.from_buffer(array))
     except TypeError:  # not writable
         return int(array.ctypes.data)
 
 
 ERROR, FACTOR, SHRUNK, ROOT, ROOT_BEFORE, STEP_BEFORE, TAKEN, REFUSED, *_TIMES = range(22)
-"""Rows of the control of lanes: error of the step just made, factors on the step where it is taken and where not,
-fourth root of the error and that of the step before, the length of that, 1 where the step is taken, and where the one
-before was not."""
+"""Rows of the control of lanes: error of the completed step; factors on the step if it is accepted and if not; fourth
+root of the error and of the previous error; previous length; 1 for an accepted step; 1 after a rejected step."""
 LENGTH, WANTED, GOAL, END, STOP, NEXT, TRIES, TAKES, LOOK, MASKS, *_OF_ONE = _TIMES
-"""Length of the next step, length wanted of a step, where it has to end at the latest and where it does, end of the
-segment, time of the next row, attempts, accepted steps, the attempt after which progress is judged. In the last row two
-whole numbers with a bit for each lane: of those with rows in the step, and of those whose segment or run has ended or
-is to be judged."""
+"""Length of the next step; desired length; latest end and end of the step; end of the segment; time of the next row;
+attempts; accepted steps; attempt of the next stall test. The last row contains two integers with one bit per lane:
+lanes with rows in the step, and lanes whose segment or run has ended or needs the stall test."""
 CALM, FIRST, WINDOW, BEFORE = _OF_ONE
-"""And what only the integrator uses, as in `_over` of the integrator; time before which rows are written."""
+"""Rows that only the integrator uses, as in `_over` of the integrator, and the time limit of the rows."""
 
 
 class Job(NamedTuple):
-    """Addresses of the model's functions, lengths, addresses of arrays; every field is a whole number of 64 bits."""
+    """Addresses of the functions of the model, lengths, and addresses of arrays, as integers of 64 bits."""
 
-    # Functions, 0 where the model has none.
+    # Functions, 0 for a missing function.
     jacobian: int
     step: int
     dense: int
     outputs: int
     update: int
-    # Of the model: quadratures count as states, and without inputs there is room for one.
+    # Of the model: states include quadratures; without inputs, `n_inputs` is 1.
     n_states: int
     n_controlled: int
     n_inputs: int
@@ -48,10 +46,10 @@ class Job(NamedTuple):
     n_memory: int
     n_timers: int
     n_jacobian: int  # nonzeros
-    n_scratch: int  # what `step` needs besides
+    n_scratch: int  # scratch memory of `step`
     scales: int  # (3, n_controlled) factor on the relative tolerance, floor, nominal size
-    positive: int  # (n_controlled) which must stay positive
-    acting: int  # (n_memory) on which of them the rates depend
+    positive: int  # (n_controlled) 1 for states that must remain positive
+    acting: int  # (n_memory) 1 for discrete states on which the rates depend
     # Of the run.
     n_segments: int
     n_courses: int
@@ -61,34 +59,33 @@ class Job(NamedTuple):
     x: int  # (n_states) in and out
     p: int  # numbers, then the memory, in and out
     starts: int  # (n_segments)
-    courses: int  # (n_segments) which coefficients hold
+    courses: int  # (n_segments) index of the coefficients
     coefficients: int  # (n_courses, n_inputs, 7)
     jumps: int  # (n_segments)
     grid: int  # (n_rows) output times, the last one is the end
-    # Longest step, most attempts, 1 to replay the script, relative tolerance; where that is 0, the run goes on from the
-    # one before, whose tolerances and step length are in `memory`.
+    # Longest step, maximum number of attempts, 1 to replay the script, relative tolerance. If the tolerance is 0, the
+    # run continues with the tolerances and the step length of the previous run in `memory`.
     limits: int
     places: int  # (n_conditions, 2) in y, -1 for none
     weights: int  # (n_conditions, 3)
     table: int  # (n_outputs, n_rows) written
-    books: int  # (3, n_states) least and greatest value and sum of |change|, written
-    watch: int  # time reached, and a flag by which another thread asks to stop
-    counts: int  # accepted steps, attempts, columns written, from 0 on; stop condition or -1; scratch
+    books: int  # (3, n_states) minimum, maximum and sum of |change|, written
+    watch: int  # time reached, and a flag with which another thread requests the end
+    counts: int  # accepted steps, attempts, written columns; stop condition or -1; scratch
     memory: int  # scratch, `Kernel.memory_size` doubles
-    # Lengths of the accepted steps, written as far as there is room, negative where they ended on an instant; or read
-    # where they are replayed: runs that share a script differ smoothly in their numbers, as differences need.
+    # Lengths of the accepted steps, negative for steps that ended at an instant. They are written up to the size of the
+    # script, or read in a replay: results of runs with one script are smooth functions of the parameters.
     script: int
 
 
 class LaneJob(NamedTuple):
-    """What the integrator of lanes is handed: fields of `Job`, and the arrays of the lanes, each row a double for every
-    lane."""
+    """Arguments of the integrator of lanes: fields of `Job`, and arrays with one double per lane in a row."""
 
     width: int
-    # On lanes; `_held` where the inputs hold still.
+    # For lanes; `_held` for constant inputs.
     jacobian: int
     jacobian_held: int
-    derived: int  # what stands behind the memory in p
+    derived: int  # elements after the discrete state in p
     step: int
     dense: int
     choose: int
@@ -122,29 +119,29 @@ class LaneJob(NamedTuple):
     n_varied: int
     n_held: int
     numbers: int  # (n_numbers + n_memory) p of the problem
-    varied: int  # (n_varied) places in p
+    varied: int  # (n_varied) indices in p
     values: int  # (n_runs, n_varied)
-    held: int  # (n_held, 2) inputs and places in p
+    held: int  # (n_held, 2) indices of inputs and in p
     starts: int
     courses: int
-    coefficients: int  # (n_courses, n_inputs, 7), or with held inputs one set for each lane
+    coefficients: int  # (n_courses, n_inputs, 7), or one set per lane if `n_held` is positive
     jumps: int
-    row_length: int  # where n_rows is written
-    grid: int  # (n_rows), and `width` infinities behind them
+    row_length: int  # address of n_rows
+    grid: int  # (n_rows), then `width` infinities
     limits: int
     places: int
     weights: int
-    record: int  # (n_runs, n_record) as `Ends` of `poppet.engine.batch` has it
+    record: int  # (n_runs, n_record), see `poppet.engine.members.RunEnds`
     n_record: int
     counts: int  # (n_runs, 6)
-    watch: int  # scratch, and a flag by which another thread asks to stop
+    watch: int  # scratch, and a flag with which another thread requests the end
     # Of a slice.
-    first: int  # run that is taken next
-    last: int  # and the one behind the last
-    busy: int  # lanes that have a run
-    base: int  # run at the begin of the table
+    first: int  # next run
+    last: int  # run after the last
+    busy: int  # number of lanes with a run
+    base: int  # first run of the table
     table: int  # (last - base, n_outputs, n_rows) written
-    # Of the lanes, as a step of one run has them.
+    # Of the lanes, as for a step of one run.
     control: int
     th: int
     x: int
@@ -162,9 +159,9 @@ class LaneJob(NamedTuple):
     interpolant: int
     tolerances: int  # (2 n_controlled) relative, absolute
     sizes: int  # (n_controlled)
-    low: int  # (n_controlled) what a state must exceed
+    low: int  # (n_controlled) lower limit of a state
     books: int
     rows_u: int  # inputs at rows
     flags: int
-    own: int  # (width, n_numbers + n_memory) p of each lane, one behind the other
-    one: int  # scratch for one lane at a time
+    own: int  # (width, n_numbers + n_memory) p of each lane
+    one: int  # scratch memory for one lane

@@ -1,4 +1,4 @@
-; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 72e4cfa0d94ceaeb6e361ac1d486170bd06a8461b900507d62254fc292e611dd
+; made from lanes.py, integrator.py, stepping.py, job.py, rosenbrock.py, sha256 5a1c702da09f323e2fb2fb16725efd557d181229faa2f8d59134371a8d8411f0
 @.const.array.data = internal unnamed_addr constant [32 x i8] c"Nb\10X9\B4\D8?\E1z\14\AEG\E1\CA?)\\\8F\C2\F5(\E4?\00\00\00\00\00\00\F0?", align 8
 define internal fastcc noundef i32 @v71(ptr noalias nonnull writeonly %retptr, ptr %arg.f.4, i64 %arg.i) unnamed_addr {
 entry:
@@ -3203,9 +3203,9 @@ B232.i:
   %.13.i1000.i = select i1 %.12.i999.i, double %.833.i, double %.13.i.i
   br label %b109
 b109:
-  %wanted.2.0.sink.i = phi double [ %.13.i.i, %B322.i ], [ %.13.i.i, %B200.i ], [ %.13.i1000.i, %B232.i ], [ %.13.i.i, %b110 ]
+  %desired.2.0.sink.i = phi double [ %.13.i.i, %B322.i ], [ %.13.i.i, %B200.i ], [ %.13.i1000.i, %B232.i ], [ %.13.i.i, %b110 ]
   %arg.segment.1.sink.i = phi double [ %"$phi322.0.2.0.i", %B322.i ], [ %.13.i.i.i, %B200.i ], [ %"$phi322.0.2.0.i", %B232.i ], [ %arg.segment.1.mux.i, %b110 ]
-  store double %wanted.2.0.sink.i, ptr %retptr, align 8
+  store double %desired.2.0.sink.i, ptr %retptr, align 8
   %retptr.repack286 = getelementptr inbounds i8, ptr %retptr, i64 8
   store double %arg.segment.1.sink.i, ptr %retptr.repack286, align 8
   ret void
@@ -4073,11 +4073,11 @@ b115:
   %.1311.not = icmp eq i8 %.1308, 0
   br i1 %.1311.not, label %B78.if.i.backedge, label %common.ret
 }
-define internal fastcc void @v91(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4, double %arg.until) unnamed_addr {
+define internal fastcc void @v91(ptr noalias nonnull writeonly %retptr, i64 %arg.run.0.3, ptr %arg.run.1.0.4, i64 %arg.run.2.1.2, i64 %arg.run.3.0.2, ptr readonly %arg.run.3.0.4, i64 %arg.run.3.0.5.0, ptr writeonly %arg.run.3.1.4, i64 %arg.run.3.1.5.1, i64 %arg.run.3.2.2, ptr %arg.run.3.2.4, i64 %arg.run.5.0.2, ptr %arg.run.5.0.4, ptr %arg.run.5.3.4, ptr %arg.run.5.6.4, i64 %arg.run.5.6.5.0, ptr readonly %arg.run.5.11.4, i64 %arg.run.5.11.5.0, i64 %arg.run.6.2, ptr readonly %arg.run.6.4, ptr %arg.run.9.4, ptr readonly %arg.segment.2.4, i64 %arg.segment.2.5.1, double %arg.step.0, double %arg.step.1, ptr readonly %arg.step.3.4, double %arg.end) unnamed_addr {
 entry:
-  %.5.i = fmul double %arg.until, 0x3D06849B86A12B9B
+  %.5.i = fmul double %arg.end, 0x3D06849B86A12B9B
   %.6.i = fadd double %.5.i, 1.000000e-15
-  %.510 = fsub double %arg.until, %.6.i
+  %.510 = fsub double %arg.end, %.6.i
   %.731 = icmp slt i64 %arg.run.5.6.5.0, 1
   br i1 %.731, label %B0.endif.else.endif.if, label %B0.endif.else.endif.endif, !prof !84
 B188:

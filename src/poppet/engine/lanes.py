@@ -1,14 +1,14 @@
-"""The integrator of lanes: several runs side by side, each with time, step size, segment, errors and rows of its own.
+"""Integrator of lanes: several simultaneous runs, each with its own time, step size, segment, errors and rows.
 
-A step is printed on vectors (`poppet.engine.printers.llvm_lanes`) and branches nowhere, so that no lane waits for
-another; what is done between steps is done lane by lane, as `poppet.engine.integrator` does it, and a lane that has
-finished takes the next run from the queue. Compiled as that file is.
+A step is printed for vectors (`poppet.engine.printers.llvm_lanes`) without branches, so no lane waits for another. The
+work between steps is done per lane, as in `poppet.engine.integrator`. A lane that has completed its run takes the next
+run from the queue. This file is compiled like `integrator.py`.
 
-Functions take the fields of a `LaneJob` as an array f, and the number i of a lane; arrays are looked up where they are
-used, which keeps the compiled text short.
+Arguments of the functions are the fields of a `LaneJob` as an array f, and the index i of a lane. Arrays are created
+where they are used, which keeps the compiled text short.
 
-Where lanes are led (1 in the third of `limits`), all make the steps that the first one chooses, so that their runs
-differ smoothly in their numbers, as differences need. They begin together, and there are no events in them.
+In lockstep (if the third of `limits` is 1), all lanes use the steps of the first lane, so the results of their runs are
+smooth functions of the parameters. These runs begin together and have no events.
 """
 
 from __future__ import annotations
@@ -60,7 +60,7 @@ from poppet.engine.stepping import (
     Control,
     Functions,
     Memory,
-    Rows,
+    OutputRows,
     RunState,
     Segment,
     Step,
@@ -85,19 +85,19 @@ APART = (
     "take_events",
     "after_change",
 )
-"""Functions that stay apart: all but what happens in every step of every lane."""
+"""Functions that are not inlined: all functions that are not called in each step of each lane."""
 AT = LaneJob(*range(len(LaneJob._fields)))
-"""Places of the fields."""
+"""Indices of the fields."""
 RUN, SEGMENT, MOVES, HAS_CHANGED, HAS_ACTED, ENDED = range(6)
-"""Rows of the flags: run, -1 for none; segment; whether inputs move, the memory changed the rates, and acted; how the
-segment has ended, -1 while it goes on."""
+"""Rows of the flags: run or -1; segment; 1 if inputs change, if discrete states changed the rates, if timers acted; end
+of the segment, -1 while it continues."""
 _TIMES = np.array(INPUT_TIMES)
 OUTCOME = 5
-"""Place of the outcome in `counts`, behind those of `poppet.engine.stepping`."""
+"""Index of the outcome in `counts`, after those of `poppet.engine.stepping`."""
 
 
 def jumper(count: int) -> Any:
-    """An intrinsic that calls machine code at an address with `count` addresses."""
+    """Return an intrinsic that calls machine code at an address with `count` addresses."""
 
     def typed(typing_context: Any, address: Any, *places: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -120,50 +120,50 @@ call3_arrays = stepping.caller(3)
 
 @compiled
 def rows(f, field):
-    """An array of the lanes; its number of rows does not matter."""
+    """Return an array of the lanes with any number of rows."""
     return carray(stepping.doubles_at(f[field]), (1, f[AT.width]))
 
 
 @compiled
 def flags_of(f):
-    """The flags of the lanes."""
+    """Return the flags of the lanes."""
     return carray(stepping.integers_at(f[AT.flags]), (1, f[AT.width]))
 
 
 @compiled
 def doubles(f, field, size):
-    """A plain array."""
+    """Return an array of doubles."""
     return carray(stepping.doubles_at(f[field]), (size,))
 
 
 @compiled
 def integers(f, field, size):
-    """A plain array of whole numbers."""
+    """Return an array of integers."""
     return carray(stepping.integers_at(f[field]), (size,))
 
 
 @compiled
 def counts_of(f, run):
-    """Counts of a run."""
+    """Return the counts of a run."""
     return carray(stepping.integers_at(f[AT.counts] + 48 * run), (6,))
 
 
 @compiled
 def own_of(f, i):
-    """Numbers of a lane and its memory."""
+    """Return parameters and discrete state of a lane."""
     size = f[AT.n_numbers] + f[AT.n_memory]
     return carray(stepping.doubles_at(f[AT.own] + 8 * i * size), (size,))
 
 
 @compiled
 def table_at(f, run):
-    """Where the rows of a run begin."""
+    """Return the address of the rows of a run."""
     return f[AT.table] + 8 * (run - f[AT.base]) * f[AT.n_outputs] * f[AT.n_rows]
 
 
 @compiled
 def gather(f, field, i, one):
-    """Numbers of one lane."""
+    """Copy the values of one lane into an array."""
     vector = rows(f, field)
     for s in range(one.size):
         one[s] = vector[s, i]
@@ -171,7 +171,7 @@ def gather(f, field, i, one):
 
 @compiled
 def scatter(f, field, i, one):
-    """Numbers into one lane."""
+    """Copy an array into one lane."""
     vector = rows(f, field)
     for s in range(one.size):
         vector[s, i] = one[s]
@@ -179,7 +179,7 @@ def scatter(f, field, i, one):
 
 @compiled
 def single(f, i):
-    """One lane, as the pieces in `stepping` want a run; states must be gathered first."""
+    """Return one lane as a run for the functions of `stepping`; states must be gathered first."""
     n, n_c, n_u, n_z, n_y = f[AT.n_states], f[AT.n_controlled], f[AT.n_inputs], f[AT.n_memory], f[AT.n_outputs]
     run, at, own = flags_of(f)[RUN, i], f[AT.one], own_of(f, i)
     vectors = carray(stepping.doubles_at(at), (6 * n + 2 * n_u,))
@@ -201,7 +201,9 @@ def single(f, i):
             carray(stepping.doubles_at(at), (3, n_c)), carray(stepping.flags_at(f[AT.positive]), (n_c,)),
             limits[0], limits[1], nothing, False,
         ),
-        Rows(doubles(f, AT.grid, f[AT.n_rows]), carray(stepping.doubles_at(table_at(f, run)), (n_y, f[AT.n_rows])), y),
+        OutputRows(
+            doubles(f, AT.grid, f[AT.n_rows]), carray(stepping.doubles_at(table_at(f, run)), (n_y, f[AT.n_rows])), y
+        ),
         Stops(
             carray(stepping.integers_at(f[AT.places]), (n_conditions, 2)),
             carray(stepping.doubles_at(f[AT.weights]), (n_conditions, 3)),
@@ -212,7 +214,7 @@ def single(f, i):
 
 @compiled
 def segment_of(f, i):
-    """Segment that a lane is in."""
+    """Return the current segment of a lane."""
     k, n_k, n_u = flags_of(f)[SEGMENT, i], f[AT.n_segments], f[AT.n_inputs]
     starts = doubles(f, AT.starts, n_k)
     stop = starts[k + 1] if k + 1 < n_k else doubles(f, AT.grid, f[AT.n_rows])[-1]
@@ -222,7 +224,7 @@ def segment_of(f, i):
 
 @compiled
 def act(f, i, run, segment, t, x):
-    """Let the timers of a lane act; returns whether the rates have changed."""
+    """Run the timers of a lane, and return True if the rates have changed."""
     has_changed = stepping.act(run, segment, t, x)
     vector = rows(f, AT.p)
     for k in range(f[AT.n_memory]):
@@ -232,7 +234,7 @@ def act(f, i, run, segment, t, x):
 
 @compiled
 def weigh(f, run, record):
-    """Energies of the gathered state, which no input moves."""
+    """Compute the energies of the gathered state, which do not depend on inputs."""
     if f[AT.n_energies] > 0:
         for k in range(run.work.u.size):
             run.work.u[k] = 0.0
@@ -242,7 +244,7 @@ def weigh(f, run, record):
 
 @compiled
 def begin_run(f, i, k):
-    """Lane i takes run k: numbers, state at the start, tolerances, books."""
+    """Start run k in lane i: parameters, initial state, tolerances, extremes and sums."""
     flags_of(f)[RUN, i], flags_of(f)[SEGMENT, i] = k, -1
     control = rows(f, AT.control)
     control[LENGTH, i] = control[TRIES, i] = control[TAKES, i] = 0.0
@@ -263,7 +265,7 @@ def begin_run(f, i, k):
     for j in range(after.size):
         own[f[AT.n_numbers] + j] = after[j]
     scatter(f, AT.p, i, own)
-    # For all lanes, which changes none but this one.
+    # For all lanes; it changes only this lane.
     call2(f[AT.derived], f[AT.p], f[AT.p] + 8 * f[AT.width] * own.size)
     scatter(f, AT.x, i, run.x)
     relative = doubles(f, AT.limits, 4)[3]
@@ -283,7 +285,7 @@ def begin_run(f, i, k):
 
 @compiled
 def inputs(f, i, segment, t):
-    """Inputs of a lane and their slopes at the begin of a step."""
+    """Compute the inputs of a lane and their slopes at the start of a step."""
     work = single(f, i).work
     stepping.inputs_at(t, segment, work.u)
     stepping.input_slopes_at(t, segment, work.slopes)
@@ -293,7 +295,7 @@ def inputs(f, i, segment, t):
 
 @compiled
 def stage_inputs(f, i, segment, t, h):
-    """Inputs of a lane at the stages of a step."""
+    """Compute the inputs of a lane at the stages of a step."""
     u, us = single(f, i).work.u, rows(f, AT.us)
     for stage in range(4):
         stepping.inputs_at(t + _TIMES[stage] * h, segment, u)
@@ -303,7 +305,7 @@ def stage_inputs(f, i, segment, t, h):
 
 @compiled
 def stop_at(f, i, segment):
-    """Let timers act where a lane's segment begins; returns the stop condition that holds there, or -1."""
+    """Run the timers at the start of a segment of a lane, and return the true stop condition or -1."""
     run = single(f, i)
     gather(f, AT.x, i, run.x)
     if f[AT.n_timers] > 0:
@@ -315,7 +317,7 @@ def stop_at(f, i, segment):
 
 @compiled
 def enter(f, i):
-    """A lane comes to its next segment; returns DONE, or STOPPED where a stop condition holds."""
+    """Start the next segment of a lane, and return DONE, or STOPPED if a stop condition is true."""
     control, flags = rows(f, AT.control), flags_of(f)
     flags[SEGMENT, i] += 1
     segment, has_timers = segment_of(f, i), f[AT.n_timers] > 0
@@ -329,7 +331,7 @@ def enter(f, i):
     control[WINDOW, i] = control[CALM, i] = t
     control[FIRST, i] = control[REFUSED, i] = 0.0
     flags[HAS_CHANGED, i], flags[ENDED, i] = 1, -1
-    # To have come to another segment is progress, as to an instant.
+    # A new segment counts as progress, like a sample instant.
     flags[HAS_ACTED, i] = 1 if has_timers or t > 0.0 else 0
     flags[MOVES, i] = 1 if stepping.varies(segment) else 0
     inputs(f, i, segment, t)
@@ -339,7 +341,7 @@ def enter(f, i):
 
 @compiled
 def finish(f, i, status):
-    """Write down how the run of a lane has ended, with its last row."""
+    """Store the result of the run of a lane, with its last row."""
     run, n, n_e, n_y, n_rows = single(f, i), f[AT.n_states], f[AT.n_energies], f[AT.n_outputs], f[AT.n_rows]
     counts, table, t, k = run.counts, run.rows.table, rows(f, AT.th)[0, i], flags_of(f)[RUN, i]
     counts[ATTEMPTS], counts[ACCEPTED] = int(rows(f, AT.control)[TRIES, i]), int(rows(f, AT.control)[TAKES, i])
@@ -365,7 +367,7 @@ def finish(f, i, status):
 
 @compiled
 def rest(f, i):
-    """A lane has no run any more, and goes on from where the first one is: to what is not finite functions are slow."""
+    """Leave a lane without a run and copy the first lane into it: functions are slow for values that are not finite."""
     control, n_u = rows(f, AT.control), f[AT.n_inputs]
     flags_of(f)[RUN, i], flags_of(f)[MOVES, i], control[LENGTH, i] = -1, 0, 1e-9
     control[STOP, i] = control[GOAL, i] = control[NEXT, i] = control[LOOK, i] = np.inf
@@ -385,7 +387,7 @@ def rest(f, i):
 
 @compiled
 def onward(f, i, status):
-    """A segment of a lane has ended so: on to the next, or to the next run, or to rest."""
+    """Process the end of a segment of a lane: start its next segment or the next run, or leave the lane idle."""
     flags = flags_of(f)
     while True:
         if flags[RUN, i] >= 0:
@@ -405,7 +407,7 @@ def onward(f, i, status):
 
 @compiled
 def first_step(f, i, h):
-    """Length of the first step after a jump, as `begin` of `stepping` chooses it."""
+    """Set the length of the first step after a jump, as `begin` of `stepping`."""
     rates, x, sizes = rows(f, AT.rates), rows(f, AT.x), rows(f, AT.sizes)
     fastest = 20.0 / (rows(f, AT.control)[STOP, i] - rows(f, AT.th)[0, i])
     for s in range(f[AT.n_controlled]):
@@ -415,13 +417,13 @@ def first_step(f, i, h):
 
 @compiled
 def goal(f, i, t, h):
-    """Length wanted of a step where there are timers, and where it has to end at the latest."""
+    """Set the desired length of a step of a lane with timers, and its latest end."""
     return stepping.reach(single(f, i), segment_of(f, i), t, h, rows(f, AT.control)[CALM, i], f[AT.n_conditions] > 0)
 
 
 @compiled
 def follow(f, i, control, th):
-    """Take the length of the first lane's next step."""
+    """Copy the length of the next step of the first lane."""
     th[1, i], control[WANTED, i], control[END, i] = th[1, 0], control[WANTED, 0], control[END, 0]
     if flags_of(f)[MOVES, i]:
         stage_inputs(f, i, segment_of(f, i), th[0, i], th[1, i])
@@ -429,7 +431,7 @@ def follow(f, i, control, th):
 
 @compiled
 def led(i, control, flags):
-    """How the segment of a lane that follows has ended after a step, whose error decides nothing, or -1."""
+    """Return the end of the segment of a lane in lockstep after a step, or -1; its error has no effect."""
     if flags[ENDED, 0] > DONE:
         return flags[ENDED, 0]
     return STALLED if control[TAKEN, 0] != 0.0 and control[TAKEN, i] == 0.0 else -1
@@ -437,7 +439,7 @@ def led(i, control, flags):
 
 @compiled
 def write_rows(f, i, run, function, u):
-    """Write rows of a lane that lie before BEFORE."""
+    """Write the rows of a lane before BEFORE."""
     side = 8 * i
     call11(
         function, f[AT.grid], table_at(f, run), f[AT.counts] + 48 * run + 8 * COLUMN, f[AT.row_length],
@@ -448,7 +450,7 @@ def write_rows(f, i, run, function, u):
 
 @compiled
 def moving_rows(f, i, run):
-    """Rows of a lane inside the step just made while its inputs move."""
+    """Write the rows of a lane inside a completed step with changing inputs."""
     width, n_rows, segment, u = f[AT.width], f[AT.n_rows], segment_of(f, i), single(f, i).work.u
     column, grid, before = counts_of(f, run), doubles(f, AT.grid, n_rows + width), rows(f, AT.control)[BEFORE, i]
     while grid[column[COLUMN]] < before:
@@ -460,7 +462,7 @@ def moving_rows(f, i, run):
 
 @compiled
 def events(f, i, t, h, end):
-    """Rows, stop conditions and instants inside the step just made by a lane, and at its end where that is no end.
+    """Process rows, stop conditions and instants of a completed step of a lane, and at its end inside the segment.
 
     Returns where it ends, and whether the rates have changed there. The new state is cut where it ends.
     """
@@ -487,7 +489,7 @@ def events(f, i, t, h, end):
         flags_of(f)[HAS_ACTED, i] = 1
         has_changed = act(f, i, run, segment, reached, work.new)
     else:
-        # Those inside have moved the memory too.
+        # Instants inside the step have also changed discrete states.
         vector = rows(f, AT.p)
         for k in range(memory.z.size):
             vector[f[AT.n_numbers] + k, i] = memory.z[k]
@@ -496,7 +498,7 @@ def events(f, i, t, h, end):
 
 @compiled
 def take_events(f, i, control, th):
-    """Rows and events of the step just made by a lane; returns whether the rates have changed where it ends."""
+    """Process rows and events of a completed step of a lane, and return True if the rates have changed at its end."""
     end, has_changed = events(f, i, th[0, i], th[1, i], control[END, i])
     control[END, i] = end
     return has_changed
@@ -504,7 +506,7 @@ def take_events(f, i, control, th):
 
 @compiled
 def take_rows(f, i, control, flags, run):
-    """Rows inside the step just made by a lane."""
+    """Write the rows inside a completed step of a lane."""
     end = control[END, i]
     control[BEFORE, i] = end - stepping.rounding(end)
     if flags[MOVES, i]:
@@ -516,19 +518,19 @@ def take_rows(f, i, control, flags, run):
 
 @compiled
 def after_change(i, control, th, flags, has_changed):
-    """Length of a lane's next step where the memory may have changed the rates."""
+    """Set the length of the next step of a lane after a possible change of the rates."""
     if flags[HAS_CHANGED, i]:
         control[FIRST, i], flags[HAS_CHANGED, i] = th[1, i] * min(2.0, max(0.5, control[FACTOR, i])), 0
     end = th[0, i]
     if has_changed and end < control[STOP, i] - stepping.rounding(control[STOP, i]):
-        # The rates have jumped: begin with what went well after the last jump.
+        # The rates have jumped: start with the length that was successful after the last jump.
         control[LENGTH, i], control[STEP_BEFORE, i] = min(control[LENGTH, i], control[FIRST, i]), 0.0
         control[CALM, i], flags[HAS_CHANGED, i] = end, 1
 
 
 @compiled
 def verdict(f, i, counts, most):
-    """Why to give up the run of a lane after an attempt, or -1, as `verdict` of `stepping`."""
+    """Return the status that ends the run of a lane after an attempt, or -1; see `verdict` of `stepping`."""
     control = rows(f, AT.control)
     tries, takes = int(control[TRIES, i]), int(control[TAKES, i])
     if tries % STALL_WINDOW == 0:
@@ -547,7 +549,7 @@ def verdict(f, i, counts, most):
 
 @compiled
 def ending(f, i, control, th, flags):
-    """How the segment of a lane has ended with the step just made, or -1."""
+    """Return the end of the segment of a lane with the completed step, or -1."""
     counts, t, h = counts_of(f, flags[RUN, i]), th[0, i], control[LENGTH, i]
     if control[TAKEN, i] == 0.0:
         ended = STALLED if t + h <= t or h < 1e-300 else -1
@@ -566,7 +568,7 @@ def ending(f, i, control, th, flags):
 
 @compiled
 def begin_step(f, control, th, flags):
-    """Rates and their Jacobian, lengths of the steps, inputs at their stages; returns whether inputs move."""
+    """Compute rates, Jacobian, step lengths and inputs at the stages, and return True if inputs change."""
     width, moves, leads = f[AT.width], False, doubles(f, AT.limits, 4)[2] != 0.0
     for i in range(width):
         moves |= flags[MOVES, i] != 0
@@ -592,7 +594,7 @@ def begin_step(f, control, th, flags):
 
 @compiled
 def advance(f):
-    """One step of every lane."""
+    """Compute one step of all lanes."""
     width, flags, control, th = f[AT.width], flags_of(f), rows(f, AT.control), rows(f, AT.th)
     has_events, leads = f[AT.n_timers] > 0 or f[AT.n_conditions] > 0, doubles(f, AT.limits, 4)[2] != 0.0
     masks = carray(stepping.integers_at(f[AT.control] + 8 * MASKS * width), (2,))
@@ -641,7 +643,7 @@ def advance(f):
 
 
 def integrate_lanes(fields):
-    """Run all from `first` up to `last`; `fields` are those of `poppet.engine.job.LaneJob`."""
+    """Run `first` to `last` - 1; `fields` are those of `poppet.engine.job.LaneJob`."""
     f = carray(fields, (len(AT),))
     width, n_c = f[AT.width], f[AT.n_controlled]
     low, positive = rows(f, AT.low), carray(stepping.flags_at(f[AT.positive]), (n_c,))
@@ -657,5 +659,5 @@ def integrate_lanes(fields):
 
 
 def lanes_text() -> str:
-    """LLVM IR of the integrator of lanes, `i64 integrate_lanes(ptr)`."""
+    """Return LLVM IR of the integrator of lanes, `i64 integrate_lanes(ptr)`."""
     return integrator.portable_text(integrate_lanes, APART)

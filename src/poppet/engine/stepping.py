@@ -1,6 +1,6 @@
-"""The pieces of the integrator: inputs, errors and step sizes, rows, stop conditions, instants of the memory.
+"""Functions of the integrator: inputs, errors, step sizes, rows, stop conditions and sample instants.
 
-Compiled together with `poppet.engine.integrator`, which says how.
+These functions are compiled together with `poppet.engine.integrator`.
 """
 
 from __future__ import annotations
@@ -16,17 +16,16 @@ from poppet.engine.rosenbrock import GROWTH, INPUT_TIMES, SAFETY, SHRINK
 
 DONE, STOPPED, STALLED, TOO_MANY, NOT_FINITE, INTERRUPTED = range(6)
 ACCEPTED, ATTEMPTS, COLUMN, CONDITION, IN_WINDOW = range(5)
-"""Places in `counts`; the last is the number of steps accepted before the window in which a stall is looked for."""
+"""Indices in `counts`; the last counts the steps accepted before the window of the stall test."""
 INTERNAL = 0.25
-"""Relative tolerance of a step per unit of the one asked for: the errors of steps and of the interpolant add up. Chosen
-so that the results, not the steps, keep the promise of `simulate`."""
+"""Factor on the relative tolerance for a step, because errors of steps and interpolant add up in the results."""
 STALL_WINDOW = 400
-"""Attempts after which progress is judged: a window with more than 3 rejections in 10 that brings the run less than
-1e-4 of its rest forward is a stall."""
+"""Attempts between stall tests: a run stalls if more than 3 of 10 attempts are rejected and the run advances by less
+than 1e-4 of the remaining time."""
 
 
 class Functions(NamedTuple):
-    """Addresses of the model's functions."""
+    """Addresses of the functions of the model."""
 
     jacobian: Any
     step: Any
@@ -36,7 +35,7 @@ class Functions(NamedTuple):
 
 
 class Memory(NamedTuple):
-    """The numbers p, behind them the memory z; at an instant `fired` says which timers act, `after` is the new z."""
+    """Parameters and discrete state z in p; at an instant, timers that act (`fired`) and the new z (`after`)."""
 
     p: Any
     z: Any
@@ -46,8 +45,7 @@ class Memory(NamedTuple):
 
 
 class Control(NamedTuple):
-    """Relative and absolute tolerance and size of each controlled state (3, n_controlled), and which stay positive;
-    longest step, most attempts; script."""
+    """Step control: tolerances and sizes of controlled states (3, n_controlled), positive states, limits, script."""
 
     tolerances: Any
     positive: Any
@@ -57,8 +55,8 @@ class Control(NamedTuple):
     replays: Any
 
 
-class Rows(NamedTuple):
-    """Output times, what is written at them, and the outputs of the moment."""
+class OutputRows(NamedTuple):
+    """Output times, table of outputs, and outputs of the current row."""
 
     grid: Any
     table: Any
@@ -73,8 +71,11 @@ class Stops(NamedTuple):
 
 
 class Work(NamedTuple):
-    """Scratch: inputs now, at the stages of a step, and their slopes; time and length; at the begin of a step rates,
-    their Jacobian and drift; then its new state, stages, error, interpolant, and a state inside it."""
+    """Scratch arrays of a step.
+
+    They contain inputs, inputs at the stages, slopes of inputs, time and length; rates, Jacobian and drift at the
+    start; stages, error estimate, new state, interpolant, and a state inside the step.
+    """
 
     u: Any
     us: Any
@@ -92,7 +93,7 @@ class Work(NamedTuple):
 
 
 class RunState(NamedTuple):
-    """All that a run shares from its begin to its end; x is the state."""
+    """Data of a run; x is the state."""
 
     functions: Any
     memory: Any
@@ -107,7 +108,7 @@ class RunState(NamedTuple):
 
 
 class Segment(NamedTuple):
-    """Inputs (n_inputs, 7) between two breakpoints."""
+    """Inputs, (n_inputs, 7), between two breakpoints."""
 
     start: Any
     stop: Any
@@ -115,7 +116,7 @@ class Segment(NamedTuple):
 
 
 class Step(NamedTuple):
-    """A step just made from x to `new`: its begin, length and end (t + h but for rounding)."""
+    """Completed step from x to `new`: start, length and end (t + h with rounding errors)."""
 
     t: Any
     h: Any
@@ -124,7 +125,7 @@ class Step(NamedTuple):
 
 
 def caller(count: int) -> Any:
-    """An intrinsic that calls machine code at an address with `count` arrays of doubles."""
+    """Return an intrinsic that calls machine code at an address with `count` arrays of doubles."""
 
     def typed(typing_context: Any, address: Any, *arrays: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -141,7 +142,7 @@ def caller(count: int) -> Any:
 
     names = ", ".join(f"a{k}" for k in range(count))
     scope: dict[str, Any] = {"typed": typed}
-    # Numba counts the arguments of an intrinsic by its signature, so it is written out.
+    # Numba requires an explicit signature of an intrinsic.
     exec(f"def call(typing_context, address, {names}):\n    return typed(typing_context, address, {names})", scope)
     return intrinsic(scope["call"])
 
@@ -150,7 +151,7 @@ call2, call5, call6, call8, call10 = caller(2), caller(5), caller(6), caller(8),
 
 
 def pointer(kind: Any) -> Any:
-    """An intrinsic from an address to a typed pointer."""
+    """Return an intrinsic that converts an address to a typed pointer."""
 
     def at(typing_context: Any, address: Any) -> Any:
         def generate(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
@@ -169,10 +170,10 @@ compiled = njit(nogil=True, error_model="numpy", no_cpython_wrapper=True, no_cfu
 
 @compiled
 def set_tolerances(control, scales, relative, x):
-    """Tolerances of the controlled states, from their scales and the state at the start."""
+    """Set the tolerances of the controlled states from their scales and the initial state."""
     for s in range(scales.shape[1]):
         initial = abs(x[s])
-        # What is never zero has a size of its own; a plate that happens to start near rest has not.
+        # Only positive states have a typical initial value; a plate can start near zero.
         size = initial if control.positive[s] and initial > 0.0 else scales[2, s]
         control.tolerances[0, s] = INTERNAL * relative * scales[0, s]
         control.tolerances[1, s] = control.tolerances[0, s] * scales[1, s] * size
@@ -181,14 +182,14 @@ def set_tolerances(control, scales, relative, x):
 
 @compiled
 def angle(c, dt):
-    """Phase of a wave; whole turns are dropped, which keeps the digits of a late one."""
+    """Return the phase of a wave without complete turns, to keep its digits at late times."""
     turns = (c[3] + 0.5 * c[4] * dt) * dt
     return 2.0 * np.pi * (turns - np.floor(turns)) + c[5]
 
 
 @compiled
 def inputs_at(t, segment, u):
-    """Inputs at a time inside a segment."""
+    """Compute the inputs at a time in a segment."""
     c = segment.inputs
     for k in range(u.size):
         dt = t - c[k, 6]
@@ -200,7 +201,7 @@ def inputs_at(t, segment, u):
 
 @compiled
 def input_slopes_at(t, segment, slopes):
-    """Time derivatives of the inputs inside a segment."""
+    """Compute the time derivatives of the inputs in a segment."""
     c = segment.inputs
     for k in range(slopes.size):
         slope = c[k, 1]
@@ -212,7 +213,7 @@ def input_slopes_at(t, segment, slopes):
 
 @compiled
 def varies(segment):
-    """True when an input changes inside a segment."""
+    """Return True if an input changes in a segment."""
     for k in range(segment.inputs.shape[0]):
         if segment.inputs[k, 1] != 0.0 or segment.inputs[k, 2] != 0.0:
             return True
@@ -221,31 +222,31 @@ def varies(segment):
 
 @compiled
 def stage_inputs(run, segment, t, h):
-    """Inputs at the stages of a step, one set behind the other."""
+    """Compute the inputs at the stages of a step."""
     n = run.work.u.size
     for i in range(4):
-        # Of four, which LLVM is told so: else it keeps an error for another place, and the text of that.
+        # The mask tells LLVM that the index is valid: otherwise the text contains an error message.
         inputs_at(t + INPUT_TIMES[i & 3] * h, segment, run.work.us[i * n : (i + 1) * n])
 
 
 @compiled
 def interpolate(run, step, theta, x):
-    """State, or the begin of it, inside the step just made, theta from 0 to 1."""
-    rest, n, dense = 1.0 - theta, run.x.size, run.work.dense
+    """Compute the first elements of the state inside a completed step, with theta from 0 to 1."""
+    complement, n, dense = 1.0 - theta, run.x.size, run.work.dense
     for s in range(x.size):
-        x[s] = rest * run.x[s] + theta * (step.new[s] + rest * (dense[s] + theta * dense[n + s]))
+        x[s] = complement * run.x[s] + theta * (step.new[s] + complement * (dense[s] + theta * dense[n + s]))
 
 
 @compiled
 def error(run):
-    """Largest weighted error of the controlled states; infinite where a state left its domain."""
+    """Return the largest weighted error of the controlled states; infinite if a state is outside its domain."""
     worst, tolerances = 0.0, run.control.tolerances
     for s in range(tolerances.shape[1]):
         value = run.work.new[s]
         if not np.isfinite(value) or (run.control.positive[s] and value <= 0.0):
             return np.inf
         e = abs(run.work.estimate[s]) / (tolerances[1, s] + tolerances[0, s] * max(abs(run.x[s]), abs(value)))
-        # So that an error that is no number is the worst.
+        # This form also selects NaN.
         if not e <= worst:
             worst = e
     return worst
@@ -253,7 +254,7 @@ def error(run):
 
 @compiled
 def first_step(run, span):
-    """A step over which no controlled state moves by more than a twentieth of its size."""
+    """Return a step length in which no controlled state changes by more than a twentieth of its size."""
     fastest, tolerances = 20.0 / span, run.control.tolerances
     for s in range(tolerances.shape[1]):
         fastest = max(fastest, 20.0 * abs(run.work.rates[s]) / (abs(run.x[s]) + tolerances[2, s]))
@@ -262,9 +263,9 @@ def first_step(run, span):
 
 @compiled
 def begin(run, segment, t, h):
-    """Rates, Jacobian and drift at the begin of a step; returns its length, chosen where none is known.
+    """Compute rates, Jacobian and drift at the start of a step, and return its length.
 
-    A negative length asks for one that is not longer.
+    If h is positive, it is the length. Otherwise `first_step` selects the length, which is at most -h if h is negative.
     """
     w = run.work
     w.tt[0] = t
@@ -279,13 +280,13 @@ def begin(run, segment, t, h):
 
 @compiled
 def fourth_root(value):
-    """The same bits on every machine, which no library of powers promises."""
+    """Return the fourth root with identical bits on all machines, unlike the power function of a library."""
     return np.sqrt(np.sqrt(value))
 
 
 @compiled
 def growth(error, h, error_before, step_before):
-    """Factor for the step after an accepted one, with the predictive control of Gustafsson."""
+    """Return the factor of the step after an accepted step, from the predictive control of Gustafsson."""
     factor = SAFETY / fourth_root(error)
     if step_before > 0.0:
         factor = min(factor, SAFETY * (h / step_before) * fourth_root(error_before / (error * error)))
@@ -294,7 +295,7 @@ def growth(error, h, error_before, step_before):
 
 @compiled
 def outputs_at(run, segment, t, x):
-    """Outputs of a state at a time inside a segment."""
+    """Return the outputs of a state at a time in a segment."""
     w, y = run.work, run.rows.y
     inputs_at(t, segment, w.u)
     w.tt[0] = t
@@ -313,7 +314,7 @@ def write_row(run, segment, t, x):
 
 @compiled
 def stop_condition(run, segment, t, x):
-    """Index of the first stop condition that holds, or -1."""
+    """Return the index of the first true stop condition, or -1."""
     y, places, weights = outputs_at(run, segment, t, x), run.stops.places, run.stops.weights
     for k in range(weights.shape[0]):
         value = weights[k, 2]
@@ -327,21 +328,21 @@ def stop_condition(run, segment, t, x):
 
 @compiled
 def stop_inside(run, segment, step):
-    """Look for a stop condition in the middle and at the end of the step just made: its index and theta, or -1.
+    """Return the first stop condition in a completed step and its theta, or -1.
 
-    The state at theta is left in `inside`.
+    Conditions are evaluated in the middle and at the end of the step. The state at theta is stored in `inside`.
     """
     low, high, event, x = 0.0, 0.5, -1, run.work.inside
     while True:
         interpolate(run, step, high, x)
-        found = stop_condition(run, segment, step.t + high * step.h, x)
-        if event < 0 and found < 0:
+        condition = stop_condition(run, segment, step.t + high * step.h, x)
+        if event < 0 and condition < 0:
             if high == 1.0:
                 return -1, 1.0
             low, high = 0.5, 1.0
             continue
-        if found >= 0:
-            event, theta = found, high
+        if condition >= 0:
+            event, theta = condition, high
         else:
             low = high
         high = 0.5 * (low + theta)
@@ -351,19 +352,19 @@ def stop_inside(run, segment, step):
 
 
 @compiled
-def length(wanted, remaining):
-    """Length of the next step: never past the end of the segment, and no crumb left over."""
-    if wanted < 0.5 * remaining:
-        return wanted
-    return 0.5 * remaining if wanted < remaining else remaining
+def length(desired, remaining):
+    """Return the length of the next step, which ends in the segment and leaves no tiny step."""
+    if desired < 0.5 * remaining:
+        return desired
+    return 0.5 * remaining if desired < remaining else remaining
 
 
 @compiled
-def write_rows(run, segment, step, until):
-    """Write the rows inside the step just made, up to a time that is excluded: a row on it shows what comes after."""
-    # The step is made, so the room of its drift is free; no output depends on a quadrature.
-    before, grid, row = until - rounding(until), run.rows.grid, run.work.drift[: run.control.positive.size]
-    while run.counts[COLUMN] < grid.size and grid[run.counts[COLUMN]] < before:
+def write_rows(run, segment, step, end):
+    """Write the rows inside a completed step before a time; a row at that time shows the values after it."""
+    # The memory of the drift is free after the step; no output depends on a quadrature.
+    limit, grid, row = end - rounding(end), run.rows.grid, run.work.drift[: run.control.positive.size]
+    while run.counts[COLUMN] < grid.size and grid[run.counts[COLUMN]] < limit:
         t = grid[run.counts[COLUMN]]
         interpolate(run, step, max(0.0, (t - step.t) / step.h), row)
         write_row(run, segment, t, row)
@@ -371,11 +372,11 @@ def write_rows(run, segment, step, until):
 
 @compiled
 def take(run, new):
-    """Make a state the current one."""
+    """Accept a new state, and update extremes and sums of |change|."""
     x, books = run.x, run.books
     n = x.size
     for s in range(n):
-        # Element by element: a slice assignment would cost a second of compile time.
+        # Per element: a slice assignment would need a second of compilation.
         value = new[s]
         books[2 * n + s] += abs(value - x[s])
         x[s] = value
@@ -385,13 +386,13 @@ def take(run, new):
 
 @compiled
 def rounding(t):
-    """Instants closer than this are one."""
+    """Return the difference below which two instants are equal."""
     return 1e-14 * t + 1e-15
 
 
 @compiled
 def next_instant(memory):
-    """The earliest time among the timers."""
+    """Return the earliest time of the timers."""
     first = np.inf
     for k in range(memory.fired.size):
         first = min(first, memory.z[k])
@@ -400,26 +401,26 @@ def next_instant(memory):
 
 @compiled
 def reach(run, segment, t, h, calm, lands):
-    """Length wanted of a step, and where it has to end at the latest.
+    """Return the desired length of a step and its latest end.
 
-    That is the next instant of the memory, unless the instants have left the rates alone since `calm`: then a step may
-    pass over as much time again, and they act on its interpolant.
+    The latest end is the next sample instant. If no instant has changed the rates since `calm`, a step can pass
+    instants for the same duration again; they are then evaluated with its interpolant.
     """
-    wanted, goal = min(h, run.control.longest), segment.stop
+    desired, goal = min(h, run.control.longest), segment.stop
     if run.memory.fired.size > 0:
         instant = next_instant(run.memory)
         if instant < goal - rounding(goal):
             if lands or instant - t >= t - calm:
-                return wanted, instant
-            wanted = min(wanted, t - calm)
-    return wanted, goal
+                return desired, instant
+            desired = min(desired, t - calm)
+    return desired, goal
 
 
 @compiled
 def act(run, segment, t, x):
-    """Let all timers act whose time has come; returns whether the rates have changed.
+    """Run all timers that are due, and return True if the rates have changed.
 
-    A part may set a timer to the same instant again, so it goes on until none is left.
+    A timer can be set to the same instant again; the loop ends when no timer is due.
     """
     changed, w, m = False, run.work, run.memory
     due = t + rounding(t)
@@ -438,10 +439,9 @@ def act(run, segment, t, x):
 
 @compiled
 def act_inside(run, segment, step):
-    """Let the instants inside the step just made act, rows before them written first.
+    """Run the instants inside a completed step, after writing the rows before each, and return the end of the step.
 
-    Returns where the step ends: at the first instant that changed the rates, whose state is left in `inside`, or as it
-    was.
+    The step ends at the first instant that changes the rates, with its state in `inside`; else its end is unchanged.
     """
     while True:
         instant = next_instant(run.memory)
@@ -455,7 +455,7 @@ def act_inside(run, segment, step):
 
 @compiled
 def verdict(run, t, window, has_acted):
-    """Why to give up after an attempt, or DONE to go on; a run that gets from instant to instant has not stalled."""
+    """Return the status after an attempt, DONE to continue; a run that reaches a sample instant has not stalled."""
     counts, end = run.counts, run.rows.grid[-1]
     if counts[ATTEMPTS] % STALL_WINDOW == 0:
         slow = t - window < 1e-4 * (end - window) and not has_acted

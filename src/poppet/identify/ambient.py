@@ -1,4 +1,4 @@
-"""How well a temperature that nobody states is known, and intervals that allow for it."""
+"""Uncertainty of an unstated ambient temperature."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SPREAD = 3.0
 
 
 def widened(estimate: Estimate, share: float) -> Estimate:
-    """An estimate with one more standard uncertainty, relative to its value."""
+    """Return an estimate with a further relative standard uncertainty."""
     from scipy.special import ndtri
 
     value, error = estimate.value, share * abs(estimate.value)

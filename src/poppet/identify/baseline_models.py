@@ -1,4 +1,4 @@
-"""Baselines: what plain linear models make of the same recordings, so that a physical one has something to beat.
+"""Linear reference models of the same recordings.
 
 Two are fitted to each channel and its command: a first-order lag with dead time, by simulation, and a second-order
 ARX, by least squares. Both are then left to run freely from the first measured value, as a circuit is.
@@ -27,7 +27,7 @@ LEAST_DEAD_TIME = 0.4
 
 @dataclass(frozen=True, eq=False)
 class Response:
-    """What a channel answered to its command within one window of a recording."""
+    """Response of a channel to its command within one recording."""
 
     name: str  # `recording.channel`
     time: FloatArray  # of the samples, strictly increasing, from 0, (n,) [s]
@@ -37,21 +37,21 @@ class Response:
     first: float  # the channel at 0, freed of noise as far as can be
 
     def commanded(self, time: FloatArray) -> FloatArray:
-        """The command at some times [s]; its first value before it begins."""
+        """Return the command at some times [s]; before its start, its first value."""
         # A sample at the very instant of a command sees the new one, whatever rounding did to either clock.
-        place = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
-        held: FloatArray = self.command[np.maximum(place, 0)]
-        return held
+        index = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
+        command: FloatArray = self.command[np.maximum(index, 0)]
+        return command
 
     def even(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Times at a constant step [s], the command held there, and the channel, straight between its samples."""
+        """Return times at a constant step [s], the held command and the interpolated channel."""
         time = np.arange(0.0, self.time[-1] + 1e-9, step)
         return time, self.commanded(time), np.interp(time, self.time, self.measured)
 
 
 @dataclass(frozen=True)
 class FirstOrder:
-    r"""A first-order lag with dead time, gain and offset.
+    r"""First-order lag with dead time, gain and offset.
 
     .. math:: \tau \dot y + y = K u(t - \theta) + c
 
@@ -67,14 +67,14 @@ class FirstOrder:
     offset: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
-        """The channel by this model alone, from its first value, at the times of the samples."""
+        """Simulate the channel from its first value at the times of the samples."""
         gain, offset, free = first_order_columns(response, self.dead_time, self.time_constant)
         return self.gain * gain + self.offset * offset + free
 
 
 @dataclass(frozen=True, eq=False)
 class SecondOrderArx:
-    r"""A linear second-order difference equation with dead time and a constant.
+    r"""Linear second-order difference equation with dead time and a constant.
 
     .. math:: y_k = a_1 y_{k-1} + a_2 y_{k-2} + b_1 u_{k-d} + b_2 u_{k-d-1} + c
     """
@@ -86,7 +86,7 @@ class SecondOrderArx:
     constant: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
-        """The channel by this model alone, from its first value, at the times of the samples."""
+        """Simulate the channel from its first value at the times of the samples."""
         from scipy.signal import lfilter, lfiltic
 
         time = np.arange(0.0, response.time[-1] + self.step, self.step)
@@ -96,30 +96,36 @@ class SecondOrderArx:
         # An unstable model runs away; its error is then no number, and another dead time wins.
         with np.errstate(over="ignore", invalid="ignore"):
             run = lfilter([1.0], denominator, push, zi=state)[0]
-        shown: FloatArray = np.interp(response.time, time, run)
-        return shown
+        simulated: FloatArray = np.interp(response.time, time, run)
+        return simulated
 
     def one_step(self, response: Response) -> tuple[FloatArray, FloatArray]:
-        """Prediction of each sample of the even grid from the two measured before it, and that sample."""
+        """Return the one-step predictions on an even grid, and the measured values."""
         time, _, measured = response.even(self.step)
-        known = self._push(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
-        return known, measured[2:]
+        predicted = self._push(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
+        return predicted, measured[2:]
 
     def _push(self, response: Response, time: FloatArray) -> FloatArray:
-        """What the command adds at each time; before the first one can have arrived, what keeps the channel at rest."""
-        late, later = (time - d * self.step for d in (self.dead_steps, self.dead_steps + 1))
-        begin, total = response.command_time[0] - 1e-9, float(np.sum(self.b))
-        rest = response.commanded(np.zeros(1))[0]
+        """Return the contribution of the command at each time.
+
+        Before the first command arrives, the channel is at rest.
+        """
+        first_time, second_time = (time - d * self.step for d in (self.dead_steps, self.dead_steps + 1))
+        start, total = response.command_time[0] - 1e-9, float(np.sum(self.b))
+        steady_command = response.commanded(np.zeros(1))[0]
         if total != 0.0:
-            rest = ((1.0 - float(np.sum(self.a))) * response.first - self.constant) / total
-        first, second = (np.where(at < begin, rest, response.commanded(at)) for at in (late, later))
+            steady_command = ((1.0 - float(np.sum(self.a))) * response.first - self.constant) / total
+        first, second = (
+            np.where(delayed_time < start, steady_command, response.commanded(delayed_time))
+            for delayed_time in (first_time, second_time)
+        )
         push: FloatArray = self.b[0] * first + self.b[1] * second + self.constant
         return push
 
 
 @dataclass(frozen=True)
 class Score:
-    """How far one model is from one channel.
+    """Agreement of one model with one channel.
 
     Parameters
     ----------
@@ -148,38 +154,38 @@ class Score:
     samples: int
 
 
-def scored(response: str, model: str, held_out: bool, shown: FloatArray, measured: FloatArray) -> Score:
+def score_model(response: str, model: str, held_out: bool, simulated: FloatArray, measured: FloatArray) -> Score:
     """Compare a model with a measurement.
 
     Examples
     --------
-    >>> score = scored("a.p", "mean", False, np.array([1.0, 1.0]), np.array([0.0, 2.0]))
+    >>> score = score_model("a.p", "mean", False, np.array([1.0, 1.0]), np.array([0.0, 2.0]))
     >>> score.nrmse, score.fit
     (0.5, 0.0)
     """
-    found, spread = ResidualSummary.of(shown, measured, ""), float(np.linalg.norm(measured - np.mean(measured)))
-    fit = 100.0 * (1.0 - float(np.linalg.norm(shown - measured)) / spread) if spread > 0.0 else float("-inf")
-    return Score(response, model, held_out, found.rms, found.nrmse, fit, found.samples)
+    summary, spread = ResidualSummary.of(simulated, measured, ""), float(np.linalg.norm(measured - np.mean(measured)))
+    fit = 100.0 * (1.0 - float(np.linalg.norm(simulated - measured)) / spread) if spread > 0.0 else float("-inf")
+    return Score(response, model, held_out, summary.rms, summary.nrmse, fit, summary.samples)
 
 
 def first_order_columns(
     response: Response, dead_time: float, time_constant: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """What gain and offset of a first-order lag are multiplied by, and what its first value leaves."""
-    begin = max(0.0, float(response.command_time[0]) + dead_time)
+    """Return the columns of gain and offset of a first-order lag, and its free response."""
+    start = max(0.0, float(response.command_time[0]) + dead_time)
     # Between arrivals of commands the answer is an exponential: exact on a grid of these and of the samples.
     arrival = response.command_time + dead_time
-    inside = (arrival > begin) & (arrival < response.time[-1])
-    grid = np.unique(np.concatenate([[begin], arrival[inside], response.time[response.time > begin]]))
+    is_between = (arrival > start) & (arrival < response.time[-1])
+    grid = np.unique(np.concatenate([[start], arrival[is_between], response.time[response.time > start]]))
     decay = np.exp(-np.diff(grid) / time_constant)
     pushed = response.commanded(grid[:-1] - dead_time) * (1.0 - decay)
     answer = recursion(np.concatenate([[0.0], decay]), np.concatenate([[0.0], pushed]))
-    left = np.exp(-np.maximum(response.time - begin, 0.0) / time_constant)
-    return np.interp(response.time, grid, answer), 1.0 - left, response.first * left
+    remaining = np.exp(-np.maximum(response.time - start, 0.0) / time_constant)
+    return np.interp(response.time, grid, answer), 1.0 - remaining, response.first * remaining
 
 
 def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
-    """The first-order lag with dead time that, running freely, comes nearest to the responses.
+    """Fit a first-order lag with dead time by simulation.
 
     Examples
     --------
@@ -197,25 +203,25 @@ def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
 
     def linear(dead_time: float, time_constant: float) -> tuple[float, FloatArray]:
         parts = [first_order_columns(r, dead_time, time_constant) for r in responses]
-        matrix = np.vstack([np.column_stack(each[:2]) for each in parts])
-        target = np.concatenate([r.measured - each[2] for r, each in zip(responses, parts, strict=True)])
+        matrix = np.vstack([np.column_stack(columns[:2]) for columns in parts])
+        target = np.concatenate([r.measured - columns[2] for r, columns in zip(responses, parts, strict=True)])
         solution = np.linalg.lstsq(matrix, target, rcond=None)[0]
         return float(np.sum((matrix @ solution - target) ** 2)), solution
 
-    def cost(place: FloatArray) -> float:
-        return linear(float(np.clip(place[0], 0.0, longest)), float(np.exp(place[1])))[0]
+    def cost(point: FloatArray) -> float:
+        return linear(float(np.clip(point[0], 0.0, longest)), float(np.exp(point[1])))[0]
 
     # Gain and offset follow by linear least squares, so that the search has two dimensions; a grid finds its basin.
     lags = np.log(np.geomspace(1e-3 * span, 0.5 * span, 20))
-    place = min((np.array([d, lag]) for d in np.linspace(0.0, longest, 16) for lag in lags), key=cost)
-    end = minimize(cost, place, method="Nelder-Mead", options={"xatol": 1e-6, "fatol": 0.0, "maxiter": 2000}).x
+    point = min((np.array([d, lag]) for d in np.linspace(0.0, longest, 16) for lag in lags), key=cost)
+    end = minimize(cost, point, method="Nelder-Mead", options={"xatol": 1e-6, "fatol": 0.0, "maxiter": 2000}).x
     dead_time, time_constant = float(np.clip(end[0], 0.0, longest)), float(np.exp(end[1]))
     gain, offset = linear(dead_time, time_constant)[1]
     return FirstOrder(dead_time, time_constant, float(gain), float(offset))
 
 
 def fit_arx(responses: Sequence[Response]) -> SecondOrderArx:
-    """The second-order ARX model of least one-step error."""
+    """Fit a second-order ARX model by least squares of the one-step errors."""
     step = float(np.median(np.concatenate([np.diff(r.time) for r in responses])))
     best, least = None, np.inf
     for dead_steps in range(int(_longest_dead_time(responses) / step) + 1):
@@ -245,24 +251,24 @@ def _arx_at(responses: Sequence[Response], step: float, dead_steps: int) -> Seco
 
 
 def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[Response]:
-    """Every channel of a recording that has a command."""
+    """Return the channels of a recording that have a command."""
     inputs = {item.address: item for item in measurement.inputs}
-    found = []
+    responses = []
     for channel in measurement.channels:
         if channel.address not in commands:
             continue
-        wanted = commands[channel.address]
-        if wanted not in inputs:
-            where = f"recordings.{measurement.name}.{channel.address}"
-            raise InputError("baseline.no_input", where, wanted=wanted, near=NameSuggestion(wanted, inputs))
-        item = inputs[wanted]
+        command = commands[channel.address]
+        if command not in inputs:
+            location = f"recordings.{measurement.name}.{channel.address}"
+            raise InputError("baseline.no_input", location, wanted=command, near=NameSuggestion(command, inputs))
+        item = inputs[command]
         name = f"{measurement.name}.{channel.address}"
-        found.append(Response(name, channel.time, channel.values, item.time, item.values, first_value(channel)))
-    return found
+        responses.append(Response(name, channel.time, channel.values, item.time, item.values, first_value(channel)))
+    return responses
 
 
 def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None = None) -> list[Score]:
-    """Both baselines, fitted and held out on the windows of a fit file, beside the circuit.
+    """Return the scores of both linear models and of the circuit on a fit file.
 
     Parameters
     ----------
@@ -288,22 +294,24 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
     compared = [r for e in plan.validation for r in responses_of(e.measurement, commands)]
     scores = []
     for channel in commands:
-        seen, unseen = ([r for r in each if r.name.endswith(f".{channel}")] for each in (fitted, compared))
-        if not seen:
+        training, validation = (
+            [r for r in windows if r.name.endswith(f".{channel}")] for windows in (fitted, compared)
+        )
+        if not training:
             raise InputError("baseline.no_channel", channel)
-        lag, arx = fit_first_order(seen), fit_arx(seen)
-        for r, held_out in [*((r, False) for r in seen), *((r, True) for r in unseen)]:
-            shown = {FIRST_ORDER: (lag.simulate(r), r.measured), ARX: (arx.simulate(r), r.measured)}
-            shown[ONE_STEP] = arx.one_step(r)
+        lag, arx = fit_first_order(training), fit_arx(training)
+        for r, held_out in [*((r, False) for r in training), *((r, True) for r in validation)]:
+            pairs = {FIRST_ORDER: (lag.simulate(r), r.measured), ARX: (arx.simulate(r), r.measured)}
+            pairs[ONE_STEP] = arx.one_step(r)
             if result is not None:
                 series = result.series[r.name]
-                shown = {GREY_BOX: (series["model"], series["measured"]), **shown}
-            scores += [scored(r.name, model, held_out, *pair) for model, pair in shown.items()]
+                pairs = {GREY_BOX: (series["model"], series["measured"]), **pairs}
+            scores += [score_model(r.name, model, held_out, *pair) for model, pair in pairs.items()]
     return scores
 
 
 def score_table(scores: Sequence[Score]) -> str:
-    """Scores as a table of text, NRMSE and fit of every model in one row for each channel and window.
+    """Return NRMSE and fit of each model as a Markdown table.
 
     Parameters
     ----------
@@ -326,8 +334,11 @@ def score_table(scores: Sequence[Score]) -> str:
     head = ["recording and channel", "use", *models]
     lines = [head, ["---"] * len(head)]
     for name in dict.fromkeys(s.response for s in scores):
-        own = {s.model: s for s in scores if s.response == name}
-        use = "held out" if next(iter(own.values())).held_out else "fitted"
-        cells = (f"{100.0 * own[m].nrmse:.2f} % ({own[m].fit:.1f})" if m in own else "" for m in models)
+        scores_by_model = {s.model: s for s in scores if s.response == name}
+        use = "held out" if next(iter(scores_by_model.values())).held_out else "fitted"
+        cells = (
+            f"{100.0 * scores_by_model[m].nrmse:.2f} % ({scores_by_model[m].fit:.1f})" if m in scores_by_model else ""
+            for m in models
+        )
         lines.append([name, use, *cells])
     return "\n".join("|" + "|".join(f" {cell} " if cell != "---" else cell for cell in line) + "|" for line in lines)

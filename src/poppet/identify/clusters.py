@@ -1,4 +1,4 @@
-"""Intervals from residuals that have something in common: the scatter of groups, with few of them."""
+"""Covariance of estimates whose residuals are correlated within groups."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from poppet.timeseries.checks import FloatArray
 
 
 class ClusterCovariance(NamedTuple):
-    """How well numbers are known."""
+    """Covariance and degrees of freedom of estimates."""
 
     covariance: FloatArray  # (n_numbers, n_numbers); infinite on the diagonal where a number is not seen
     freedom: FloatArray  # degrees of freedom of each, (n_numbers,)
 
 
 def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int) -> ClusterCovariance:
-    r"""Covariance of the first `numbers` numbers of a least-squares fit whose residuals are alike within groups.
+    r"""Return the covariance of the first `numbers` parameters for residuals correlated within groups.
 
     .. math::
 
@@ -51,29 +51,29 @@ def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int
     norms = np.linalg.norm(jacobian, axis=0)
     sizes = np.where(norms > 1e-150, norms, 1.0)
     scaled = jacobian / sizes
-    inverse, seen = gain(scaled)
+    inverse, is_visible = gain(scaled)
     inner = inverse @ inverse.T
-    scores, squares, ways = [], [], []
+    scores, squares, projections = [], [], []
     for k in np.unique(group):
-        own = group == k
-        basis, triangle = np.linalg.qr(scaled[own])
+        rows = group == k
+        basis, triangle = np.linalg.qr(scaled[rows])
         values, vectors = np.linalg.eigh(np.eye(len(triangle)) - triangle @ inner @ triangle.T)
         # What one group alone determines leaves no residual in it.
         root = np.where(values > 1e-9, np.abs(values), np.inf) ** -0.5
         factor = (vectors * root) @ vectors.T - np.eye(root.size)
-        scores.append(scaled[own].T @ residuals[own] + triangle.T @ (factor @ (basis.T @ residuals[own])))
+        scores.append(scaled[rows].T @ residuals[rows] + triangle.T @ (factor @ (basis.T @ residuals[rows])))
         # Of each number its weights on the residuals of the group, A J M: as columns.
-        weights = scaled[own] @ inner + basis @ (factor @ (triangle @ inner))
+        weights = scaled[rows] @ inner + basis @ (factor @ (triangle @ inner))
         squares.append(np.einsum("ij,ij->j", weights, weights))
-        ways.append(scaled[own].T @ weights)
+        projections.append(scaled[rows].T @ weights)
     score = inner @ np.array(scores).T
     covariance = score @ score.T / sizes / sizes[:, None]
     freedom = np.empty(numbers)
     for j in range(numbers):
-        way = np.array([each[:, j] for each in ways])
-        table = np.diag([each[j] for each in squares]) - way @ inner @ way.T
+        projection = np.array([matrix[:, j] for matrix in projections])
+        table = np.diag([matrix[j] for matrix in squares]) - projection @ inner @ projection.T
         total = float(np.sum(table**2))
         freedom[j] = float(np.trace(table)) ** 2 / total if total > 0.0 else math.inf
-        if not seen[j]:
+        if not is_visible[j]:
             covariance[j, j] = math.inf
     return ClusterCovariance(covariance[:numbers, :numbers], np.maximum(freedom, 1.0))

@@ -1,4 +1,4 @@
-"""One door for data and for files that name them."""
+"""Functions that accept data or the path of a file."""
 
 from __future__ import annotations
 
@@ -12,18 +12,21 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def or_file(read: Callable[[str | Path], tuple[Any, dict[str, Any]]]) -> Callable[[Function], Function]:
-    """Let a function of data and keywords take the path of a file with both; what is given goes before the file's."""
+    """Return a decorator that lets a function accept a file path as its first argument.
+
+    Keyword arguments override those of the file.
+    """
 
     def opened(function: Function) -> Function:
         first = next(iter(inspect.signature(function).parameters))
 
         @wraps(function)
-        def door(*data: Any, **given: Any) -> Any:
-            path = data[0] if data else given.get(first)
+        def door(*data: Any, **keywords: Any) -> Any:
+            path = data[0] if data else keywords.get(first)
             if not isinstance(path, str | Path):
-                return function(*data, **given)
-            found, told = read(path)
-            return function(**{**told, **given, first: found})
+                return function(*data, **keywords)
+            argument_from_file, options = read(path)
+            return function(**{**options, **keywords, first: argument_from_file})
 
         return cast(Function, door)
 

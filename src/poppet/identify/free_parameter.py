@@ -1,4 +1,4 @@
-"""Numbers that a fit may change: of the circuit, of a recording's start, of its sensors."""
+"""Free parameters of a fit: of the circuit, of start values, of sensors."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature
 
 @dataclass(frozen=True)
 class NormalPrior:
-    """What was known before: a normal distribution.
+    """Normal prior distribution of a parameter.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class NormalPrior:
 
 @dataclass(frozen=True)
 class FreeParameter:
-    """One free number.
+    """Free parameter.
 
     Parameters
     ----------
@@ -77,7 +77,7 @@ class FreeParameter:
 
     @cached_property
     def scale(self) -> float:
-        """A size to measure steps with, never zero."""
+        """Typical size of the parameter, never zero."""
         span = self.high - self.low
         span = span if math.isfinite(span) and span > 0.0 else 0.0
         # A start that is nothing beside its bounds measures nothing either.
@@ -85,63 +85,66 @@ class FreeParameter:
 
 
 def by_name(free: Sequence[FreeParameter], x: Iterable[float]) -> dict[str, float]:
-    """Values of free numbers by their names."""
+    """Return the values of free parameters by name."""
     return {f.name: float(v) for f, v in zip(free, x, strict=True)}
 
 
-def begun_at(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[FreeParameter, ...]:
-    """Free numbers whose search begins at some values: where another one ended."""
+def with_starts(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[FreeParameter, ...]:
+    """Return the free parameters with other start values."""
     return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
 
 
 def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
-    """Declaration of every number of the parts by its address."""
-    found = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
+    """Return the declaration of every parameter of the parts by address."""
+    declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
         for key, number in part.numbers().items():
-            found.setdefault(f"{name}.{key}", _coefficient_spec(key, number.unit))
-    return found
+            declared.setdefault(f"{name}.{key}", _coefficient_spec(key, number.unit))
+    return declared
 
 
 def _coefficient_spec(key: str, unit: str) -> NumberSpec:
-    """Declaration of a number of a characteristic; what is a value of C or b, not a coefficient, has its limits."""
-    found = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
-    if found is None:
+    """Return the declaration of a coefficient of a characteristic.
+
+    Tabulated values of C and b have limits.
+    """
+    match = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
+    if match is None:
         return NumberSpec(unit, f"coefficient {key}")
-    return NumberSpec(unit, f"value {key}", low=0.0, below=1.0 if found[1] == "critical_ratio" else math.inf)
+    return NumberSpec(unit, f"value {key}", low=0.0, below=1.0 if match[1] == "critical_ratio" else math.inf)
 
 
 def read_free(
     address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "", where: str = ""
 ) -> FreeParameter:
-    """Read one free number; `where` is its place in the file, for messages."""
+    """Read a free parameter; `where` is its location in the file, for messages."""
     # Of a circuit, not of its instance: units and limits are declared by the parts.
     numbers = circuit.numbers()
     # What a part tells its members is no number of theirs: alone it would tear them apart.
     specs = {name: spec for name, spec in number_specs(circuit).items() if name in numbers}
-    place = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
+    location = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:
         near = NameSuggestion(address, specs)
-        raise InputError("names.unknown", place, meaning="a parameter of this circuit", near=near)
+        raise InputError("names.unknown", location, meaning="a parameter of this circuit", near=near)
     spec, ambient = specs[address], circuit.surroundings.pressure
     fields = {key: Field(unit=spec.unit, kind=spec.kind) for key in LIMITS} | {"prior": Field()}
-    given = table if isinstance(table, Mapping) else {"start": table}
+    raw = table if isinstance(table, Mapping) else {"start": table}
     with ErrorCollector() as errors:
-        read = read_fields(errors, given, fields, place, table="free parameter", ambient_pressure=ambient)
-        prior = _prior(errors, read.get("prior"), fields["start"], f"{place}.prior", ambient)
+        read = read_fields(errors, raw, fields, location, table="free parameter", ambient_pressure=ambient)
+        prior = _prior(errors, read.get("prior"), fields["start"], f"{location}.prior", ambient)
     start = read.get("start", numbers[address].absolute(ambient))
     low = read.get("min", max(spec.low, spec.above))
     high = read.get("max", min(spec.high, spec.below))
     if not low <= start <= high or low >= high:
-        raise OutOfRangeError("free.bounds", place, start=start, low=low, high=high, unit=spec.unit)
+        raise OutOfRangeError("free.bounds", location, start=start, low=low, high=high, unit=spec.unit)
     role: Role = "start" if recording else "number"
     return FreeParameter(
         name or address, address, spec.unit, start, low, high, role=role, recording=recording, prior=prior
     )
 
 
-def _prior(errors: ErrorCollector, given: Any, value: Field, place: str, ambient: float) -> NormalPrior | None:
-    if given is None:
+def _prior(errors: ErrorCollector, raw: Any, value: Field, location: str, ambient: float) -> NormalPrior | None:
+    if raw is None:
         return None
     spread = replace(
         value,
@@ -151,7 +154,7 @@ def _prior(errors: ErrorCollector, given: Any, value: Field, place: str, ambient
         meaning="standard deviation of the prior",
     )
     fields = {"mean": replace(value, is_required=True, meaning="mean of the prior"), "sd": spread}
-    read = read_fields(errors, given, fields, place, table="prior", ambient_pressure=ambient)
+    read = read_fields(errors, raw, fields, location, table="prior", ambient_pressure=ambient)
     if len(read) < 2:
         return None
     return NormalPrior(read["mean"], read["sd"])

@@ -1,4 +1,4 @@
-"""Uncertainty as the GUM states it: budgets, effective degrees of freedom, coverage, and tests on residuals."""
+"""Uncertainty according to the GUM: degrees of freedom, coverage, tests of residuals."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from poppet.timeseries.checks import FloatArray
 
 
 def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> float:
-    r"""Degrees of freedom of a combined standard uncertainty (Welch-Satterthwaite).
+    r"""Return the degrees of freedom of a combined standard uncertainty (Welch-Satterthwaite).
 
     .. math:: \nu_\mathrm{eff} = \frac{u_c^4}{\sum_i u_i^4/\nu_i}, \qquad u_c^2 = \sum_i u_i^2
 
@@ -32,7 +32,7 @@ def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> f
 
 
 def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -> float:
-    """Half-width of a two-sided interval in standard uncertainties, by Student's t.
+    """Return the half width of a two-sided interval in standard uncertainties (Student's t).
 
     References
     ----------
@@ -50,7 +50,7 @@ def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -
 
 
 def chi_square_probability(chi_square: float, degrees_of_freedom: int) -> float:
-    """Probability of a larger sum of squared standardised residuals when model and uncertainties are right.
+    """Return the probability of a larger sum of squared standardised residuals.
 
     Examples
     --------
@@ -63,7 +63,7 @@ def chi_square_probability(chi_square: float, degrees_of_freedom: int) -> float:
 
 
 def few_runs_probability(residuals: FloatArray) -> float:
-    r"""Probability of as few runs of equal sign when the signs are in random order (Wald-Wolfowitz, exact).
+    r"""Return the probability of at most this number of runs of equal sign (Wald-Wolfowitz, exact).
 
     .. math::
 
@@ -85,37 +85,37 @@ def few_runs_probability(residuals: FloatArray) -> float:
     True
     """
     signs = np.sign(residuals[residuals != 0.0])
-    above, below = int(np.sum(signs > 0.0)), int(np.sum(signs < 0.0))
-    if not above or not below:
+    n_positive, n_negative = int(np.sum(signs > 0.0)), int(np.sum(signs < 0.0))
+    if not n_positive or not n_negative:
         return 1.0
     runs = 1 + int(np.sum(signs[1:] != signs[:-1]))
-    ways = sum(_orders_with(count, above, below) for count in range(2, runs + 1))
-    return ways / math.comb(above + below, above)
+    orders = sum(_orders_with(count, n_positive, n_negative) for count in range(2, runs + 1))
+    return orders / math.comb(n_positive + n_negative, n_positive)
 
 
-def _orders_with(runs: int, above: int, below: int) -> int:
-    """Orders of the signs that have this number of runs."""
+def _orders_with(runs: int, n_positive: int, n_negative: int) -> int:
+    """Return the number of orders of the signs with this number of runs."""
     half = runs // 2
     if runs % 2 == 0:
-        return 2 * math.comb(above - 1, half - 1) * math.comb(below - 1, half - 1)
-    more = math.comb(above - 1, half) * math.comb(below - 1, half - 1)
-    return more + math.comb(above - 1, half - 1) * math.comb(below - 1, half)
+        return 2 * math.comb(n_positive - 1, half - 1) * math.comb(n_negative - 1, half - 1)
+    longer_positive = math.comb(n_positive - 1, half) * math.comb(n_negative - 1, half - 1)
+    return longer_positive + math.comb(n_positive - 1, half - 1) * math.comb(n_negative - 1, half)
 
 
 def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    r"""How the estimates answer to errors of the standardised data, and which numbers the data determine.
+    r"""Return the sensitivity of the estimates to the data, and a mask of determined parameters.
 
     .. math:: G = J^{+}, \qquad \mathrm{cov} = G G^\mathsf{T}
     """
     left, sizes, right = np.linalg.svd(jacobian, full_matrices=False)
-    seen = sizes > 1e-9 * max(float(sizes.max(initial=0.0)), 1e-300)
-    inverse = right[seen].T @ (left[:, seen] / sizes[seen]).T
+    is_visible = sizes > 1e-9 * max(float(sizes.max(initial=0.0)), 1e-300)
+    inverse = right[is_visible].T @ (left[:, is_visible] / sizes[is_visible]).T
     # The cut leaves unseen directions without any variance: a number with a part in them is not determined.
-    return inverse, np.sum(right[seen] ** 2, axis=0) > 1.0 - 1e-9
+    return inverse, np.sum(right[is_visible] ** 2, axis=0) > 1.0 - 1e-9
 
 
 def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict[str, float]]:
-    """Correlation of every estimate with every other one."""
+    """Return the correlations between all estimates."""
     errors = np.maximum(np.sqrt(np.diag(covariance)), 1e-300)
     # One after the other: their product may be too small for a float.
     table = np.clip(covariance / errors / errors[:, None], -1.0, 1.0)
@@ -124,7 +124,7 @@ def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict
 
 
 def corrected_penalty(numbers: int, samples: int) -> float:
-    """What AICc adds to -2 ln L; infinite where there are too few samples to tell.
+    """Return the penalty of AICc; infinite if there are too few samples.
 
     References
     ----------
@@ -135,7 +135,7 @@ def corrected_penalty(numbers: int, samples: int) -> float:
 
 
 def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArray) -> FloatArray:
-    r"""Shift of every number when one residual is left out, to first order.
+    r"""Return the first-order shift of every parameter if one residual is omitted.
 
     .. math:: \Delta\theta_i = G_{\cdot i}\, \frac{r_i}{1 - h_i}, \qquad h_i = J_{i \cdot} G_{\cdot i}
 
@@ -150,7 +150,7 @@ def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatA
 
 
 def studentised(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArray, freedom: int) -> FloatArray:
-    r"""Each residual over its own standard error, the scatter taken from the others; follows Student's t.
+    r"""Return each residual over its standard error from the other residuals.
 
     .. math:: t_i = e_i \sqrt{\frac{\nu - 1}{\nu - e_i^2}}, \qquad e_i = \frac{r_i}{s \sqrt{1 - h_i}}
 

@@ -1,4 +1,4 @@
-r"""Bounded least squares for few numbers, whose residuals come with their slopes and are dear to have.
+r"""Bounded least squares for few parameters with expensive residuals and known derivatives.
 
 A trust region method (Moré 1978) on the few rows that matter, R and q of the QR factors :math:`J = Q R`,
 :math:`r = Q q`. Each step s solves
@@ -44,7 +44,7 @@ SHRINKS, GROWS, SMALL = 0.5, 2.0, 0.1
 
 
 class LocalModel(NamedTuple):
-    """The residuals around a place."""
+    """Local model of the residuals."""
 
     slopes: FloatArray  # R, (k, n): R'R is the curvature of the cost
     residual: FloatArray  # q, (k,): R'q is its gradient
@@ -53,7 +53,7 @@ class LocalModel(NamedTuple):
 
 
 class SearchResult(NamedTuple):
-    """Where a search has ended."""
+    """Result of a search."""
 
     x: FloatArray  # (n,)
     cost: float  # there
@@ -62,11 +62,11 @@ class SearchResult(NamedTuple):
     reason: Literal["cost", "numbers", "evaluations"]
 
 
-def condensed(both: FloatArray) -> FloatArray:
-    """As few rows as columns, with the same sums of squares and products; `both`, (m, k), is by columns."""
+def condense(columns: FloatArray) -> FloatArray:
+    """Return the triangular factor R of `columns`, (m, k), with the same products of columns."""
     from scipy.linalg.lapack import dgeqrf
 
-    rows = dgeqrf(both)[0][: both.shape[1]]
+    rows = dgeqrf(columns)[0][: columns.shape[1]]
     return np.asarray(rows * _upper(*rows.shape))
 
 
@@ -87,7 +87,7 @@ def search(
     precision: float = 1e-9,
     most: int = 200,
 ) -> SearchResult:
-    """Find the numbers of least cost.
+    """Return the parameters of least cost.
 
     Parameters
     ----------
@@ -112,22 +112,22 @@ def search(
         The place of least cost that was seen.
     """
     x, last = begin, cost(begin)
-    seen = look(x)
+    model = look(x)
     best, past, evaluations = (x, last), [last], 1
-    scale = _norms(seen.slopes)
+    scale = _norms(model.slopes)
     scale = np.where(scale > 0.0, scale, 1.0 / units)
     radius, bend, bends = _size(scale * x) or 1.0, np.zeros((x.size, x.size)), False
     reason: Literal["cost", "numbers", "evaluations"] = "evaluations"
     while evaluations < most:
-        nearest, farthest = _reach(x, low, high, units)
+        nearest, farthest = _step_bounds(x, low, high, units)
         least, greatest = (nearest - x) * scale, (farthest - x) * scale
-        slopes, bent = seen.slopes / scale, bend / (scale * scale[:, np.newaxis])
-        z = _step(slopes, seen.residual, bent if bends else None, (least, greatest), radius, inexact**2)
-        moved = slopes @ z
-        downhill = float(seen.residual @ moved)
-        plain = -downhill - 0.5 * float(moved @ moved)
-        curved = plain - 0.5 * float(z @ bent @ z)
-        gain, size = curved if bends else plain, _size(z)
+        slopes, bent = model.slopes / scale, bend / (scale * scale[:, np.newaxis])
+        z = _solve_step(slopes, model.residual, bent if bends else None, (least, greatest), radius, inexact**2)
+        predicted = slopes @ z
+        downhill = float(model.residual @ predicted)
+        linear_gain = -downhill - 0.5 * float(predicted @ predicted)
+        curved = linear_gain - 0.5 * float(z @ bent @ z)
+        gain, size = curved if bends else linear_gain, _size(z)
         ends_by_cost = gain <= precision * last
         if ends_by_cost and bends:
             # Too large an S makes steps short: R alone has to agree.
@@ -141,7 +141,7 @@ def search(
         evaluations += 1
         best = (tried, new) if new < best[1] else best
         change, allowed = last - new, max(past[-LOOKED_BACK:])
-        bends = plain < LATE * last and abs(curved - change) < abs(plain - change)
+        bends = linear_gain < LATE * last and abs(curved - change) < abs(linear_gain - change)
         ratio = max(change / gain, (allowed - new) / (allowed - last + gain))
         # A first step that is shorter than the radius says how far to trust.
         radius = min(radius, size) if evaluations == 2 else radius
@@ -151,11 +151,11 @@ def search(
         elif change > 0.75 * gain:
             radius = max(radius, 2.0 * size)
         if ratio > 1e-4:
-            before, seen = seen, look(tried)
-            bend = _learnt(bend, tried - x, before, seen)
+            previous, model = model, look(tried)
+            bend = _update_curvature(bend, tried - x, previous, model)
             x, last = tried, new
             past.append(last)
-            scale = np.maximum(scale, _norms(seen.slopes))
+            scale = np.maximum(scale, _norms(model.slopes))
     return SearchResult(*best, evaluations, reason)
 
 
@@ -167,30 +167,30 @@ def _norms(columns: FloatArray) -> FloatArray:
     return np.asarray(np.sqrt(np.add.reduce(columns * columns)))
 
 
-def _reach(x: FloatArray, low: FloatArray, high: FloatArray, units: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """How far the numbers may move in one step."""
+def _step_bounds(x: FloatArray, low: FloatArray, high: FloatArray, units: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the lowest and highest values of the parameters in one step."""
     size = np.maximum(np.abs(x), SMALL * units)
     down = np.where(x >= 0.0, SHRINKS, GROWS)
     return np.maximum(low, x - down * size), np.minimum(high, x + (SHRINKS + GROWS - down) * size)
 
 
-def _learnt(bend: FloatArray, step: FloatArray, before: LocalModel, now: LocalModel) -> FloatArray:
-    """S with what a step has shown of it: sized, and the least change that agrees."""
+def _update_curvature(bend: FloatArray, step: FloatArray, previous: LocalModel, now: LocalModel) -> FloatArray:
+    """Return S after a step: scaled, with the smallest consistent change."""
     gradient = now.residual @ now.slopes
-    turned = gradient - before.residual @ before.slopes
-    shown = gradient - now.force @ before.jacobian
-    along = float(turned @ step)
-    if along <= 0.0:
+    slope_change = gradient - previous.residual @ previous.slopes
+    gradient_change = gradient - now.force @ previous.jacobian
+    curvature = float(slope_change @ step)
+    if curvature <= 0.0:
         return bend
-    known = float(step @ bend @ step)
-    if known != 0.0:
-        bend = bend * min(1.0, abs(float(step @ shown) / known))
-    missing, turned = shown - bend @ step, turned / along
-    both = missing[:, np.newaxis] * turned
-    return bend + both + both.T - float(step @ missing) * (turned[:, np.newaxis] * turned)
+    expected = float(step @ bend @ step)
+    if expected != 0.0:
+        bend = bend * min(1.0, abs(float(step @ gradient_change) / expected))
+    missing, slope_change = gradient_change - bend @ step, slope_change / curvature
+    update = missing[:, np.newaxis] * slope_change
+    return bend + update + update.T - float(step @ missing) * (slope_change[:, np.newaxis] * slope_change)
 
 
-def _step(
+def _solve_step(
     slopes: FloatArray,
     residual: FloatArray,
     bend: FloatArray | None,
@@ -198,7 +198,7 @@ def _step(
     radius: float,
     unseen: float,
 ) -> FloatArray:
-    """The best step within a radius and bounds, in numbers times their scale; curvatures below `unseen` are rounding.
+    """Return the best step within a radius and bounds, in scaled parameters.
 
     Numbers are held at bounds that stop a step, and let go where they pull away from them again.
     """
@@ -207,18 +207,18 @@ def _step(
     free = ((low < 0.0) | (gradient < 0.0)) & ((high > 0.0) | (gradient > 0.0))
     pulls = 1e-12 * float(np.abs(gradient).max())
     for _ in range(3 * z.size + 3):
-        places = np.flatnonzero(free)
-        if places.size == 0:
+        indices = np.flatnonzero(free)
+        if indices.size == 0:
             break
         target = np.where(free, 0.0, z)
-        curvatures, directions, along = _directions(slopes, residual, bend, places, target)
+        curvatures, directions, slopes_along = _directions(slopes, residual, bend, indices, target)
         # Those that are held have a part of the way already.
         left = max(radius**2 - float(target @ target), 1e-6 * radius**2) ** 0.5
-        moves, damping = _within(curvatures, along, left, unseen)
-        target[places] = directions @ moves
+        moves, damping = _steps_within(curvatures, slopes_along, left, unseen)
+        target[indices] = directions @ moves
         if ((target >= low) & (target <= high)).all():
             z = target
-            if places.size == z.size:
+            if indices.size == z.size:
                 break
             force = gradient + (slopes @ z) @ slopes + damping * z
             force += 0.0 if bend is None else bend @ z
@@ -227,12 +227,14 @@ def _step(
                 break
             free[np.argmax(np.where(wrong, np.abs(force), 0.0))] = True
             continue
-        way = target - z
+        direction = target - z
         with np.errstate(divide="ignore", invalid="ignore"):
-            room = np.where(free & (way != 0.0), (np.where(way > 0.0, high, low) - z) / way, np.inf)
-        first = int(np.argmin(room))
-        z = z + room[first] * way
-        z[first] = high[first] if way[first] > 0.0 else low[first]
+            allowed_fraction = np.where(
+                free & (direction != 0.0), (np.where(direction > 0.0, high, low) - z) / direction, np.inf
+            )
+        first = int(np.argmin(allowed_fraction))
+        z = z + allowed_fraction[first] * direction
+        z[first] = high[first] if direction[first] > 0.0 else low[first]
         free[first] = False
     return z
 
@@ -241,33 +243,38 @@ def _directions(
     slopes: FloatArray,
     residual: FloatArray,
     bend: FloatArray | None,
-    places: NDArray[np.int64],
-    held: FloatArray,
+    indices: NDArray[np.int64],
+    fixed_step: FloatArray,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Curvatures, directions and slopes along them of some numbers, the others being held."""
+    """Return curvatures, directions and gradients along them for some parameters; the others are fixed."""
     from scipy.linalg.lapack import dgesdd, dsyevd
 
-    own, left = slopes, residual
-    if places.size < held.size:
-        own, left = slopes[:, places], residual + slopes @ held
+    free_slopes, remaining = slopes, residual
+    if indices.size < fixed_step.size:
+        free_slopes, remaining = slopes[:, indices], residual + slopes @ fixed_step
     if bend is None:
         # Singular values still tell directions apart whose squares do not.
-        rows, sizes, right, _ = dgesdd(own, full_matrices=0)
-        return sizes**2, right.T, sizes * (left @ rows)
-    curvatures, directions, _ = dsyevd(own.T @ own + bend[places[:, np.newaxis], places])
-    return curvatures, directions, (left @ own + (bend @ held)[places]) @ directions
+        rows, sizes, right, _ = dgesdd(free_slopes, full_matrices=0)
+        return sizes**2, right.T, sizes * (remaining @ rows)
+    curvatures, directions, _ = dsyevd(free_slopes.T @ free_slopes + bend[indices[:, np.newaxis], indices])
+    return curvatures, directions, (remaining @ free_slopes + (bend @ fixed_step)[indices]) @ directions
 
 
-def _within(curvatures: FloatArray, along: FloatArray, radius: float, unseen: float) -> tuple[FloatArray, float]:
-    """Moves in each direction to the least cost within a radius, and the damping that keeps them there."""
+def _steps_within(
+    curvatures: FloatArray, slopes_along: FloatArray, radius: float, unseen: float
+) -> tuple[FloatArray, float]:
+    """Return the steps to the least cost within a radius, and the damping."""
     # They are sorted, one way or the other.
     lowest, greatest = sorted((float(curvatures[0]), float(curvatures[-1])))
     floor = unseen * max(greatest, -lowest, 1e-290)
     if abs(lowest) <= floor:
         # What is not seen stays where it is.
-        along, curvatures = np.where(np.abs(curvatures) > floor, along, 0.0), np.maximum(curvatures, floor)
+        slopes_along, curvatures = (
+            np.where(np.abs(curvatures) > floor, slopes_along, 0.0),
+            np.maximum(curvatures, floor),
+        )
     damping = least = floor - lowest if lowest < -floor else 0.0
-    moves = -along / (curvatures + damping)
+    moves = -slopes_along / (curvatures + damping)
     size = _size(moves)
     # Newton's method for 1/|moves| (Moré); a radius need not be kept exactly.
     for _ in range(40 if size > radius else 0):
@@ -275,6 +282,6 @@ def _within(curvatures: FloatArray, along: FloatArray, radius: float, unseen: fl
             break
         fall = float(moves @ (moves / (curvatures + damping)))
         damping = max(damping + (size / radius - 1.0) * size**2 / fall, 1e-3 * damping, least)
-        moves = -along / (curvatures + damping)
+        moves = -slopes_along / (curvatures + damping)
         size = _size(moves)
     return moves * min(1.0, radius / size) if size > 0.0 else moves, damping

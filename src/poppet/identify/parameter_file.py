@@ -1,4 +1,4 @@
-"""Numbers of a file laid over a circuit: what `poppet identify` found, or gains of `poppet control tune`."""
+"""Circuits with the parameters of a file: results of an identification, or controller gains."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ UNTRUSTED = ("not determined", "at bound")
 
 
 def with_numbers(circuit: Circuit, path: str | Path) -> tuple[Circuit, list[str]]:
-    """A circuit with the numbers of a file, and which of them are not to be trusted.
+    """Return a circuit with the values of a file, and the unreliable parameters.
 
     Parameters
     ----------
@@ -51,32 +51,35 @@ def with_numbers(circuit: Circuit, path: str | Path) -> tuple[Circuit, list[str]
 
 
 def _muscle(circuit: Circuit, result: Result) -> dict[str, Any]:
-    """Fields of a muscle, whose numbers mean nothing without the law and the size with which they were found."""
-    law, found = result.comparison.get("law"), result.values()
-    name = next(iter(found), "").partition(".")[0]
+    """Return the fields of a fitted muscle, with its law and size."""
+    law, values = result.comparison.get("law"), result.values()
+    name = next(iter(values), "").partition(".")[0]
     muscles = {name: part for name, part in circuit.parts.items() if isinstance(part, MuscleLawPart)}
     if result.method != "muscle" or law not in REQUIRED or name in REQUIRED.values() or not muscles:
         return {}
     if name not in muscles:
         raise InputError("muscle.not_here", name, known=[*muscles])
-    own = {address.removeprefix(f"{name}."): number for address, number in found.items()}
-    of = result.conditions
-    fields: dict[str, Any] = {"law": law, **{key: of[key] for key in ("nominal_length", "nominal_diameter")}}
+    fields_by_name = {address.removeprefix(f"{name}."): number for address, number in values.items()}
+    conditions = result.conditions
+    fields: dict[str, Any] = {"law": law, **{key: conditions[key] for key in ("nominal_length", "nominal_diameter")}}
     if law == "table":
         columns = {
-            column: [number for key, number in own.items() if key.startswith(f"force_table.{column}_")]
+            column: [number for key, number in fields_by_name.items() if key.startswith(f"force_table.{column}_")]
             for column in ("force_per_pressure", "passive_force")
         }
-        fields["force_table"] = {"contraction": of["rows_of_contraction"], **columns}
+        fields["force_table"] = {"contraction": conditions["rows_of_contraction"], **columns}
     elif law == "sarosi":
-        fields["sarosi"] = {key.removeprefix("sarosi."): number for key, number in own.items()}
+        fields["sarosi"] = {key.removeprefix("sarosi."): number for key, number in fields_by_name.items()}
     else:
-        fields |= own
+        fields |= fields_by_name
     if isinstance(muscles[name], Muscle):  # where the map was measured
         fields = {"data": None, "sarosi": None, "force_table": None, **fields}
-        (least, most), (low, high) = of["contraction"], (f"{1e-5 * each:.6g} bar g" for each in of["gauge_pressure"])
+        (shortest, longest), (low, high) = (
+            conditions["contraction"],
+            (f"{1e-5 * pressure:.6g} bar g" for pressure in conditions["gauge_pressure"]),
+        )
         fields["limits"] = {
-            "lowest_contraction": least, "highest_contraction": most, "highest_force": of["force"][1],
+            "lowest_contraction": shortest, "highest_contraction": longest, "highest_force": conditions["force"][1],
             "lowest_pressure": low, "highest_pressure": high,
         }  # fmt: skip
     return {f"{name}.{key}": value for key, value in fields.items()}

@@ -1,4 +1,4 @@
-"""What every identification ends in: estimates with intervals and verdicts, residuals and findings."""
+"""Result of an identification: estimates, verdicts, residuals and findings."""
 
 from __future__ import annotations
 
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
 
 Verdict = Literal["determined", "weak", "not determined", "at bound"]
 VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
-METHODS = ("fit", "tank", "flow", "characteristic", "muscle", "friction")
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 DETERMINED, WEAK = 0.1, 0.5
@@ -35,7 +34,7 @@ DETERMINED, WEAK = 0.1, 0.5
 
 @dataclass(frozen=True)
 class Estimate:
-    """One free number after the fit.
+    """Estimate of a free parameter.
 
     Parameters
     ----------
@@ -64,7 +63,7 @@ class Estimate:
 
 @dataclass(frozen=True)
 class ResidualSummary:
-    """Model minus measurement of one channel.
+    """Summary of model minus measurement of a channel.
 
     Parameters
     ----------
@@ -88,7 +87,7 @@ class ResidualSummary:
 
     @classmethod
     def of(cls, model: FloatArray, measured: FloatArray, unit: str) -> ResidualSummary:
-        """Of two series.
+        """Return the summary of two series.
 
         Parameters
         ----------
@@ -110,7 +109,7 @@ class ResidualSummary:
 
 @dataclass(frozen=True)
 class Result(HtmlMixin):
-    """Outcome of an identification.
+    """Result of an identification.
 
     Parameters
     ----------
@@ -165,11 +164,11 @@ class Result(HtmlMixin):
 
     @property
     def findings(self) -> tuple[str, ...]:
-        """The remarks in sentences."""
+        """Findings as sentences."""
         return tuple(str(remark) for remark in self.remarks)
 
     def values(self) -> dict[str, Number]:
-        """Fitted numbers by address, for `Circuit.with_values`.
+        """Return the fitted values by address, for `Circuit.with_values`.
 
         Returns
         -------
@@ -194,6 +193,11 @@ class Result(HtmlMixin):
         """
         findings = [f"- {finding}" for finding in grouped(self.remarks)]
         return "\n".join([*filter(None, [self.title]), *self.lines(), *findings])
+
+    @property
+    def interrupted(self) -> bool:
+        """True if the user interrupted the identification."""
+        return bool(self.conditions.get("interrupted", False))
 
     def lines(self) -> list[str]:
         """Return a line of text for each estimate and for the residuals of each channel.
@@ -249,7 +253,7 @@ class Result(HtmlMixin):
         return plot_fitted_series(tables, path, title=self.title)
 
     def content(self) -> dict[str, Any]:
-        """Everything that is written to a file, as plain tables."""
+        """Return all content of the file as plain tables."""
         return {
             "method": self.method,
             "title": self.title,
@@ -264,7 +268,7 @@ class Result(HtmlMixin):
         }
 
     def save(self, path: str | Path) -> None:
-        """Write the result, `.toml` or `.json`, aside and renamed.
+        """Write the result to a `.toml` or `.json` file.
 
         Parameters
         ----------
@@ -304,13 +308,13 @@ def fitted_number(estimate: Estimate, title: str) -> Number:
 
 
 def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
-    """What half an interval makes of a number of some size, its bounds left out of account."""
+    """Return the verdict on half an interval relative to a size."""
     # In this order not-a-number and infinity are "not determined".
     return "determined" if half <= limits[0] * size else "weak" if half <= limits[1] * size else "not determined"
 
 
 def behind(unit: str) -> str:
-    """A unit as it stands behind a number.
+    """Return a unit as it follows a number.
 
     Examples
     --------
@@ -367,7 +371,7 @@ def read_result(path: str | Path) -> Result:
 
 
 def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> tuple[Note, ...]:
-    """Remarks of a file; where another version wrote a code that has no words here, its sentence."""
+    """Return the findings of a file; a finding of another version stays as its sentence."""
     if len(tables) != len(sentences):
         return notes_of(sentences)
     return tuple(_remark(*pair) for pair in zip(sentences, tables, strict=True))

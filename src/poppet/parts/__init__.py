@@ -14,16 +14,15 @@ if TYPE_CHECKING:
     from poppet.parts.chamber import Chamber
     from poppet.parts.cylinder import Cylinder
     from poppet.parts.electronics import Electronics
-    from poppet.parts.flow_source import FlowSource
+    from poppet.parts.flow_path import Orifice
     from poppet.parts.main_stage import Contact, Exhaust, Friction, MainStage, Spring, Stop
     from poppet.parts.muscle import Muscle
-    from poppet.parts.orifice import Orifice
     from poppet.parts.pid import PID
     from poppet.parts.pilot_stage import PilotStage
     from poppet.parts.pressure_controller import PressureController
     from poppet.parts.proportional_valve import ProportionalValve
-    from poppet.parts.reservoir import Reservoir
     from poppet.parts.solenoid import Solenoid
+    from poppet.parts.sources import FlowSource, Reservoir
     from poppet.parts.spool_valve import SpoolValve
     from poppet.parts.tube import Tube
     from poppet.parts.valves import CheckValve, DirectionalValve, ReliefValve, Silencer
@@ -32,10 +31,10 @@ if TYPE_CHECKING:
 KINDS: Registry[type[Part]] = Registry(
     "poppet.parts",
     {
-        "reservoir": "poppet.parts.reservoir:Reservoir",
+        "reservoir": "poppet.parts.sources:Reservoir",
         "chamber": "poppet.parts.chamber:Chamber",
-        "orifice": "poppet.parts.orifice:Orifice",
-        "flow_source": "poppet.parts.flow_source:FlowSource",
+        "orifice": "poppet.parts.flow_path:Orifice",
+        "flow_source": "poppet.parts.sources:FlowSource",
         "main_stage": "poppet.parts.main_stage:MainStage",
         "pilot_stage": "poppet.parts.pilot_stage:PilotStage",
         "electronics": "poppet.parts.electronics:Electronics",

@@ -91,8 +91,8 @@ class Chamber(Store):
         result = [] if self.thermal == "polytropic" else self._unused(("polytropic_exponent",), "thermal")
         if self.thermal != "energy":
             return (*result, *self._unused((*_ONLY_ENERGY, *_CORRELATION), "thermal"))
-        used = (*_REQUIRED[self.heat_transfer], *_WITH_DEFAULT[self.heat_transfer])
-        unused = tuple(name for name in ("wall_conductance", *_CORRELATION) if name not in used)
+        effective = (*_REQUIRED[self.heat_transfer], *_WITH_DEFAULT[self.heat_transfer])
+        unused = tuple(name for name in ("wall_conductance", *_CORRELATION) if name not in effective)
         return (*result, *self._unused(unused, "heat_transfer"))
 
     def _unused(self, names: tuple[str, ...], option: str) -> list[Note]:
@@ -207,8 +207,8 @@ class Chamber(Store):
         wall = scope.states["wall_temperature"] if is_state else scope["wall_temperature"]
         heat = self._conductance(scope, gas, wall, flows) * (wall - gas.temperature)
         if is_state:
-            outside = scope["outer_conductance"] * (scope["ambient_temperature"] - wall)
-            rates["wall_temperature"] = (outside - heat) / scope["wall_heat_capacity"]
+            outer_heat = scope["outer_conductance"] * (scope["ambient_temperature"] - wall)
+            rates["wall_temperature"] = (outer_heat - heat) / scope["wall_heat_capacity"]
             outputs["wall_temperature"] = (wall, "K")
         return heat
 

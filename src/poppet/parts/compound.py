@@ -107,7 +107,7 @@ class Compound(Part):
     def outside(self) -> dict[str, str]:
         """Return the names of inputs, then of outputs, outside and inside."""
         names = {**self.inlets, **self.outlets}
-        return {name: inside for name, inside in names.items() if inside.partition(".")[0] in self.members}
+        return {name: inner for name, inner in names.items() if inner.partition(".")[0] in self.members}
 
     def stores(self) -> tuple[str, ...]:
         return tuple(name for name, spec in self._member_specs() if spec.is_open and name in self.members)
@@ -148,17 +148,17 @@ class Compound(Part):
     def inputs(self) -> tuple[Input, ...]:
         """Return the inputs that are available outside, under the names of `inlets`."""
         inputs = []
-        for outside, inside in self.outside().items():
-            if outside not in self.inlets:
+        for outer, inner in self.outside().items():
+            if outer not in self.inlets:
                 continue
-            name, _, local = inside.partition(".")
+            name, _, local = inner.partition(".")
             item = next(item for item in self.members[name].inputs() if item.name == local)
             # Names of parameters of the member have its name in front outside.
             values = {key: getattr(item, key) for key in ("default", "low", "high", "delay")}
             addresses: dict[str, Any] = {
                 key: f"{name}.{value}" for key, value in values.items() if isinstance(value, str) and value
             }
-            inputs.append(dataclasses.replace(item, name=outside, **addresses))
+            inputs.append(dataclasses.replace(item, name=outer, **addresses))
         return tuple(inputs)
 
     def can_resume(self, target: str) -> bool:
@@ -166,9 +166,9 @@ class Compound(Part):
         return name in self.members and self.members[name].can_resume(local)
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        outside = {inside: name for name, inside in self.outside().items() if name in self.outlets}
+        outer_names = {inner: name for name, inner in self.outside().items() if name in self.outlets}
         return {
-            outside.get(f"{name}.{key}", f"{name}.{key}"): curve
+            outer_names.get(f"{name}.{key}", f"{name}.{key}"): curve
             for name, part in self.members.items()
             for key, curve in part.domains().items()
         }
@@ -202,9 +202,9 @@ def expand_compounds(
             continue
         flat |= {f"{name}.{key}": member for key, member in part.members.items()}
         flat_connections |= {f"{name}.{target}": f"{name}.{source}" for target, source in part.links.items()}
-        for outside, inside in part.outside().items():
-            inner[f"{name}.{outside}"] = f"{name}.{inside}"
+        for outer_name, inner_name in part.outside().items():
+            inner[f"{name}.{outer_name}"] = f"{name}.{inner_name}"
             # An output with several names outside has the first one in recordings.
-            outer.setdefault(f"{name}.{inside}", f"{name}.{outside}")
+            outer.setdefault(f"{name}.{inner_name}", f"{name}.{outer_name}")
     flat_connections |= {inner.get(target, target): inner.get(source, source) for target, source in connections.items()}
     return flat, flat_connections, outer

@@ -177,8 +177,8 @@ class Electronics(Controller):
 
     def memory(self) -> tuple[DiscreteState, ...]:
         pressures = ("integral", "pilot_setpoint", "last_pressure", "derivative", "actual_pressure")
-        others = ("fill_duty", "vent_duty", "vent_wanted", "vent_ready", "outer_count", "inner_count")
-        return *(DiscreteState(name, "Pa") for name in pressures), *(DiscreteState(name, "1") for name in others)
+        flags = ("fill_duty", "vent_duty", "vent_wanted", "vent_ready", "outer_count", "inner_count")
+        return *(DiscreteState(name, "Pa") for name in pressures), *(DiscreteState(name, "1") for name in flags)
 
     def timers(self) -> tuple[Timer, ...]:
         return Timer("outer", 0), Timer("inner", 1), Timer("vent", 2)

@@ -226,7 +226,7 @@ def attribute(name: str) -> str:
     return "from_" if name == "from" else name
 
 
-class DeclaredDocstring:
+class ParameterDocstring:
     """Docstring of a class with a section of parameters made from the declared fields, when it is read."""
 
     def __init__(self, text: str) -> None:

@@ -14,8 +14,7 @@ from poppet.laws.physics import contact
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, group, laminar_limit, number, option, port, reference, subsonic_index_m
-from poppet.parts.flow_path import characteristic_at, read_characteristic
-from poppet.parts.orifice import named_flow
+from poppet.parts.flow_path import characteristic_at, named_flow, read_characteristic
 from poppet.parts.part import GasState, Input, Passage, PassageFlows, Quantities, Scope, State, Surroundings
 
 _MODES = ("paper", "regulator")
@@ -212,8 +211,8 @@ class MainStage(Passage):
         """Return the force of both springs and of the seat pressure; the poppet acts above stroke zero."""
         stroke = scope.states["stroke"]
         upper = scope["upper_spring.rate"] * (scope["upper_spring.preload"] + stroke)
-        above = maximum(stroke, 0.0)
-        lower = scope["lower_spring.rate"] * (scope["lower_spring.preload"] + above)
+        lift = maximum(stroke, 0.0)
+        lower = scope["lower_spring.rate"] * (scope["lower_spring.preload"] + lift)
         if self.mode == "regulator":
             lower = lower + scope["seat_balance"] * scope["seat_area"] * (
                 gas["supply"].pressure - gas["outlet"].pressure
@@ -237,9 +236,9 @@ class MainStage(Passage):
         def force(name: str, depth: Any, speed: Any) -> Any:
             return contact.stop_force(depth, speed, scope[f"{name}.stiffness"], scope[f"{name}.dissipation"])
 
-        above = force("upper_stop", stroke - scope["upper_stop.position"], velocity)
-        below = force("lower_stop", scope["lower_stop.position"] - stroke, -velocity)
-        return below - above
+        upper_force = force("upper_stop", stroke - scope["upper_stop.position"], velocity)
+        lower_force = force("lower_stop", scope["lower_stop.position"] - stroke, -velocity)
+        return lower_force - upper_force
 
     def _contact(self, scope: Scope) -> Any:
         """Return -2 at the lower stop, -1 exhaust open, 0 both seats closed, 1 supply open, 2 at the upper stop."""

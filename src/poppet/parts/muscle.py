@@ -226,10 +226,10 @@ class Muscle(MuscleLawPart, Store, Actuator):
         ):
             low, high = limit(lowest, -1.0), limit(highest, 1.0)
             values = series(f"{name}.{output}")
-            outside = np.flatnonzero((values < low) | (values > high))
-            if outside.size:
+            rows_outside = np.flatnonzero((values < low) | (values > high))
+            if rows_outside.size:
                 excess = np.maximum(low - values, values - high)
-                worst, first = float(values[np.argmax(excess)]), float(time[outside[0]])
+                worst, first = float(values[np.argmax(excess)]), float(time[rows_outside[0]])
                 facts = {"time": first, "worst": worst, "limit": low if worst < low else high, "unit": unit}
                 notes.append(Note("muscle.beyond", output, **facts))
         slack = np.flatnonzero(series(f"{name}.force") <= 0.0)

@@ -11,8 +11,8 @@ from poppet.core.errors import InputError
 from poppet.core.provenance import Number
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, Sarosi, TonduLopez
 from poppet.parts.fields import NumberLike, group, number, option, reference
-from poppet.parts.force_rows import ForceRows
 from poppet.parts.part import Part, Surroundings
+from poppet.parts.rows import ForceRows
 
 REQUIRED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": "braid_angle", "table": "force_table"}
 """Force laws and the field that each law requires."""

@@ -27,8 +27,8 @@ from poppet.core.provenance import Number
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import (
     BodySpec,
-    DeclaredDocstring,
     OptionSpec,
+    ParameterDocstring,
     PortSpec,
     complete,
     declared,
@@ -252,7 +252,7 @@ class Part(ABC):
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
         if isinstance(text := vars(cls).get("__doc__"), str):
-            cls.__doc__ = DeclaredDocstring(text)  # type: ignore[assignment]
+            cls.__doc__ = ParameterDocstring(text)  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
         # First, so that a copy with another `data` or `mode` does not keep the numbers of the previous set.

@@ -11,7 +11,6 @@ from poppet.core.provenance import Number
 from poppet.core.symbolic import clip, maximum, where
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, reference, switch
-from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundings
 from poppet.parts.quantities import (
     COMMANDS,
@@ -23,6 +22,7 @@ from poppet.parts.quantities import (
     as_limit,
     command_of,
 )  # fmt: skip
+from poppet.parts.rows import GainSchedule
 from poppet.parts.sampled_loop import SampledLoop, is_first
 
 _SCHEDULED = ("gain", "integral_time", "derivative_time", "vent_factor")

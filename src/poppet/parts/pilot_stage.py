@@ -23,7 +23,7 @@ from poppet.parts.fields import (
     reference,
     subsonic_index_m,
 )
-from poppet.parts.orifice import named_flow
+from poppet.parts.flow_path import named_flow
 from poppet.parts.part import (
     SELF,
     DiscreteState,

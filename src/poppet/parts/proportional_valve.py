@@ -147,9 +147,9 @@ def _plateau_notes(time: Any, outlet: Any, target: float, tolerance: float, unpo
     """Return a note if the outlet oscillates or misses the target on a plateau."""
     facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
     # The last 30 %: earlier rows can belong to the step response.
-    late = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
-    swing = np.ptp(late)
-    reversals = np.count_nonzero(np.diff(np.sign(late - late.mean())))
+    final_rows = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]
+    swing = np.ptp(final_rows)
+    reversals = np.count_nonzero(np.diff(np.sign(final_rows - final_rows.mean())))
     if time.size > MIN_PLATEAU_ROWS and reversals >= MIN_REVERSALS and swing > tolerance:
         return [Note("valve.not_held", **facts, swing_bar=swing / 1e5)]
     error = abs(outlet[-1] - target)

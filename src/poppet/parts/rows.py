@@ -1,4 +1,4 @@
-"""Table of numbers in a part: gains over operating points, forces of a muscle."""
+"""Tables of numbers in parts: forces of a muscle, gains over operating points."""
 
 from __future__ import annotations
 
@@ -9,8 +9,11 @@ from typing import Any, ClassVar, Self
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.provenance import Number, Source
+from poppet.core.symbolic import clip
 from poppet.core.tables import Field, missing_field
+from poppet.laws.physics.muscle import ForceTable
 from poppet.parts.fields import NumberSpec, read_number
+from poppet.parts.quantities import OPENING, QUANTITIES, gain_unit
 
 
 @dataclass(frozen=True)
@@ -101,3 +104,93 @@ class NumberTable:
 def as_numbers(values: Sequence[float], unit: str, source: Source) -> tuple[Number, ...]:
     """Return values as numbers with a source."""
     return tuple(Number(float(value), unit, source) for value in values)
+
+
+_COLUMNS = {
+    "contraction": NumberSpec("1", "contraction", low=-0.2, below=1.0),
+    "force_per_pressure": NumberSpec("N/Pa", "force per gauge pressure"),
+    "passive_force": NumberSpec("N", "force without gauge pressure"),
+}
+
+
+@dataclass(frozen=True)
+class ForceRows(NumberTable):
+    """Force per gauge pressure and passive force by contraction, with linear interpolation.
+
+    Parameters
+    ----------
+    columns : mapping
+        Name of each column to its numbers, one for each contraction.
+
+    Examples
+    --------
+    >>> rows = {"contraction": [0.0, 0.1], "force_per_pressure": ["300 N/bar", "100 N/bar"], "passive_force": [0, -99]}
+    >>> table = ForceRows.read(rows)
+    >>> round(table.law(table.parameters(1e5)).force(1e5, 0.1), 9)
+    1.0
+    """
+
+    field: ClassVar[str] = "force_table"
+
+    @classmethod
+    def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
+        return _COLUMNS
+
+    def law(self, values: Mapping[str, Any]) -> ForceTable:
+        """Return the law for run-time values, floats or symbols."""
+        return ForceTable(*(self.column(name, values) for name in _COLUMNS))
+
+
+_DEFAULTS = {"derivative_time": 0.0, "vent_factor": 1.0}
+
+
+@dataclass(frozen=True)
+class GainSchedule(NumberTable):
+    """Gains at operating points, with linear interpolation and constant extrapolation.
+
+    Parameters
+    ----------
+    columns : mapping
+        Name of each column to its numbers, one for each operating point.
+    form : tuple of str
+        Controlled quantity, which is the name of the first column, and commanded quantity.
+
+    Examples
+    --------
+    >>> table = {"pressure": ["2 bar", "4 bar"], "gain": [1e-5, 3e-5], "integral_time": [0.1, 0.3]}
+    >>> schedule = GainSchedule.read(table)
+    >>> round(schedule.at(3e5, schedule.parameters(1e5))["gain"], 9)
+    2e-05
+    """
+
+    field: ClassVar[str] = "schedule"
+
+    @classmethod
+    def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
+        quantity, command = form
+        controlled = QUANTITIES[quantity]
+        columns = {
+            quantity: NumberSpec(controlled.unit, "operating point", kind=controlled.kind, low=controlled.low),
+            "gain": NumberSpec(gain_unit(quantity, command), "gain"),
+            "integral_time": NumberSpec("s", "integral time", above=0.0),
+            "derivative_time": NumberSpec("s", "derivative time", low=0.0, optional=True),
+        }
+        factor = NumberSpec("1", "factor on commands to vent", above=0.0, optional=True)
+        return columns | {"vent_factor": factor} if command == OPENING else columns
+
+    @classmethod
+    def read(cls, table: Any, *form: str) -> Self:
+        return super().read(table, *(form or ("pressure", OPENING)))
+
+    def at(self, point: Any, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the gains at an operating point."""
+        point_column = self.form[0]
+        gaps = range(1, len(self.columns[point_column]))
+        steps = {name: [values[f"{name}_{k + 1}"] - values[f"{name}_{k}"] for k in gaps] for name in self.columns}
+        # The fraction of each gap below the operating point: a sum, which is traced without a branch.
+        widths = zip(gaps, steps.pop(point_column), strict=True)
+        fractions = [clip((point - values[f"{point_column}_{k}"]) / width, 0.0, 1.0) for k, width in widths]
+        gains: dict[str, Any] = dict(_DEFAULTS)
+        for name, heights in steps.items():
+            gains[name] = values[f"{name}_1"] + sum(a * b for a, b in zip(fractions, heights, strict=True))
+        return gains

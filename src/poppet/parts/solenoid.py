@@ -1,4 +1,4 @@
-"""2/2 solenoid valve with pulse-width modulation, switched or averaged over a period."""
+"""Solenoid valve, 2/2, with pulse-width modulation: switched or averaged over a period."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SLEW_WIDTH = 1e-3
 
 @dataclass(frozen=True)
 class Solenoid:
-    """2/2 solenoid valve with pulse-width modulation."""
+    """Solenoid valve, 2/2, with pulse-width modulation."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", low=0.0)
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)

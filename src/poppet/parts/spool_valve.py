@@ -11,8 +11,7 @@ from poppet.core.symbolic import clip
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, port
-from poppet.parts.flow_path import FlowPath
-from poppet.parts.orifice import named_flow
+from poppet.parts.flow_path import FlowPath, named_flow
 from poppet.parts.part import AMBIENT, Flow, GasState, Input, PassageFlows, Quantities, Scope, State, Surroundings
 
 MIN_SWITCHING_TIME = 1e-6

@@ -11,8 +11,7 @@ from poppet.core.symbolic import clip, smoothstep
 from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, port
-from poppet.parts.flow_path import FlowPath
-from poppet.parts.orifice import named_flow, single_flow
+from poppet.parts.flow_path import FlowPath, named_flow, single_flow
 from poppet.parts.part import GasState, Input, PassageFlows, Scope, State, Surroundings
 
 SPOOL_GAIN = 50.0
@@ -79,7 +78,7 @@ class ReliefValve(FlowPath):
 
 @dataclass(frozen=True)
 class DirectionalValve(FlowPath):
-    """On/off valve, 2/2 or (with an exhaust port) 3/2, with delay and switching time.
+    """Directional on/off valve, 2/2 or (with an exhaust port) 3/2, with delay and switching time.
 
     Notes
     -----
@@ -121,8 +120,8 @@ class DirectionalValve(FlowPath):
         values.setdefault("exhaust_conductance", values["sonic_conductance"])
         values.setdefault("exhaust_ratio", values["critical_ratio"])
         # At rest under the parameter; a signal with another initial value moves the spool from there.
-        rest = values["command"] if self.normally == "closed" else 1.0 - values["command"]
-        values.setdefault("initial_position", rest)
+        initial_position = values["command"] if self.normally == "closed" else 1.0 - values["command"]
+        values.setdefault("initial_position", initial_position)
         return values
 
     def structure(self) -> Hashable:

@@ -142,12 +142,12 @@ def test_a_held_setpoint_is_written(folder):
 @pytest.mark.parametrize(
     ("changes", "code", "address"),
     [
-        ({"full_scale": None}, "recordings.full_scale", "full_scale"),
-        ({"fullscale": "6 bar g"}, "recordings.field", "fullscale"),
+        ({"full_scale": None}, "fields.missing", "full_scale"),
+        ({"fullscale": "6 bar g"}, "fields.unknown", "fullscale"),
         ({"ambient_pressure": "1 bar g"}, "recordings.ambient", "ambient_pressure"),
         ({"setpoint_range": None}, "recordings.unit", "recordings.one.valve.setpoint"),
-        ({"recording": {"test": None}}, "recordings.test_missing", "recordings.one.test"),
-        ({"recording": {"test": "steps"}}, "recordings.test_unknown", "recordings.one.test"),
+        ({"recording": {"test": None}}, "fields.missing", "recordings.one.test"),
+        ({"recording": {"test": "steps"}}, "fields.not_an_option", "recordings.one.test"),
         ({"recording": {"outlet.pressure": None}}, "recordings.channel_missing", "recordings.one"),
         ({"recording": {"test": "flow"}}, "recordings.channel_missing", "recordings.one"),
         (

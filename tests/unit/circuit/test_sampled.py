@@ -249,7 +249,7 @@ def test_command_prints_poles_and_kinks(capsys, tmp_path, monkeypatch):
     assert "Linear model over samples of 0.001 s" in out
     assert "pole [1/s]" in out
     assert "Eigenvalues over a sample:" in out
-    assert "times 0 (worked out anew in every sample)" in out
+    assert "times 0 (recomputed in every sample)" in out
     assert "- the rate of tank.pressure" in out
     assert json.loads((tmp_path / "linear.json").read_text())["sample_time"] == 1e-3
     assert sys.modules["poppet.cli.linearise"]

@@ -18,8 +18,8 @@ from poppet.identify.baseline_models import (
     fit_arx,
     fit_first_order,
     responses_of,
+    score_model,
     score_table,
-    scored,
 )
 from poppet.identify.fit.fit_file import read_fit_file
 from poppet.identify.fit.identify_fit import identify_fit
@@ -90,16 +90,16 @@ def test_an_unstable_arx_model_is_not_chosen():
     empty = blank()
     grown = replace(empty, measured=np.exp(0.2 * empty.time))
     model = fit_arx([grown])
-    assert np.isfinite(scored("a.p", "ARX", False, model.simulate(grown), grown.measured).nrmse)
+    assert np.isfinite(score_model("a.p", "ARX", False, model.simulate(grown), grown.measured).nrmse)
 
 
 def test_scores_are_what_their_definitions_say():
     measured, shown = np.array([0.0, 1.0, 2.0, 5.0]), np.array([1.0, 1.0, 2.0, 5.0])
-    score = scored("a.p", "m", True, shown, measured)
+    score = score_model("a.p", "m", True, shown, measured)
     assert score.rms == pytest.approx(0.5)
     assert score.nrmse == pytest.approx(0.1)
     assert score.fit == pytest.approx(100.0 * (1.0 - 1.0 / np.sqrt(14.0)))
-    assert scored("a.p", "m", True, shown, np.ones(4)).nrmse == np.inf
+    assert score_model("a.p", "m", True, shown, np.ones(4)).nrmse == np.inf
 
 
 CIRCUIT = """
@@ -188,12 +188,12 @@ def recording(folder: Path, **more: object) -> object:
 
 
 def test_a_command_holds_between_its_samples(tmp_path):
-    from poppet.identify.fit.fit_series import shifted
+    from poppet.identify.fit.fit_series import shift_series
 
     (response,) = responses_of(recording(tmp_path, hold=True), {"t.pressure": "v.setpoint_pressure"})
     psi = 6894.757293168361
     assert np.allclose(response.commanded(np.array([0.0, 0.95, 1.0, 1.9])), 1e5 + psi * np.array([5.0, 5.0, 1.0, 1.0]))
-    time, values = shifted(response.command_time, response.command, 0.95, hold=True)
+    time, values = shift_series(response.command_time, response.command, 0.95, hold=True)
     assert values[0] == pytest.approx(1e5 + 5.0 * psi)
     assert time[1] == pytest.approx(0.05)
 

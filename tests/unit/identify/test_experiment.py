@@ -15,8 +15,8 @@ from poppet.engine.call import RepeatedCall
 from poppet.engine.lane_kernel import LockstepLanes
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import FitPlan, recording_parameters
-from poppet.identify.fit.fit_series import first_value, lagged, shifted
-from poppet.identify.fit.intervals import bootstrapped
+from poppet.identify.fit.fit_series import apply_lag, first_value, shift_series
+from poppet.identify.fit.intervals import add_bootstrap
 from poppet.identify.fit.search import SearchSettings, kick_rounds, optimise
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result
@@ -55,7 +55,7 @@ def fitted(measurement: Measurement) -> dict[str, float]:
 
 
 def test_a_slow_flow_meter_is_put_right():
-    values = fitted(recording(lagged(TIME, FLOW, 0.8), lag=None))
+    values = fitted(recording(apply_lag(TIME, FLOW, 0.8), lag=None))
     assert values["run.inlet.mass_flow_rate.lag"] == pytest.approx(0.8, abs=0.05)
     assert values["tank.volume"] == pytest.approx(8e-3, rel=2e-3)
     assert values["tank.wall_conductance"] == pytest.approx(6.0, rel=2e-2)
@@ -191,7 +191,7 @@ def test_bootstrap_fits_take_the_loss_of_the_fit_and_leave_no_minimum(monkeypatc
 
     optimum = optimise(plan.experiments, FREE, plan.settings)
     monkeypatch.setattr("poppet.identify.fit.intervals.optimise", fitted_again)
-    again = bootstrapped(plan, optimum, result, 2, lambda what, done, total: None)
+    again = add_bootstrap(plan, optimum, result, 2, lambda what, done, total: None)
     assert seen == [("huber", 0)] * 2
     assert [note.facts["fits"] for note in again.remarks] == [2, 2]
 
@@ -257,18 +257,18 @@ def test_numbers_that_others_follow_from_have_slopes_as_well():
 
 def test_lag_of_a_step_and_of_a_ramp():
     step = np.where(TIME < 1.0, 0.0, 1.0)
-    shown = lagged(TIME, step, 2.0)
+    shown = apply_lag(TIME, step, 2.0)
     after = TIME > 1.5
     assert np.max(np.abs(shown[after] - (1.0 - np.exp(-(TIME[after] - 0.95) / 2.0)))) < 2e-3
-    assert lagged(TIME, TIME, 2.0)[-1] == pytest.approx(TIME[-1] - 2.0, abs=1e-9)
-    assert np.array_equal(lagged(TIME, step, 0.0), step)
+    assert apply_lag(TIME, TIME, 2.0)[-1] == pytest.approx(TIME[-1] - 2.0, abs=1e-9)
+    assert np.array_equal(apply_lag(TIME, step, 0.0), step)
 
 
 def test_a_shifted_record_begins_at_zero():
-    time, values = shifted(np.array([0.0, 1.0, 2.0]), np.array([0.0, 10.0, 20.0]), 0.5)
+    time, values = shift_series(np.array([0.0, 1.0, 2.0]), np.array([0.0, 10.0, 20.0]), 0.5)
     assert time.tolist() == [0.0, 0.5, 1.5]
     assert values.tolist() == [5.0, 10.0, 20.0]
-    time, values = shifted(np.array([0.0, 1.0]), np.array([3.0, 4.0]), -1.0)
+    time, values = shift_series(np.array([0.0, 1.0]), np.array([3.0, 4.0]), -1.0)
     assert time.tolist() == [0.0, 1.0, 2.0]
     assert values.tolist() == [3.0, 3.0, 4.0]
 

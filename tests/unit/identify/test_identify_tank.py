@@ -11,8 +11,8 @@ import pytest
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.core.errors import InputError, InputErrors
 from poppet.identify import Result, TankTest, identify_tank, read_result, read_tank_file
-from poppet.identify.fit.fit_series import lagged
-from poppet.identify.tank.tank_plan import tank_plan, tank_runs
+from poppet.identify.fit.fit_series import apply_lag
+from poppet.identify.tank.tank_plan import plan_tank_fit, read_runs
 from poppet.signals import SampledSignal
 from refusals import refused
 from result_keys import undocumented
@@ -110,9 +110,9 @@ def test_a_supply_that_was_recorded_needs_no_other_pressure(tmp_path: Path) -> N
         "inputs": {"supply.pressure": {"column": "supply", "unit": "Pa"}},
     }
     test = TankTest(recordings={"a": recording}, volume="20 l", folder=tmp_path)
-    runs = tank_runs(test)
+    runs = read_runs(test)
     assert runs[0].supply_pressure == pytest.approx(8e5)
-    driven = tank_plan(test, runs).experiments[0].measurement.inputs
+    driven = plan_tank_fit(test, runs).experiments[0].measurement.inputs
     assert [each.address for each in driven] == ["supply.pressure"]
 
 
@@ -320,7 +320,7 @@ def test_more_flow_than_the_bore_lets_through_costs_the_verdict() -> None:
 
 def test_a_slow_gauge_is_told_from_what_the_model_lacks() -> None:
     run = pressure_only(recorded(noise=0.0))
-    shown = lagged(run["time"], run["tank.pressure"], 1.5)
+    shown = apply_lag(run["time"], run["tank.pressure"], 1.5)
     noisy = {**run, "tank.pressure": shown + np.random.default_rng(1).normal(0.0, 300.0, shown.size)}
     result = identify_tank(TankTest(recordings={"a": noisy}, volume="20 l"))
     others = result.comparison["alternatives"]
@@ -368,7 +368,7 @@ def test_a_search_begins_near_however_few_samples_there_are(every: int) -> None:
     """By the second of nine samples it has lost two fifths of what it will lose."""
     run = {key: series[::every] for key, series in pressure_only(recorded(noise=100.0)).items()}
     test = TankTest(recordings={"a": run}, volume="20 l")
-    first = tank_plan(test, tank_runs(test)).free[0]
+    first = plan_tank_fit(test, read_runs(test)).free[0]
     assert (first.name, first.start) == ("valve.sonic_conductance", pytest.approx(1e-8, rel=0.6))
 
 

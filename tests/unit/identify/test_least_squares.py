@@ -9,7 +9,7 @@ import pytest
 from scipy.optimize import lsq_linear
 
 from poppet.identify.fit.losses import LOSSES, costs_of, curvatures_of, weights_of
-from poppet.identify.least_squares import _step
+from poppet.identify.least_squares import _solve_step
 from searches import Array, Problem, found, found_by_scipy, unbounded
 
 SAMPLES = np.linspace(0.0, 1.0, 60)
@@ -54,7 +54,9 @@ def test_what_is_not_seen_stays_where_it_is() -> None:
 def test_a_cost_that_bends_down_everywhere_has_a_step_downhill() -> None:
     slopes, wide = np.array([[1e-3]]), (np.array([-2.0]), np.array([2.0]))
     for bend in (-5.0, -1e-3):
-        assert _step(slopes, np.array([1.0]), np.array([[bend]]), wide, 0.5, 1e-10) == pytest.approx([-0.5], rel=0.05)
+        assert _solve_step(slopes, np.array([1.0]), np.array([[bend]]), wide, 0.5, 1e-10) == pytest.approx(
+            [-0.5], rel=0.05
+        )
 
 
 def test_no_number_is_more_than_halved_or_tripled_in_a_step() -> None:

@@ -7,7 +7,7 @@ import pytest
 
 from poppet.identify.fit.rounding import staircase
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.statistics import ErrorModel, Gauge, pulls
+from poppet.identify.fit.statistics import ErrorModel, SensorLimits, influences
 
 SAMPLES = 400
 TIME = np.linspace(0.0, 1.0, SAMPLES)
@@ -34,9 +34,9 @@ def scores(noise: float, is_told: bool) -> np.ndarray:
     for seed in range(300):
         optimum, model = fitted(noise, seed)
         sigma = optimum.sigmas[0]
-        gauge = Gauge(staircase(model / sigma, 1.0 / sigma, noise / sigma) if is_told else None)
+        gauge = SensorLimits(staircase(model / sigma, 1.0 / sigma, noise / sigma) if is_told else None)
         spread = ErrorModel(optimum, [SAMPLES], 1.0, gauges=[gauge])
-        errors = [spread.deviation(pull) for pull in pulls(optimum)]
+        errors = [spread.deviation(pull) for pull in influences(optimum)]
         found.append((optimum.x - TRUTH) / errors)
     return np.sqrt(np.mean(np.square(found), axis=0))
 

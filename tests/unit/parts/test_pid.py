@@ -9,7 +9,7 @@ import pytest
 
 from poppet import Chamber, Circuit, Orifice, OutOfRangeError, Reservoir
 from poppet.parts import PID
-from poppet.parts.gain_schedule import GainSchedule
+from poppet.parts.rows import GainSchedule
 from poppet.signals import Points, Sine, Steps
 from refusals import refused
 

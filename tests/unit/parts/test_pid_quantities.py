@@ -11,8 +11,8 @@ from poppet import Circuit, Cylinder, Mass, Orifice, OutOfRangeError, Reservoir
 from poppet.circuit.schema import circuit_schema
 from poppet.core.errors import UnitError
 from poppet.parts import PID
-from poppet.parts.gain_schedule import GainSchedule
 from poppet.parts.quantities import COMMANDS, QUANTITIES, gain_unit
+from poppet.parts.rows import GainSchedule
 from poppet.parts.sampled_loop import SampledLoop
 from poppet.signals import Sine, Steps
 from refusals import refused

@@ -23,7 +23,7 @@ from poppet.core.number_format import decimals, interval, number, readable_unit,
 from poppet.identify import Estimate, ResidualSummary, Result
 from poppet.identify.characteristic.identify_characteristic import identify_characteristic
 from poppet.identify.characteristic.stroke_tests import StrokePoint
-from poppet.identify.fit.identify_fit import compared
+from poppet.identify.fit.identify_fit import compare_results
 from poppet.identify.flow.identify_flow import identify_flow
 from poppet.identify.flow.points import FlowPoints
 from poppet.iso6358 import mass_flow_rate
@@ -164,7 +164,7 @@ def test_a_comparison_has_both_models_and_its_sentence():
     second = replace(
         second, residuals={"discharge.tank.pressure": ResidualSummary(4900.0, 0.008, 10.0, "Pa", TIME.size)}
     )
-    text = Page(identification_page(compared(first, second, "adiabatic.toml"))).text
+    text = Page(identification_page(compare_results(first, second, "adiabatic.toml"))).text
     assert "clearly better than adiabatic (adiabatic.toml) (AICc lower by 400.0)" in text
     assert "Discharge of the tank 1000.0 3 0.690 kPa" in text
     assert "adiabatic.toml 1400.0 2 4.900 kPa" in text

@@ -16,15 +16,28 @@ from poppet.bench.iso10094.ranges import pressure, pressure_range, setpoint_scal
 from poppet.bench.iso10094.scale import Record, Scale
 from poppet.bench.iso10094.shapes import stairs
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
 from poppet.core.message_format import sentence
+from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
 from poppet.timeseries.measurements import read_measurement
 from poppet.timeseries.measurements.measurement import Measurement
 
-TOP_LEVEL = ("title", "full_scale", "setpoint_range", "rated_flow", "ambient_pressure", "supply_pressure", "recordings")
+TOP_LEVEL = {
+    "title": Field(type="text"),
+    "full_scale": Field(is_required=True, meaning="outlet pressure at full setpoint", example='full_scale = "6 bar g"'),
+    **dict.fromkeys(("setpoint_range", "ambient_pressure", "supply_pressure"), Field()),
+    "rated_flow": Field(unit="kg/s", kind="mass_flow", default=math.nan),
+    "recordings": Field(
+        type="table",
+        is_required=True,
+        meaning="list of recordings",
+        example="[recordings.NAME] with test, file and channels",
+    ),
+}
+_TEST = Field(choices=tuple(TESTS), meaning="test", example=f'test = "{next(iter(TESTS))}"')
 OF_RECORDING = ("test", "volume", "setpoint")
-"""What a recording has beside the fields of those of a fit file."""
+"""Fields of a recording in addition to those of a fit file."""
 UNUSED = ("inputs", "start")
 BEYOND = 2.0
 """How far a setpoint may leave its range before a word is said [% FS]."""
@@ -62,12 +75,14 @@ def recorded(
     data: Mapping[str, Any], path: Path, *, full_scale: str | None = None, rated_flow: float = math.nan
 ) -> ValveRecordings:
     """Read the tables of a file of recordings."""
-    _check_top(data, full_scale)
+    with ErrorCollector() as errors:
+        optional = {"full_scale": Field()} if full_scale is not None else {}
+        data = read_fields(errors, data, TOP_LEVEL | optional, table="file of recordings")
     ambient = _ambient(data)
     ends = pressure_range(full_scale if full_scale is not None else data["full_scale"], ambient)
     scale = setpoint_scale(data.get("setpoint_range"), ends, ambient)
-    if not math.isfinite(rated_flow) and "rated_flow" in data:
-        rated_flow = quantity(data["rated_flow"], "kg/s", kind="mass_flow", name="rated_flow").value
+    if not math.isfinite(rated_flow):
+        rated_flow = data["rated_flow"]
     records: dict[str, list[Record]] = {test: [] for test in TESTS}
     problems: list[InputError] = []
     notes: list[Note] = []
@@ -94,17 +109,6 @@ def recorded(
     return ValveRecordings(str(data.get("title", path.stem)), scale, records, rated_flow, tuple(notes), conditions)
 
 
-def _check_top(data: Mapping[str, Any], full_scale: str | None) -> None:
-    problems = [
-        InputError("recordings.field", key, near=NameSuggestion(key, TOP_LEVEL)) for key in data if key not in TOP_LEVEL
-    ]
-    if not isinstance(data.get("recordings"), Mapping) or not data["recordings"]:
-        problems.append(InputError("recordings.none", "recordings"))
-    if full_scale is None and "full_scale" not in data:
-        problems.append(InputError("recordings.full_scale", "full_scale"))
-    collect(problems)
-
-
 def _ambient(data: Mapping[str, Any]) -> float:
     raw = data.get("ambient_pressure", DEFAULT_AMBIENT)
     read = quantity(raw, "Pa", kind="pressure", name="ambient_pressure")
@@ -117,7 +121,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     """Return one recording and its notes."""
     address = f"recordings.{name}"
     if not isinstance(table, Mapping):
-        raise InputError("recordings.no_table", address, given=table)
+        raise InputError("fields.no_table", address, value=table)
     fields = {key: table[key] for key in OF_RECORDING if key in table}
     collect(_mistakes(address, table, fields))
     other_fields = {key: value for key, value in table.items() if key not in OF_RECORDING}
@@ -167,11 +171,10 @@ def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> l
     problems = [InputError("recordings.unused", f"{where}.{key}") for key in UNUSED if key in table]
     name, is_held = own.get("test"), "setpoint" in own
     if name is None:
-        problems.append(InputError("recordings.test_missing", f"{where}.test", near=NameSuggestion("", TESTS)))
-    elif str(name) not in TESTS:  # a table has no place in a mapping
-        problems.append(
-            InputError("recordings.test_unknown", f"{where}.test", given=name, near=NameSuggestion(str(name), TESTS))
-        )
+        problems.append(missing_field(f"{where}.test", _TEST))
+    elif str(name) not in TESTS:  # `name` can be a table, which is not hashable
+        near = NameSuggestion(str(name), TESTS)
+        problems.append(InputError("fields.not_an_option", f"{where}.test", value=name, meaning="test", near=near))
     problems += [
         InputError("recordings.channel_unknown", f"{where}.{key}", near=NameSuggestion(key, CHANNELS))
         for key in table

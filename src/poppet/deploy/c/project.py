@@ -51,10 +51,10 @@ STEP = "th x us p f0 J drift w -> k x1"
 UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
 """Arguments that a step without states does not use."""
 FIXED_REASONS = {
-    "tied": "fixed: others follow from it",
+    "tied": "fixed: other parameters depend on it",
     "delay": "fixed: a delay moves the signal",
-    "derived": "fixed: it follows from others",
-    "driven": "fixed: a signal decides it",
+    "derived": "fixed: depends on other parameters",
+    "driven": "fixed: a signal sets it",
 }
 
 

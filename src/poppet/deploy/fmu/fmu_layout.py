@@ -256,21 +256,21 @@ class FmuLayout:
             text = "the inputs follow the signals of the circuit, and what is set is not looked at"
             variables.append(Variable(FOLLOWS, FOLLOWS_REFERENCE, "parameter", "fixed", "exact", False, meaning=text))
         variables += [self._input_variable(k) for k, source in enumerate(self.sources) if source >= PORT]
-        used = {variable.name for variable in variables}
+        names = {variable.name for variable in variables}
         initial_parameters = set(self.initial_parameters.values())
         for k, parameter in enumerate(self.export_model.parameters):
             is_unused = not (self.acts_on_run[k] or self.acts_on_start[k])
             is_computed = parameter.address in self.computed_addresses
-            if structured_name(parameter.address) in used or k in initial_parameters or (is_unused and is_computed):
+            if structured_name(parameter.address) in names or k in initial_parameters or (is_unused and is_computed):
                 continue
             variable = self._parameter_variable(k)
             variables.append(variable._replace(name=f"{variable.name}.number") if is_computed else variable)
-        used = {variable.name for variable in variables}
+        names = {variable.name for variable in variables}
         for k in range(len(self.export_model.states)):
-            variables += self._state_variables(k, used)
+            variables += self._state_variables(k, names)
         for k, output in enumerate(self.export_model.outputs):
             name = structured_name(output.address)
-            if k not in self.state_outputs and name not in used:
+            if k not in self.state_outputs and name not in names:
                 reference, causality = self.output_reference(k), self._causality(output.address)
                 variables.append(Variable(name, reference, causality, "continuous", "calculated", None, output.unit))
         return variables
@@ -299,12 +299,12 @@ class FmuLayout:
             parameter.value, parameter.unit, parameter.low, parameter.high, parameter.meaning,
         )  # fmt: skip
 
-    def _state_variables(self, k: int, used: set[str]) -> list[Variable]:
+    def _state_variables(self, k: int, names: set[str]) -> list[Variable]:
         """Return a state and its derivative."""
         state = self.export_model.states[k]
         name, outputs = structured_name(state.address), self.export_model.outputs
         is_other_output = k not in self.state_outputs.values() and any(y.address == state.address for y in outputs)
-        name = f"{name}.state" if name in used or is_other_output else name
+        name = f"{name}.state" if name in names or is_other_output else name
         unit = "1/s" if state.unit == "1" else f"{state.unit}/s"
         unit = {"m/s/s": "m/s^2", "rad/s/s": "rad/s^2"}.get(unit, unit)
         reference, causality = self.state_reference(k), self._causality(state.address)

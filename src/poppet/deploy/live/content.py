@@ -99,8 +99,8 @@ def _bands(sheet: Sheet, index_of: dict[str, int]) -> list[dict[str, Any]]:
     bars = []
     for band in sheet.bands:
         flow = index_of.get(f"{band.name.removesuffix('regime')}mass_flow_rate", -1) if "regime" in band.name else -1
-        looks = [[code, look.text, look.colour, look.is_hatched] for code, look in band.looks.items()]
-        bars.append({"output": index_of[band.name], "label": band.label, "looks": looks, "flow": flow, "still": STILL})
+        styles = [[code, style.text, style.colour, style.is_hatched] for code, style in band.looks.items()]
+        bars.append({"output": index_of[band.name], "label": band.label, "looks": styles, "flow": flow, "still": STILL})
     return bars
 
 

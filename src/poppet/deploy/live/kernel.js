@@ -1,4 +1,4 @@
-/* The kernel in a browser: the module, and the row of fields that its integrator is handed, filled as Python fills it. */
+/* Kernel in a browser: the module, and the fields of its integrator, filled as in Python. */
 "use strict";
 
 const LIBRARY = {
@@ -6,9 +6,9 @@ const LIBRARY = {
   log: Math.log, pow: Math.pow, exp2: x => Math.pow(2, x), exp10: x => Math.pow(10, x), log2: Math.log2,
 };
 const ENDINGS = ["done", "stopped", "stalled", "too many", "not finite", "interrupted"];
-const TIGHTER = [1, 0.1, 0.01];  // as `poppet.engine.solve` repeats a run that stalled
+const TIGHTER = [1, 0.1, 0.01];  // as in `poppet.engine.solve`, for a run that stalled
 
-/* Header and blobs from the text that a page carries. */
+/* Header and blobs from the text in a page. */
 async function unpacked(text) {
   const packed = Uint8Array.from(atob(text), c => c.charCodeAt(0));
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("deflate"));
@@ -20,7 +20,7 @@ async function unpacked(text) {
   return { header, blobs };
 }
 
-/* The inputs of a file in segments, and others in place of some, as `poppet.timeseries.segments` merges them. */
+/* Inputs of a file in segments, some of them replaced, merged as in `poppet.timeseries.segments`. */
 class Inputs {
   constructor(blobs, { n_inputs: n }) {
     const of = (kind, name) => new kind(blobs[name].slice().buffer);
@@ -36,7 +36,7 @@ class Inputs {
     return this.coefficients.subarray(at, at + 7);
   }
 
-  /* Whether an input has a new row at the start of a segment, and whether its value jumps there. */
+  /* True if an input has a new row at the start of a segment, and true if its value jumps. */
   turns(segment, input) {
     const before = this.row(segment - 1, input), row = this.row(segment, input);
     if (before.every((v, k) => v === row[k])) return [false, false];
@@ -47,10 +47,10 @@ class Inputs {
     return [true, Math.abs(a - b) > 1e-9 * Math.max(Math.abs(a), Math.abs(b))];
   }
 
-  /* Starts, courses, coefficients and jumps with other rows for some inputs, up to the end of a run. */
+  /* Starts, courses, coefficients and jumps with replaced rows of some inputs, up to the end of a run. */
   with(others, until) {
     const replaced = new Map(others), kept = Array.from({ length: this.n }, (_, k) => k).filter(k => !replaced.has(k));
-    const marks = [];  // time, and whether something jumps
+    const marks = [];  // time, and true if a value jumps
     for (let k = 0; k < this.starts.length; k++) {
       const turns = k ? kept.map(input => this.turns(k, input)) : [[true, false]];
       if (turns.some(([is]) => is)) marks.push([this.starts[k], this.jumps[k] && turns.some(([, jumps]) => jumps)]);
@@ -106,7 +106,7 @@ class Kernel {
     this.given = { p: this.p.slice(), tolerance: this.limits[3] };
   }
 
-  /* Make the memory reach to an end, and look at the arrays in it. */
+  /* Extend the memory to an end, and make views of its arrays. */
   room(end) {
     const { memory } = this.exports, missing = end - memory.buffer.byteLength;
     if (missing > 0) memory.grow(Math.ceil(missing / 65536));
@@ -115,7 +115,7 @@ class Kernel {
     this.counts = new BigInt64Array(memory.buffer, this.at.counts, 5);
   }
 
-  /* Fill the row of fields, with inputs other than those of the file behind all that is there. */
+  /* Fill the fields; replaced inputs are stored after all other arrays. */
   drive(inputs) {
     const at = { ...this.at }, lengths = { ...this.lengths };
     if (inputs.length) {
@@ -151,6 +151,6 @@ class Kernel {
     return this.ended;
   }
 
-  /* A series of the last run. */
+  /* An output of the last run. */
   series(k) { return this.table.subarray(k * this.grid.length, (k + 1) * this.grid.length); }
 }

@@ -20,7 +20,7 @@
 
   /* --- Runs --- */
 
-  /* What a set of changed values means to the kernel: a number, or a course of an input. */
+  /* Changed values for the kernel: a number, or the course of an input. */
   function given(changed) {
     const numbers = [], inputs = [];
     for (const [address, value] of changed) {
@@ -31,7 +31,7 @@
     return [numbers, inputs];
   }
 
-  /* Time, value, slope and jump of each segment of a course that comes later by a delay. */
+  /* Time, value, slope and jump of each segment of a delayed course. */
   function segments({ kind, times, values }, delay) {
     const isSteps = kind === "steps";
     const rows = times.map((t, k) => [t, values[k], isSteps || k + 1 === times.length ? 0 : (values[k + 1] - values[k]) / (times[k + 1] - t),
@@ -46,7 +46,7 @@
     return { ended, rows, last, table: kernel.table };
   }
 
-  /* A series in the unit in which it is shown. */
+  /* An output in its display unit. */
   function shown(table, k) {
     const { factor, shift } = outputs[k], n = time.length, found = new Float64Array(n);
     for (let j = 0; j < n; j++) found[j] = table[k * n + j] * factor + shift;
@@ -106,7 +106,7 @@
     panel.read();
   }
 
-  /* A panel out of sight is drawn when it comes into sight, or onto paper. */
+  /* An invisible panel is drawn when it becomes visible or is printed. */
   const away = new Set();
   for (const panel of plot.panels) new IntersectionObserver(seen => {
     if (!seen[seen.length - 1].isIntersecting) away.add(panel);
@@ -114,7 +114,7 @@
   }, { rootMargin: "100px" }).observe(panel.box);
   addEventListener("beforeprint", () => away.forEach(scaled));
 
-  /* --- The drawing: values and what moves, at the time that is pointed at --- */
+  /* --- Schematic: values and moving bodies at the time of the pointer --- */
 
   const SVG = "http://www.w3.org/2000/svg";
   const place = find("drawing");
@@ -133,7 +133,7 @@
   });
   const movers = header.drawing.movers.map(mover => ({ ...mover, ...body(mover) }));
 
-  /* What moves, at rest; `to` brings it to a share of its travel, or to an angle. */
+  /* A body at rest; `to` moves it to a fraction of its travel, or to an angle. */
   function body({ kind, x, y, width, height }) {
     const ink = { fill: "none", stroke: "#1b1f24", "stroke-width": 1 }, solid = { fill: "#c2410c", stroke: "#1b1f24", "stroke-width": .8 };
     const left = x - width / 2, top = y - height / 2, moved = shape("g", { class: "mover" });
@@ -273,7 +273,7 @@
       && values.every(v => Number.isFinite(v) && v >= least && v <= most);
   }
 
-  /* The table of a slider's input; what it gives back shows another value. */
+  /* Table of a slider's input; the returned function shows another value. */
   function courseOf(slider, row) {
     const box = make("details", "course", row), { factor, shift, shown: unit, address } = slider;
     make("summary", "", box, "over time");
@@ -341,7 +341,7 @@
     };
   }
 
-  /* --- One update at most for each picture of the screen --- */
+  /* --- At most one update per frame of the screen --- */
 
   let isAsked = false;
   function later() {
@@ -376,7 +376,7 @@
       + (share < 1 ? ` With a tolerance ${1 / share} times tighter.` : "");
     find("status").classList.toggle("is-bad", status !== "done" && status !== "stopped");
     find("drop-a").hidden = find("csv-a").hidden = !state.kept;
-    // A browser takes a hundred addresses in half a minute, and some time for each.
+    // A browser accepts only a hundred addresses in half a minute.
     clearTimeout(remembering);
     remembering = setTimeout(remember, 200);
     state.count = (state.count ?? 0) + 1;
@@ -399,7 +399,7 @@
     if (text !== location.hash.slice(1)) history.replaceState(null, "", text ? `#${text}` : location.pathname + location.search);
   }
 
-  /* A value of a link: a number, or a course as `steps;0:1e5;20:2e5`. */
+  /* Value in a link: a number, or a course as `steps;0:1e5;20:2e5`. */
   function read(text) {
     if (text.trim() === "") return NaN;
     if (!text.includes(";")) return Number(text);
@@ -439,7 +439,7 @@
   }
   const quoted = text => JSON.stringify(text).replace(/\x7f/g, "\\u007f");
 
-  /* Numbers as TOML, in SI, so that they are read back exactly; behind them courses of inputs as a circuit file has them. */
+  /* Parameters as TOML, in SI for exact values, then the courses of inputs as in a circuit file. */
   function toml() {
     const lines = ["# Changed on a live page. poppet simulate FILE --set ADDRESS=VALUE takes each number;",
                    "# a table of signals goes into the circuit file, in place of one under the same name."], tables = [];
@@ -453,7 +453,7 @@
     return [...lines, ...tables, ""].join("\n");
   }
 
-  /* Curves as CSV, every output in SI, as `poppet` reads recordings. */
+  /* Outputs as CSV in SI, in the format of recordings. */
   function csv({ table, rows: reached, ended }) {
     const n = time.length, cell = text => /[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
     const lines = [["time [s]", ...outputs.map(o => `${o.address} [${o.si}]`)].map(cell).join(",")];
@@ -525,7 +525,7 @@
     later();
   }
 
-  /* A measured series as a line of the panel that shows its output. */
+  /* A measured series as a line in the panel of its output. */
   function overlaid(item) {
     for (const panel of plot.panels) if (panel.spec.lines) {
       if (panel.spec.lines.includes(item.line)) { panel.buttons.get(item.line.label)?.remove(); panel.buttons.delete(item.line.label); panel.keys.delete(item.line.label); }

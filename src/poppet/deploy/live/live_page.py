@@ -99,8 +99,10 @@ def _figure(content: dict[str, Any], duration: float) -> str:
         y = {"range": [0.0, 1.0], **panel["y"]}
         panels.append({**common, "x": x, "y": y, "lines": lines, "box": [1.0, 2.0 * k, 7.0, 1.6]})
     if content["bands"]:
-        looks = {text: (colour, hatch) for band in content["bands"] for _, text, colour, hatch in band["looks"]}
-        boxes = [{"label": text, "colour": colour, "hatch": hatch, "at": []} for text, (colour, hatch) in looks.items()]
+        styles = {text: (colour, hatch) for band in content["bands"] for _, text, colour, hatch in band["looks"]}
+        boxes = [
+            {"label": text, "colour": colour, "hatch": hatch, "at": []} for text, (colour, hatch) in styles.items()
+        ]
         rows = [[float(k), band["label"]] for k, band in enumerate(content["bands"])]
         y = {"label": "", "range": [len(rows) - 0.5, -0.5]}
         panels.append({**common, "x": x, "y": y, "boxes": boxes, "rows": rows, "box": [1.0, 99.0, 7.0, 1.0]})

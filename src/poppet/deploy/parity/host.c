@@ -57,7 +57,7 @@ int main(int argc, char **argv) {
   table = malloc(((size_t)size + 8) * (MODEL_OUTPUTS + 1));
   if (!times || !table || fread(times, 1, (size_t)size, file) != (size_t)size) return 9;
   fclose(file);
-  /* The best of some runs. */
+  /* Minimum time of several runs. */
   for (round = 0; round < 20 && spent < 0.5; round++) {
     double began = now(), took;
     status = run(step, atoi(argv[2]), times, size / 8, table);

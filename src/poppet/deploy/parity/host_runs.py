@@ -60,10 +60,10 @@ def kernel_checks() -> list[ParityCheck]:
     """Return the checks of the kernel and of the reference solvers."""
     # No target can agree better with the kernel than the kernel with itself: a limit cycle amplifies rounding.
     lsoda, cvodes = partial(_run_solver, solver="lsoda"), partial(_run_solver, solver="cvodes")
-    moved = "the kernel, its start moved by 1e-14"
+    description = "the kernel, its start moved by 1e-14"
     return [
         ParityCheck("kernel fused", "the kernel as `simulate` runs it", np.inf, "all", _run_fused, cause="anything"),
-        ParityCheck("kernel moved", moved, np.inf, "all", _run_changed_start, cause="anything"),
+        ParityCheck("kernel moved", description, np.inf, "all", _run_changed_start, cause="anything"),
         ParityCheck("scipy", "LSODA of SciPy on the compiled functions", 1e-5, "gas", lsoda, cause="method"),
         ParityCheck("cvodes", "CVODES of SUNDIALS on the traced expressions", 1e-5, "gas", cvodes, cause="method"),
     ]

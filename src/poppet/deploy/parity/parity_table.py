@@ -166,13 +166,13 @@ def compare_targets(circuit: Circuit, *, only: Sequence[str] = (), fmu: Path | N
         if name not in checks:
             near = NameSuggestion(name, checks)
             raise InputError("fields.not_an_option", "target", value=name, meaning="target", near=near)
-    chosen = [check for check in checks.values() if not selected or check.name in selected]
+    selected_checks = [check for check in checks.values() if not selected or check.name in selected]
     if fmu is not None:
         version = fmi_version(fmu)
-        chosen = [check for check in chosen if check.fmi == version]
+        selected_checks = [check for check in selected_checks if check.fmi == version]
     reference = run_kernel(circuit, fmu)
     with tempfile.TemporaryDirectory() as folder:
-        rows = tuple(_run_check(check, reference, Path(folder)) for check in chosen)
+        rows = tuple(_run_check(check, reference, Path(folder)) for check in selected_checks)
     sizes = dict(zip(reference.names, reference.rows.sizes.tolist(), strict=True))
     run = reference.run
     return Parity(circuit.title, run.reached, reference.seconds, run.accepted, sizes, rows)

@@ -169,13 +169,13 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
     lines: list[str] = []
     stores: list[str] = []
     values: dict[int, _Operand] = {}
-    used: set[str] = set()
+    referenced: set[str] = set()
     inverses: dict[int, _Operand] = {}
     divisors = _divisors(block, live) if style.shares_inverses else {}
 
     def value(slot: int) -> _Operand:
         if slot not in values:
-            used.add(passed)
+            referenced.add(passed)
             values[slot] = assign(f"{passed}[{slot}]")
         return values[slot]
 
@@ -192,7 +192,7 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
         vector, element = instruction.place
         if instruction.operation == "output":
             name = names[1][vector]
-            used.add(name)
+            referenced.add(name)
             operand = value(instruction.arguments[0])
             cast = f"({precision.real})" if operand.is_wide and name not in style.wide else ""
             stores.append(f"  {name}[{element}] = {cast}{operand.text(precision)};{comment(name, element)}")
@@ -200,7 +200,7 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
             continue
         elif instruction.operation == "input":
             name = names[0][vector]
-            used.add(name)
+            referenced.add(name)
             is_wide = is_single and element in style.wide.get(name, ())
             element_name = f"{name}[{element}]"
             if is_single and name in style.wide and not is_wide:
@@ -226,8 +226,10 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
                 _expression(instruction, arguments, precision, is_wide), is_wide=is_wide
             )
     stores += [f"  {passed}[{slot}] = {values[slot].text(precision)};" for slot in sorted(block.live_out)]
-    used |= {passed} if block.live_out else set()
-    ignored = [f"  (void){name};" for name in (*names[0], *names[1], *([passed] if passed else [])) if name not in used]
+    referenced |= {passed} if block.live_out else set()
+    ignored = [
+        f"  (void){name};" for name in (*names[0], *names[1], *([passed] if passed else [])) if name not in referenced
+    ]
     return [*lines, *ignored, *stores]
 
 

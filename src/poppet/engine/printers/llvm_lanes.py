@@ -165,8 +165,8 @@ def _fused(text: Text, a: str, b: str, c: str) -> str:
 def _keep_estimate(text: Text, error: str, first: str, refined: str) -> str:
     """Add a choice: the estimate if its error is NaN (for zero, infinite values and NaN), else the refined value."""
     d = text.kind.number
-    bad = text.emit(f"fcmp uno {d} {error}, {error}")
-    return text.emit(f"select {text.kind.flag} {bad}, {d} {first}, {d} {refined}")
+    is_nan = text.emit(f"fcmp uno {d} {error}, {error}")
+    return text.emit(f"select {text.kind.flag} {is_nan}, {d} {first}, {d} {refined}")
 
 
 def _power(kind: Kind) -> str:
@@ -246,9 +246,9 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
     factor = choose("ogt", choose("olt", factor, kind.constant(GROWTH)), kind.constant(SHRINK))
     text.store(factor, "%control", FACTOR)
     text.store(choose("ogt", root, kind.constant(0.01**0.25)), "%control", ROOT)
-    text.store(taken := choose("ole", error, one, one, zero), "%control", TAKEN)
+    text.store(accepted := choose("ole", error, one, one, zero), "%control", TAKEN)
     due = text.emit(f"fcmp olt {d} {text.load('%control', NEXT)}, {text.load('%control', END)}")
-    due = text.emit(f"and {b} {due}, {text.emit(f'fcmp une {d} {taken}, {zero}')}")
+    due = text.emit(f"and {b} {due}, {text.emit(f'fcmp une {d} {accepted}, {zero}')}")
     _store_mask(text, due, 0)
     names = ("tolerances", "low", "x", "new", "estimate", "th", "control")
     head = f"define void @judge({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
@@ -303,26 +303,26 @@ def print_settle(kind: Kind) -> str:
 
     rows = {k: text.load("%control", k) for k in (TAKEN, WANTED, FACTOR, SHRUNK, ROOT, END, STOP, REFUSED, LOOK)}
     t, h, desired, factor = text.load("%th", 0), text.load("%th", 1), rows[WANTED], rows[FACTOR]
-    taken = compare("une", rows[TAKEN], zero)
+    accepted = compare("une", rows[TAKEN], zero)
     factor_after_rejection = choose(compare("olt", factor, one), factor, one)
     next_length = times(h, choose(compare("une", rows[REFUSED], zero), factor_after_rejection, factor))
     grown = times(h, factor)
     # A step that the end of the segment shortened does not reduce the desired length.
     after_short_step = choose(compare("ogt", desired, grown), desired, grown)
-    length = choose(taken, choose(compare("olt", h, desired), after_short_step, next_length), times(h, rows[SHRUNK]))
+    length = choose(accepted, choose(compare("olt", h, desired), after_short_step, next_length), times(h, rows[SHRUNK]))
     text.store(length, "%control", LENGTH)
-    text.store(choose(taken, zero, one), "%control", REFUSED)
+    text.store(choose(accepted, zero, one), "%control", REFUSED)
     for k, value in ((STEP_BEFORE, h), (ROOT_BEFORE, rows[ROOT])):
-        text.store(choose(taken, value, text.load("%control", k)), "%control", k)
-    text.store(now := choose(taken, rows[END], t), "%th", 0)
+        text.store(choose(accepted, value, text.load("%control", k)), "%control", k)
+    text.store(now := choose(accepted, rows[END], t), "%th", 0)
     tries = text.emit(f"fadd {d} {text.load('%control', TRIES)}, {one}")
     text.store(tries, "%control", TRIES)
     text.store(text.emit(f"fadd {d} {text.load('%control', TAKES)}, {rows[TAKEN]}"), "%control", TAKES)
     has_ended = compare("uge", now, rows[STOP])
     stalls = compare("ule", text.emit(f"fadd {d} {now}, {length}"), now)
     stalls = text.emit(f"or {b} {stalls}, {compare('olt', length, kind.constant(1e-300))}")
-    looks = compare("oge", tries, rows[LOOK])
-    _store_mask(text, text.emit(f"or {b} {has_ended}, {text.emit(f'or {b} {stalls}, {looks}')}"), 1)
+    needs_check = compare("oge", tries, rows[LOOK])
+    _store_mask(text, text.emit(f"or {b} {has_ended}, {text.emit(f'or {b} {stalls}, {needs_check}')}"), 1)
     names = ("control", "th")
     head = f"define void @settle({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
     return "\n".join([head, *text.lines, "  ret void", "}", ""])
@@ -339,8 +339,8 @@ def print_commit(n_states: int, kind: Kind) -> str:
         x = text.load("%x", index)
         new = text.emit(f"select {b} %is, {d} {text.load('%new', index)}, {d} {x}")
         text.store(new, "%x", index)
-        moved = text.emit(f"call {d} @llvm.fabs.{kind.suffix}({d} {text.emit(f'fsub {d} {new}, {x}')})")
-        text.store(text.emit(f"fadd {d} {text.load('%through', index)}, {moved}"), "%through", index)
+        change = text.emit(f"call {d} @llvm.fabs.{kind.suffix}({d} {text.emit(f'fsub {d} {new}, {x}')})")
+        text.store(text.emit(f"fadd {d} {text.load('%through', index)}, {change}"), "%through", index)
         for name, relation in (("%least", "olt"), ("%greatest", "ogt")):
             extreme = text.load(name, index)
             flag = text.emit(f"fcmp {relation} {d} {new}, {extreme}")
@@ -362,10 +362,10 @@ def print_rows(outputs: Any, n_states: int, kind: Kind) -> str:
 
 def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
     text, d, n = Text(kind), kind.number, kind.width
-    used: list[set[int]] = [set() for _ in range(4)]
+    elements: list[set[int]] = [set() for _ in range(4)]
     for instruction in instructions(outputs):
         if instruction.operation == "input":
-            used[instruction.place[0]].add(instruction.place[1])
+            elements[instruction.place[0]].add(instruction.place[1])
 
     def broadcast(pointer: str, element: int) -> str:
         """Add a value of the lane as a vector."""
@@ -379,14 +379,14 @@ def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
         text.lines.append(f"  {local} = alloca {d}, i64 {max(1, size)}")
     text.lines += [f"  %time = alloca {d}", "  %n = load i64, ptr %n_rows", "  %from = load i64, ptr %column"]
     end, begin, length = broadcast("%before", 0), broadcast("%th", 0), broadcast("%th", 1)
-    for k in sorted(used[3]):
+    for k in sorted(elements[3]):
         text.store(broadcast("%p", k), "%ps", k)
     if name == "rows_held":
-        for k in sorted(used[2]):
+        for k in sorted(elements[2]):
             text.store(broadcast("%u", k), "%us", k)
     parts = {
         k: [broadcast(pointer, index) for pointer, index in (("%x0", k), ("%x1", k), ("%d", k), ("%d", n_states + k))]
-        for k in sorted(used[1])
+        for k in sorted(elements[1])
     }
     text.lines += ["  br label %next", "next:", "  %c = phi i64 [ %from, %0 ], [ %further, %next ]"]
     text.lines.append("  %first = getelementptr inbounds double, ptr %grid, i64 %c")
@@ -401,7 +401,7 @@ def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
         weighted = text.multiply_add(complement, text.multiply_add(theta, d1, d0), x1)
         text.store(text.multiply_add(theta, weighted, text.emit(f"fmul {d} {complement}, {x0}")), "%xs", k)
     if name == "rows":
-        for k in sorted(used[2]):
+        for k in sorted(elements[2]):
             text.store(text.load("%u", k), "%us", k)
     text.lines.append("  call void @row(ptr %time, ptr %xs, ptr %us, ptr %ps, ptr %y)")
     for k in range(n_y):
@@ -413,8 +413,8 @@ def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
     wide = text.emit(f"zext i{n} {bits} to i64")
     written = text.emit(f"call i64 @llvm.ctpop.i64(i64 {wide})")
     text.lines.append(f"  %further = add i64 %c, {written}")
-    more = text.emit(f"icmp eq i64 {written}, {n if name == 'rows_held' else n + 1}")
-    text.lines += [f"  br i1 {more}, label %next, label %done", "done:", "  store i64 %further, ptr %column"]
+    is_full = text.emit(f"icmp eq i64 {written}, {n if name == 'rows_held' else n + 1}")
+    text.lines += [f"  br i1 {is_full}, label %next, label %done", "done:", "  store i64 %further, ptr %column"]
     names = ("grid", "table", "column", "n_rows", "before", "th", "x0", "x1", "d", "u", "p")
     head = f"define void @{name}({', '.join(f'ptr noalias nocapture %{a}' for a in names)}) {kind.attributes} {{"
     declared = [f"declare void @llvm.masked.store.{kind.suffix}.p0({d}, ptr, i32, {kind.flag})"]

@@ -1,11 +1,11 @@
-"""Independent solvers for the same compiled problem: CVODES of SUNDIALS, and LSODA, BDF and Radau of SciPy.
+"""Independent solvers of a compiled problem: CVODES of SUNDIALS, and LSODA, BDF and Radau of SciPy.
 
-They share the model with the Rosenbrock kernel and nothing else: CVODES even works on the traced expressions, not on
-the machine code. They check results (`solver=`) and take over a run on which the kernel stalls. Speed is no aim here.
+They share only the model with the Rosenbrock kernel; CVODES uses the traced expressions in place of the machine code.
+They check results (`solver=`) and repeat runs on which the kernel stalls. They are not optimised for speed.
 
-A solver hands over its solution in *legs*; one loop turns them into rows, extremes and stop conditions as the kernel
-does: restart at every segment and at every instant of the memory, a row on a jump or an instant shows the value after
-it, a last row at the end always.
+A solver returns its solution in *legs*. One loop converts them to rows, extremes and stop conditions with the rules of
+the kernel: restart at each segment and sample instant; a row at a jump or instant shows the value after it; the last
+row is at the end.
 """
 
 from __future__ import annotations
@@ -29,19 +29,18 @@ Array = NDArray[np.float64]
 SOLVERS: tuple[str, ...] = ("cvodes", "lsoda", "bdf", "radau")
 
 STRICTER = 0.1
-"""Relative tolerance of these solvers per unit of the one asked for: the errors of their steps add up."""
+"""Factor on the requested relative tolerance, because errors of steps add up."""
 TIGHTEST = 1e-13
-"""Below it double precision leaves the solvers no room, and SciPy refuses."""
-UNWATCHED = 1e30
-"""Size given to quadratures: the error control does not see them, but Newton's method carries them along, so that the
-conservation residuals hold."""
+"""Tightest relative tolerance that double precision and SciPy permit."""
+QUADRATURE_SIZE = 1e30
+"""Size of quadratures, which excludes them from error control; Newton's method still computes them for the balances."""
 ROWS = 64
-"""Stretches of a CVODES call; fewer are padded with stretches of no length. With memory a call has one."""
+"""Intervals of a CVODES call; missing intervals have zero length. With discrete states, a call has one interval."""
 HALVINGS = 40
-MOST_STEPS = 1_000_000
-"""Steps of a whole run with SciPy, and of CVODES between two rows: minutes."""
+MAX_STEPS = 1_000_000
+"""Maximum number of steps of a run with SciPy, and of CVODES between two rows: minutes."""
 STEPS_AFTER_INSTANT = 100
-"""Added for every instant: a start takes ten to forty."""
+"""Additional steps per sample instant: a restart needs ten to forty."""
 
 
 def solve_with_reference(problem: Problem, solver: str, progress: Callable[[float], Any] | None = None) -> RawRun:
@@ -49,10 +48,11 @@ def solve_with_reference(problem: Problem, solver: str, progress: Callable[[floa
 
     Notes
     -----
-    The relative tolerance is a tenth of the one asked for, for all states alike, mechanics included. CVODES looks at
-    stop conditions and extremes at rows only, the others at steps (at stop conditions in their middle as well).
+    The relative tolerance is a tenth of the requested tolerance for all states, including mechanics. CVODES evaluates
+    stop conditions and extremes at rows; the other solvers evaluate them at steps, and stop conditions also in the
+    middle of steps.
     """
-    # The memory behind the numbers changes during the run.
+    # The discrete state in p changes during the run.
     problem = replace(problem, p=problem.p.copy())
     track = Track(problem)
     if not track.has_finite_rates():
@@ -62,69 +62,71 @@ def solve_with_reference(problem: Problem, solver: str, progress: Callable[[floa
         legs = _StatelessLegs(problem)
     else:
         legs = _Cvodes(problem) if solver == "cvodes" else _Scipy(problem, solver)
-    watched = (1.0,) if solver == "cvodes" else (0.5, 1.0)
-    outcome = _follow(track, legs, watched, progress)
+    fractions = (1.0,) if solver == "cvodes" else (0.5, 1.0)
+    outcome = _run_segments(track, legs, fractions, progress)
     return track.result(outcome, (legs.accepted, legs.rejected))
 
 
 class _Legs(ABC):
-    """What the solvers share. Legs that end before their segment mean that the solver failed."""
+    """Base class of the solvers; a solver whose legs end before their segment has failed."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
         self.accepted, self.rejected, self.failure = 0, 0, Outcome.STALLED
-        # The kernel may take twenty million attempts; here a step costs many times as much.
-        self.most = min(problem.most_attempts, MOST_STEPS)
+        # A step costs many times more than an attempt of the kernel.
+        self.max_steps = min(problem.most_attempts, MAX_STEPS)
         self.rtol = max(STRICTER * problem.relative_tolerance, TIGHTEST)
         sizes = tolerances(problem)
-        # In units of `scale` every state has the absolute tolerance `rtol`.
-        self.scale = np.concatenate([sizes, np.full(problem.x0.size - sizes.size, UNWATCHED)])
+        # In units of `scale`, each state has the absolute tolerance `rtol`.
+        self.scale = np.concatenate([sizes, np.full(problem.x0.size - sizes.size, QUADRATURE_SIZE)])
 
     @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
-        """Legs of one segment, from state x on."""
+        """Yield the legs of one segment from state x."""
 
-    def is_spent(self) -> bool:
-        """True when the steps allowed are used up."""
-        if self.accepted + self.rejected >= self.most:
+    def has_too_many_steps(self) -> bool:
+        """Return True if the maximum number of steps is reached."""
+        if self.accepted + self.rejected >= self.max_steps:
             self.failure = Outcome.TOO_MANY
         return self.failure is Outcome.TOO_MANY
 
-    def _stops_at(self, begin: float, end: float) -> Array:
-        """The ends of a stretch and the rows between."""
+    def _row_times(self, begin: float, end: float) -> Array:
+        """Return the ends of an interval and the rows between them."""
         grid = self.problem.grid
         between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
         return np.concatenate([[begin], grid[between], [end]])
 
 
-def _follow(track: Track, legs: _Legs, watched: tuple[float, ...], progress: Callable[[float], Any] | None) -> Outcome:
-    """Follow a solver through all segments, and in each from instant to instant."""
+def _run_segments(
+    track: Track, legs: _Legs, fractions: tuple[float, ...], progress: Callable[[float], Any] | None
+) -> Outcome:
+    """Run a solver through all segments, in each from instant to instant."""
     starts, last = track.problem.starts, track.problem.grid[-1]
     for segment, (begin, end) in enumerate(zip(starts, np.append(starts[1:], last), strict=True)):
         track.enter(segment, float(begin))
         while track.stop < 0 and track.t < end:
-            outcome = _stretch(track, legs, watched, progress, track.next_instant(float(end)))
+            outcome = _run_interval(track, legs, fractions, progress, track.next_instant(float(end)))
             if outcome is not Outcome.DONE:
                 return outcome
             if track.t < end:
                 track.act()
-                # Every restart begins with tiny steps, and thousands of instants must not use up what a run may take.
-                legs.most = min(track.problem.most_attempts, legs.most + STEPS_AFTER_INSTANT)
+                # Each restart begins with tiny steps, which must not count against the limit of a run.
+                legs.max_steps = min(track.problem.most_attempts, legs.max_steps + STEPS_AFTER_INSTANT)
         if track.stop >= 0:
             return Outcome.STOPPED
     return Outcome.DONE
 
 
-def _stretch(
-    track: Track, legs: _Legs, watched: tuple[float, ...], progress: Callable[[float], Any] | None, end: float
+def _run_interval(
+    track: Track, legs: _Legs, fractions: tuple[float, ...], progress: Callable[[float], Any] | None, end: float
 ) -> Outcome:
-    """Follow a solver over one stretch without jumps and instants."""
-    if legs.is_spent():
+    """Run a solver over one interval without jumps and instants."""
+    if legs.has_too_many_steps():
         return legs.failure
     for leg in legs.over(track.segment, track.t, end, track.x):
-        if not track.is_sound(leg.x1):
+        if not track.is_valid(leg.x1):
             return Outcome.STALLED
-        track.take(leg, watched)
+        track.take(leg, fractions)
         if progress is not None:
             progress(track.t)
         if track.stop >= 0:
@@ -133,41 +135,40 @@ def _stretch(
 
 
 class _StatelessLegs(_Legs):
-    """For a circuit without states: there is nothing to solve, a leg for every row."""
+    """Legs of a circuit without states, one per row."""
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
-        stops = self._stops_at(begin, end).tolist()
-        for first, last in pairwise(stops):
+        for first, last in pairwise(self._row_times(begin, end).tolist()):
             yield Leg(first, last, x, x, lambda _: x)
 
 
 class _Scipy(_Legs):
-    """LSODA, BDF or Radau, a leg for every step."""
+    """LSODA, BDF or Radau with one leg per step."""
 
     def __init__(self, problem: Problem, solver: str) -> None:
         from scipy.integrate import BDF, LSODA, Radau
 
         super().__init__(problem)
         self.solver = {"lsoda": LSODA, "bdf": BDF, "radau": Radau}[solver]
-        # Radau's interpolant is of order 3 while its steps are of order 5: its steps end on the rows instead.
+        # The interpolant of Radau has order 3, its steps order 5: the steps end at the rows.
         self.lands_on_rows = solver == "radau"
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
         method = self._quietly(partial(self._method, segment, begin, end, x))
         if method is None:
             return
-        for target in self._stops_at(begin, end)[1:] if self.lands_on_rows else (end,):
-            # The method goes on with its history; a new one for each row would start with tiny steps.
+        for target in self._row_times(begin, end)[1:] if self.lands_on_rows else (end,):
+            # The method keeps its history; a new one for each row would start with tiny steps.
             method.t_bound, method.status = float(target), "running"
             while method.status == "running":
                 t0, x0 = method.t, method.y.copy()
                 self._quietly(method.step)
-                # Some methods fail without saying so, by a step of no length.
+                # Some methods fail with a step of zero length and no error.
                 if method.status == "failed" or method.t == t0:
                     return
                 self.accepted += 1
                 yield Leg(float(t0), float(method.t), x0, method.y.copy(), method.dense_output())
-                if method.status == "running" and self.is_spent():
+                if method.status == "running" and self.has_too_many_steps():
                     return
 
     def _method(self, segment: int, begin: float, end: float, x: Array) -> Any:
@@ -179,7 +180,7 @@ class _Scipy(_Legs):
 
     @staticmethod
     def _quietly(work: Callable[[], Any]) -> Any:
-        """Do a solver's work; numbers it cannot go on with end its steps instead of the program."""
+        """Return the result of a solver call without warnings, None after a numerical error."""
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
             try:
@@ -189,11 +190,11 @@ class _Scipy(_Legs):
 
 
 class _Cvodes(_Legs):
-    """CVODES on the traced expressions, a leg for every row.
+    """CVODES for the traced expressions with one leg per row.
 
-    One compiled integrator serves all segments: the coefficients of the inputs are parameters, and each unit of its
-    own time tau stands for one stretch between rows, ``t = start + offset + length * tau``. A change of offset or
-    length is a change of a control, at which CasADi restarts CVODES; between rows of equal distance there is none.
+    One compiled integrator runs all segments: the coefficients of the inputs are parameters, and each unit of its time
+    tau is one interval between rows, ``t = start + offset + length * tau``. Offset and length are controls. CasADi
+    restarts CVODES after a change of a control; with equidistant rows they are constant.
     """
 
     def __init__(self, problem: Problem) -> None:
@@ -209,9 +210,9 @@ class _Cvodes(_Legs):
         z, warp, tau, start = ca.SX.sym("z", model.size), ca.SX.sym("warp", 2), ca.SX.sym("tau"), ca.SX.sym("start")
         scale, c = ca.SX.sym("scale", model.size), ca.SX.sym("c", n_u, 7)
         since = warp[0] + warp[1] * tau
-        own = since + c[:, 6]
-        phase = 2.0 * np.pi * (c[:, 3] + 0.5 * c[:, 4] * own) * own + c[:, 5]
-        u = c[:, 0] + c[:, 1] * own + c[:, 2] * ca.sin(phase)
+        elapsed = since + c[:, 6]
+        phase = 2.0 * np.pi * (c[:, 3] + 0.5 * c[:, 4] * elapsed) * elapsed + c[:, 5]
+        u = c[:, 0] + c[:, 1] * elapsed + c[:, 2] * ca.sin(phase)
         arguments = [symbols[name] for name in ("t", "x", "u", "p")]
         traced = ca.Function("rates", arguments, [model.expressions["rates"]])
         ode = warp[1] * traced(start + since, z * scale, u, symbols["p"]) / scale
@@ -226,7 +227,7 @@ class _Cvodes(_Legs):
             "reltol": self.rtol,
             "abstol": self.rtol,
             "linear_solver": "csparse",
-            "max_num_steps": self.most,
+            "max_num_steps": self.max_steps,
             "disable_internal_warnings": True,
             "show_eval_warnings": False,
         }
@@ -236,24 +237,24 @@ class _Cvodes(_Legs):
         return options
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
-        stops = self._stops_at(begin, end)
+        stops = self._row_times(begin, end)
         parts = [stops[first : first + self.rows + 1] for first in range(0, stops.size - 1, self.rows)]
         yield from self._chain(segment, parts, x)
 
     def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[Leg]:
-        """Legs over several sets of stretches, as far as they go."""
+        """Yield legs over several sets of intervals until a failure."""
         for stops in parts:
             reached = stops[0]
             for leg in self._legs(segment, stops, x):
                 x, reached = leg.x1, leg.end
                 yield leg
-                if self.is_spent():
+                if self.has_too_many_steps():
                     return
             if reached < stops[-1]:
                 return
 
     def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[Leg]:
-        """Legs over the stretches of one call; a call that fails is cut in two."""
+        """Yield legs over the intervals of one call; a call that fails is divided into two."""
         if stops.size == 2:
             state = self._state(segment, float(stops[0]), x, float(stops[1]))
             states = None if state is None else [state]
@@ -268,7 +269,7 @@ class _Cvodes(_Legs):
             x = x1
 
     def _state(self, segment: int, begin: float, x: Array, end: float, halvings: int = HALVINGS) -> Array | None:
-        """State at the end of one stretch; one that fails is halved, since CVODES gives up early at a kink."""
+        """Return the state at the end of one interval; an interval that fails, for example at a kink, is halved."""
         states = self._states(segment, np.array([begin, end]), x)
         if states is not None:
             return states[0]
@@ -283,7 +284,7 @@ class _Cvodes(_Legs):
         return np.full(x.size, np.nan) if state is None else state
 
     def _states(self, segment: int, stops: Array, x: Array) -> list[Array] | None:
-        """States at the end of each stretch, or None where CVODES fails."""
+        """Return the states at the ends of the intervals, or None if CVODES fails."""
         start, n_u = self.problem.starts[segment], len(self.problem.kernel.model.inputs)
         coefficients = self.problem.coefficients[self.problem.courses[segment], :n_u].T.copy()
         coefficients[6] = start - coefficients[6]
@@ -291,7 +292,7 @@ class _Cvodes(_Legs):
         try:
             states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start, self.rows))["xf"].full()
         except RuntimeError as error:
-            # CasADi says it in words only.
+            # Only the text of the error contains the reason.
             if "TOO_MUCH_WORK" in str(error):
                 self.failure = Outcome.TOO_MANY
             return None
@@ -302,13 +303,13 @@ class _Cvodes(_Legs):
 
 
 def _warp(stops: Array, rows: int) -> Array:
-    """Offset and length of each stretch, (2, rows); equal but for rounding where the rows are equally far apart."""
+    """Return offset and length of each interval, (2, rows), which are constant for equidistant rows."""
     lengths = np.diff(stops)
     groups = np.cumsum(np.abs(np.diff(lengths, prepend=lengths[0])) > 1e-9 * lengths)
     warp = np.zeros((2, rows))
     for group in np.unique(groups):
-        places = np.flatnonzero(groups == group)
-        first, last = places[0], places[-1] + 1
-        length = (stops[last] - stops[first]) / places.size
-        warp[:, places] = np.array([[stops[first] - length * first], [length]])
+        indices = np.flatnonzero(groups == group)
+        first, last = indices[0], indices[-1] + 1
+        length = (stops[last] - stops[first]) / indices.size
+        warp[:, indices] = np.array([[stops[first] - length * first], [length]])
     return warp

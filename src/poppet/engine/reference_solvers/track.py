@@ -1,4 +1,4 @@
-"""Where a run of an independent solver has got to: rows, extremes, stop conditions, instants of the memory."""
+"""State of a run of an independent solver: rows, extremes, stop conditions, sample instants."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ BISECTIONS = 60
 
 
 class Leg(NamedTuple):
-    """A stretch of solution: its ends [s], the states there, and the state at a time between them."""
+    """Interval of a solution: its ends [s], the states at its ends, and a function of the state between them."""
 
     begin: float
     end: float
@@ -25,19 +25,19 @@ class Leg(NamedTuple):
     between: Callable[[float], Array]
 
     def at(self, t: float) -> Array:
-        """State at a time of the stretch [s]."""
+        """Return the state at a time in the interval [s]."""
         if t in (self.begin, self.end):
             return self.x0 if t == self.begin else self.x1
         return np.ascontiguousarray(self.between(t))
 
 
 def rounding(t: float) -> float:
-    """Instants closer than this are one, as for the kernel."""
+    """Return the difference below which two instants are equal, as for the kernel."""
     return 1e-14 * t + 1e-15
 
 
 class Track:
-    """Where a run has got to, and its rows; the problem has a `p` of its own, since the memory in it changes."""
+    """State of a run and its rows; the problem must have its own `p`, because the discrete state in it changes."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem, self.model = problem, problem.kernel.model
@@ -51,45 +51,45 @@ class Track:
         self.timers = self.memory[: self.model.n_timers]
 
     def has_finite_rates(self) -> bool:
-        """True when the rates at the start are finite."""
+        """Return True if the rates at the start are finite."""
         return bool(np.all(np.isfinite(rates(self.problem, 0, self.t, self.x))))
 
-    def is_sound(self, x: Array) -> bool:
-        """True when a state is finite and positive where it must be."""
+    def is_valid(self, x: Array) -> bool:
+        """Return True if a state is finite and all positive states are positive."""
         return bool(np.all(np.isfinite(x))) and bool(np.all(x[: self.positive.size][self.positive] > 0.0))
 
     def enter(self, segment: int, begin: float) -> None:
-        """Begin a segment, where a stop condition may hold at once."""
+        """Begin a segment and evaluate the stop conditions."""
         self.segment, self.t = segment, begin
         self.act()
         self.stop = self._condition(self.t, self.x)
 
     def next_instant(self, end: float) -> float:
-        """Where the memory changes next, or the end of the segment."""
+        """Return the next sample instant, or the end of the segment."""
         first = float(self.timers.min(initial=np.inf))
         return first if first < end - rounding(end) else end
 
     def act(self) -> None:
-        """Let the timers act whose time has come, until none is left."""
+        """Run all timers that are due."""
         due = self.t + rounding(self.t)
-        # A timer may set another one to now, as a solenoid that is switched by a clock.
+        # A timer can set another timer to the current time, for example a clock that switches a solenoid.
         while np.any(fired := self.timers <= due):
-            u, after = inputs_at(self.problem, self.segment, self.t), np.empty_like(self.memory)
-            arrays = np.array([self.t]), self.x, u, self.problem.p, fired.astype(np.float64), after
+            u, updated = inputs_at(self.problem, self.segment, self.t), np.empty_like(self.memory)
+            arrays = np.array([self.t]), self.x, u, self.problem.p, fired.astype(np.float64), updated
             self.problem.kernel.call("update", *arrays)
-            self.memory[:] = after
+            self.memory[:] = updated
 
-    def take(self, leg: Leg, watched: tuple[float, ...]) -> None:
-        """Move to the end of a leg, or to where a stop condition is met in it, writing the rows before."""
+    def take(self, leg: Leg, fractions: tuple[float, ...]) -> None:
+        """Write the rows of a leg up to its end or to a stop condition, evaluated at fractions of the leg."""
         end, x1 = leg.end, leg.x1
-        for part in watched if self.problem.stop_conditions else ():
-            t = leg.end if part == 1.0 else leg.begin + part * (leg.end - leg.begin)
+        for fraction in fractions if self.problem.stop_conditions else ():
+            t = leg.end if fraction == 1.0 else leg.begin + fraction * (leg.end - leg.begin)
             self.stop = self._condition(t, leg.at(t))
             if self.stop >= 0:
-                end, x1 = self._located(leg, t)
+                end, x1 = self._locate_stop(leg, t)
                 break
-        grid, before = self.problem.grid, end - rounding(end)
-        while len(self.times) < grid.size and grid[len(self.times)] < before:
+        grid, limit = self.problem.grid, end - rounding(end)
+        while len(self.times) < grid.size and grid[len(self.times)] < limit:
             t = float(grid[len(self.times)])
             self._write(t, leg.at(max(t, leg.begin)))
         self.through += np.abs(x1 - self.x)
@@ -97,7 +97,7 @@ class Track:
         self.extremes = np.array([np.minimum(self.extremes[0], x1), np.maximum(self.extremes[1], x1)])
 
     def result(self, outcome: Outcome, steps: tuple[int, int] = (0, 0)) -> RawRun:
-        """The run as it stands; one that came to its end gets its last row."""
+        """Return the result of the run; after a success, with the last row."""
         if outcome.is_success:
             self._write(self.t, self.x)
         values = np.array(self.rows).reshape(len(self.rows), len(self.model.outputs)).T
@@ -115,22 +115,22 @@ class Track:
         return y
 
     def _condition(self, t: float, x: Array) -> int:
-        """Index of the first stop condition that holds, or -1."""
+        """Return the index of the first true stop condition, or -1."""
         if not self.problem.stop_conditions:
             return -1
         y = self._outputs(t, x)
-        for number, condition in enumerate(self.problem.stop_conditions):
+        for k, condition in enumerate(self.problem.stop_conditions):
             pairs = zip(condition.places, condition.weights[:2], strict=True)
-            if sum(weight * y[place] for place, weight in pairs if place >= 0) + condition.weights[2] > 0.0:
-                return number
+            if sum(weight * y[index] for index, weight in pairs if index >= 0) + condition.weights[2] > 0.0:
+                return k
         return -1
 
-    def _located(self, leg: Leg, high: float) -> tuple[float, Array]:
-        """Bisect for the instant of a leg at which a stop condition begins to hold."""
+    def _locate_stop(self, leg: Leg, high: float) -> tuple[float, Array]:
+        """Return the time in a leg at which a stop condition becomes true, and the state, by bisection."""
         low = leg.begin
         for _ in range(BISECTIONS):
             middle = 0.5 * (low + high)
-            # No double lies between: this is as near as it gets.
+            # The limits are adjacent doubles.
             if not low < middle < high:
                 break
             if self._condition(middle, leg.at(middle)) >= 0:
@@ -141,7 +141,7 @@ class Track:
 
 
 def inputs_at(problem: Problem, segment: int, t: float) -> Array:
-    """Inputs at a time inside a segment, as `poppet.timeseries.segments.SegmentTable` defines them."""
+    """Return the inputs at a time in a segment; see `poppet.timeseries.segments.SegmentTable`."""
     value, slope, amplitude, frequency, chirp_rate, phase, origin = problem.coefficients[problem.courses[segment]].T
     tau = t - origin
     wave = amplitude * np.sin(2.0 * np.pi * np.remainder((frequency + 0.5 * chirp_rate * tau) * tau, 1.0) + phase)
@@ -150,7 +150,7 @@ def inputs_at(problem: Problem, segment: int, t: float) -> Array:
 
 
 def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Rates of all states."""
+    """Return the rates of all states."""
     f = np.empty(x.size)
     u = inputs_at(problem, segment, t)
     problem.kernel.call("rates", np.array([t]), np.ascontiguousarray(x), u, problem.p, f)
@@ -158,7 +158,7 @@ def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Derivatives of the rates by the states, dense."""
+    """Return the dense derivatives of the rates by the states."""
     f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
     u = inputs_at(problem, segment, t)
     arrays = np.array([t]), np.ascontiguousarray(x), u, np.zeros(u.size), problem.p, f, entries, drift
@@ -169,7 +169,7 @@ def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def tolerances(problem: Problem) -> Array:
-    """Absolute tolerance of each controlled state per relative tolerance, as for the kernel."""
+    """Return the absolute tolerance of each controlled state per relative tolerance, as for the kernel."""
     _, floor, nominal = problem.kernel.scales
     initial = np.abs(problem.x0[: nominal.size])
     size: Array = floor * np.where(problem.kernel.positive & (initial > 0.0), initial, nominal)

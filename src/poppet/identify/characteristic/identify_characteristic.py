@@ -13,7 +13,6 @@ import numpy as np
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.identify.ambient import widened
-from poppet.identify.characteristic.characteristic_ambient import ambient_uncertainty
 from poppet.identify.characteristic.characteristic_file import read_characteristic_file
 from poppet.identify.characteristic.characteristic_findings import (
     MonotoneVerdict,
@@ -24,6 +23,7 @@ from poppet.identify.characteristic.characteristic_findings import (
 from poppet.identify.characteristic.characteristic_fit import (
     CurveFit,
     Shapes,
+    ambient_uncertainty,
     bootstrap_bands,
     fit_evidence,
     fit_histories,

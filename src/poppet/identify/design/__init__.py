@@ -1,1 +1,1 @@
-"""Which tests would tell most: predicted intervals of tests that nobody has run yet."""
+"""Selection of tests by their predicted confidence intervals."""

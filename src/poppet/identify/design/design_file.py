@@ -1,4 +1,4 @@
-"""Design files: which numbers are wanted, which sensors there are, and which tests could be made."""
+"""Reader of design files: free parameters, sensors and possible tests."""
 
 from __future__ import annotations
 
@@ -51,8 +51,8 @@ _DIFFERENCE: dict[str, Kind] = {"Pa": "pressure_difference", "K": "temperature_d
 
 
 @dataclass(frozen=True)
-class Sensor:
-    """What can be recorded, and how well."""
+class DesignSensor:
+    """Sensor with its noise, offset and lag."""
 
     address: str
     unit: str
@@ -62,25 +62,25 @@ class Sensor:
 
 
 @dataclass(frozen=True)
-class Candidate:
-    """A test that could be made."""
+class TestCandidate:
+    """Possible test."""
 
     name: str
     circuit: Circuit
     duration: float  # [s]
     sample_time: float  # [s]
-    sensors: tuple[Sensor, ...]
+    sensors: tuple[DesignSensor, ...]
     start: Mapping[str, Any] = field(default_factory=dict)  # initial values that would have to be learnt too: "free"
 
     @property
     def samples(self) -> int:
-        """How many each sensor takes."""
+        """Number of samples of each sensor."""
         return max(2, math.floor(self.duration / self.sample_time * (1.0 + 1e-9)) + 1)
 
 
 @dataclass(frozen=True)
 class DesignPlan:
-    """What shall be learnt, from which tests.
+    """Free parameters and candidates of a test design.
 
     Parameters
     ----------
@@ -102,7 +102,7 @@ class DesignPlan:
 
     title: str
     free: tuple[FreeParameter, ...]
-    candidates: tuple[Candidate, ...]
+    candidates: tuple[TestCandidate, ...]
     criterion: str = "intervals"
     select: int = 1
     draws: int = 8
@@ -130,15 +130,15 @@ def read_design_file(path: str | Path) -> DesignPlan:
     """
     file = TomlFile.read(path, "tests")
     with file.errors():
-        return _plan(file)
+        return _read_plan(file)
 
 
-def _plan(file: TomlFile) -> DesignPlan:
+def _read_plan(file: TomlFile) -> DesignPlan:
     with ErrorCollector() as errors:
         data = read_fields(errors, file.content, TOP_LEVEL, table="design file")
     circuit = read_circuit(data, file.folder)
     free: list[FreeParameter] = []
-    sensors: dict[str, Sensor] = {}
+    sensors: dict[str, DesignSensor] = {}
     units = dict(circuit.instance.model.outputs)
     with ErrorCollector() as errors:
         for address, table in data["free"].items():
@@ -146,21 +146,20 @@ def _plan(file: TomlFile) -> DesignPlan:
                 free.append(read_free(address, table, circuit))
         for address, table in data["sensors"].items():
             with errors.collecting():
-                sensors[address] = _sensor(address, table, units)
+                sensors[address] = _read_sensor(address, table, units)
     with ErrorCollector() as errors:
-        candidates = list(_candidates(errors, data, circuit, sensors))
+        candidates = list(_read_candidates(errors, data, circuit, sensors))
     known = read_result(file.folder / str(data["known"])) if "known" in data else None
     title = str(data.get("title", circuit.title or Path(file.name).stem))
     options = {key: data[key] for key in ("criterion", "select", "draws", "seed")}
     return DesignPlan(title, tuple(free), tuple(candidates), **options, known=known)
 
 
-def _sensor(address: str, table: Any, units: Mapping[str, str]) -> Sensor:
-    place = f"sensors.{address}"
+def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSensor:
+    location = f"sensors.{address}"
     if address not in units:
-        raise InputError(
-            "names.unknown", place, meaning="an output of this circuit", near=NameSuggestion(address, units)
-        )
+        near = NameSuggestion(address, units)
+        raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
     unit = units[address]
     deviation = Field(unit=unit, kind=_DIFFERENCE.get(unit, "plain"), low=0.0, default=0.0)
     fields = {
@@ -172,18 +171,18 @@ def _sensor(address: str, table: Any, units: Mapping[str, str]) -> Sensor:
         "lag": Field(unit="s", choices=("free",), low=0.0, default=0.0, meaning="time constant of the sensor"),
     }  # fmt: skip
     with ErrorCollector() as errors:
-        read = read_fields(errors, table, fields, place, table="sensor")
-    return Sensor(address, unit, read["noise"], read["offset"], None if read["lag"] == "free" else read["lag"])
+        read = read_fields(errors, table, fields, location, table="sensor")
+    return DesignSensor(address, unit, read["noise"], read["offset"], None if read["lag"] == "free" else read["lag"])
 
 
-def _candidates(
-    errors: ErrorCollector, data: Mapping[str, Any], circuit: Circuit, sensors: Mapping[str, Sensor]
-) -> Iterator[Candidate]:
-    """Each named test with every combination of what is varied."""
-    named: dict[str, Mapping[str, Any]] = {}
+def _read_candidates(
+    errors: ErrorCollector, data: Mapping[str, Any], circuit: Circuit, sensors: Mapping[str, DesignSensor]
+) -> Iterator[TestCandidate]:
+    """Yield each test with each combination of the varied values."""
+    tests: dict[str, Mapping[str, Any]] = {}
     for name, table in data.get("tests", {"": {}}).items():
         if isinstance(table, Mapping):
-            named[name] = table
+            tests[name] = table
         else:
             errors.add("fields.no_table", f"tests.{name}", value=table)
     varied: Mapping[str, Any] = data.get("vary", {})
@@ -192,63 +191,67 @@ def _candidates(
             errors.add("design.no_list", f"vary.{address}", value=values)
             return
     combinations = list(itertools.product(*varied.values()))
-    if len(named) * len(combinations) > MOST_TESTS:
-        errors.add("design.too_many", "vary", count=len(named) * len(combinations), most=MOST_TESTS)
+    if len(tests) * len(combinations) > MOST_TESTS:
+        errors.add("design.too_many", "vary", count=len(tests) * len(combinations), most=MOST_TESTS)
         return
-    short = _short([*varied, *sensors])
+    short = _short_names([*varied, *sensors])
     shared = {key: data[key] for key in ("duration", "sample_time", "start") if key in data}
-    for (name, table), values in itertools.product(named.items(), combinations):
-        given = dict(zip(varied, values, strict=True))
+    for (name, table), values in itertools.product(tests.items(), combinations):
+        values_by_name = dict(zip(varied, values, strict=True))
         label = ", ".join(
-            filter(None, (name, *(f"{short[key]} {_shown(value, short)}" for key, value in given.items())))
+            filter(None, (name, *(f"{short[key]} {_label(value, short)}" for key, value in values_by_name.items())))
         )
-        place = f"tests.{name}" if name else "vary"
+        location = f"tests.{name}" if name else "vary"
         with errors.collecting():
-            yield _candidate(label or "the test", {**shared, **table, **given}, circuit, sensors, place)
+            yield _read_candidate(
+                label or "the test", {**shared, **table, **values_by_name}, circuit, sensors, location
+            )
 
 
-def _candidate(
-    label: str, given: Mapping[str, Any], circuit: Circuit, sensors: Mapping[str, Sensor], place: str
-) -> Candidate:
-    changes = {key: value for key, value in given.items() if key not in OWN}
+def _read_candidate(
+    label: str, fields: Mapping[str, Any], circuit: Circuit, sensors: Mapping[str, DesignSensor], location: str
+) -> TestCandidate:
+    changes = {key: value for key, value in fields.items() if key not in OWN}
     try:
         changed = circuit.with_values(changes) if changes else circuit
     except (InputError, InputErrors) as error:
-        raise relocated(error, f"{place}.{{}}".format) from None
-    duration = _time(given, "duration", place, changed.run.duration)
-    sample_time = _time(given, "sample_time", place, duration / 200.0)
-    chosen = given.get("sensors", list(sensors))
-    chosen = [chosen] if isinstance(chosen, str) else chosen
-    if not isinstance(chosen, Sequence) or not chosen:
-        raise InputError("design.no_list", f"{place}.sensors", value=chosen)
-    for address in chosen:
+        raise relocated(error, f"{location}.{{}}".format) from None
+    duration = _read_time(fields, "duration", location, changed.run.duration)
+    sample_time = _read_time(fields, "sample_time", location, duration / 200.0)
+    selected = fields.get("sensors", list(sensors))
+    selected = [selected] if isinstance(selected, str) else selected
+    if not isinstance(selected, Sequence) or not selected:
+        raise InputError("design.no_list", f"{location}.sensors", value=selected)
+    for address in selected:
         if address not in sensors:
-            raise InputError("design.no_sensor", f"{place}.sensors", near=NameSuggestion(str(address), sensors))
-    start = given.get("start", {})
+            raise InputError("design.no_sensor", f"{location}.sensors", near=NameSuggestion(str(address), sensors))
+    start = fields.get("start", {})
     for address, value in start.items() if isinstance(start, Mapping) else ():
         if value != "free":
-            raise InputError("design.start", f"{place}.start.{address}", value=value)
-    found = Candidate(label, changed, duration, sample_time, tuple(sensors[a] for a in chosen), dict(start))
-    if found.samples > MOST_SAMPLES:
-        raise InputError("design.too_many_samples", f"{place}.sample_time", count=found.samples, most=MOST_SAMPLES)
-    return found
+            raise InputError("design.start", f"{location}.start.{address}", value=value)
+    candidate = TestCandidate(label, changed, duration, sample_time, tuple(sensors[a] for a in selected), dict(start))
+    if candidate.samples > MOST_SAMPLES:
+        raise InputError(
+            "design.too_many_samples", f"{location}.sample_time", count=candidate.samples, most=MOST_SAMPLES
+        )
+    return candidate
 
 
-def _time(given: Mapping[str, Any], key: str, place: str, default: Any) -> float:
+def _read_time(fields: Mapping[str, Any], key: str, location: str, default: Any) -> float:
     field = Field(unit="s", above=0.0, meaning=key.replace("_", " "), example=f'{key} = "20 s"')
-    if key in given:
-        return float(field.read(given[key], f"{place}.{key}"))
+    if key in fields:
+        return float(field.read(fields[key], f"{location}.{key}"))
     if default is None:
-        raise missing_field(f"{place}.{key}", field)
+        raise missing_field(f"{location}.{key}", field)
     return float(default)
 
 
-def _short(addresses: Sequence[str]) -> dict[str, str]:
-    """What addresses are called: by their last word, where no other has the same."""
+def _short_names(addresses: Sequence[str]) -> dict[str, str]:
+    """Return the last words of addresses, or the whole address if not unique."""
     last = [address.rpartition(".")[2] for address in addresses]
-    return {a: word if last.count(word) == 1 else a for a, word in zip(addresses, last, strict=True)}
+    return {a: ending if last.count(ending) == 1 else a for a, ending in zip(addresses, last, strict=True)}
 
 
-def _shown(value: Any, short: Mapping[str, str]) -> str:
+def _label(value: Any, short: Mapping[str, str]) -> str:
     values = value if isinstance(value, list) else [value]
-    return " + ".join(short.get(str(each), str(each)) for each in values)
+    return " + ".join(short.get(str(item), str(item)) for item in values)

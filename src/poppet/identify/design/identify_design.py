@@ -1,4 +1,4 @@
-"""`identify design`: of tests that could be made, those that shrink the intervals most."""
+"""Method `identify design`: selection of the tests with the smallest intervals."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.core.files import by_suffix, write_whole
 from poppet.core.toml import json_text, toml_text
-from poppet.identify.design.design_file import Candidate, DesignPlan, read_design_file
+from poppet.identify.design.design_file import DesignPlan, TestCandidate, read_design_file
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import recording_parameters
 from poppet.identify.fit.statistics import verdict
@@ -32,7 +32,7 @@ LOST = 1e-10
 
 @dataclass(frozen=True)
 class Prediction:
-    """What a test, or several, would tell of one number.
+    """Predicted estimate of a parameter from one or more tests.
 
     Parameters
     ----------
@@ -56,18 +56,18 @@ class Prediction:
 
     @property
     def half(self) -> float:
-        """Half the 95 % interval."""
+        """Half width of the 95 % confidence interval."""
         return TWO_SIDED * self.standard_error
 
     @property
     def half_at_most(self) -> float:
-        """The same at the least favourable of the values drawn."""
+        """Half width at the least favourable sample of the priors."""
         return TWO_SIDED * self.largest
 
 
 @dataclass(frozen=True)
 class Design:
-    """Tests that could be made, the best first.
+    """Ranking of possible tests, the best first.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ class Design:
     interrupted: bool = False
 
     def content(self) -> dict[str, Any]:
-        """Everything that is written to a file, as plain tables."""
+        """Return all content of the file as plain tables."""
         return {
             "method": "design",
             "title": self.title,
@@ -114,7 +114,7 @@ class Design:
         }
 
     def save(self, path: str | Path) -> None:
-        """Write the design, `.toml` or `.json`, aside and renamed.
+        """Write the design to a `.toml` or `.json` file.
 
         Parameters
         ----------
@@ -126,7 +126,7 @@ class Design:
 
 
 def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, int, str], Any] | None = None) -> Design:
-    r"""Rank tests that nobody has made yet by the intervals that a fit to them would have.
+    r"""Rank possible tests by the intervals of a fit to them.
 
     Parameters
     ----------
@@ -159,66 +159,68 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     Atkinson, Donev & Tobias, Optimum Experimental Designs, with SAS, Oxford 2007.
     """
     plan = plan if isinstance(plan, DesignPlan) else read_design_file(plan)
-    places = _places(plan)
-    before = _known(plan)
-    told: list[Told] = []
+    points = _prior_points(plan)
+    prior = _prior_information(plan)
+    informations: list[Information] = []
     try:
         for k, candidate in enumerate(plan.candidates):
             if progress is not None:
                 progress(k, len(plan.candidates), candidate.name)
-            told.append([_information(candidate, plan.free, place) for place in places])
+            informations.append([_fisher_information(candidate, plan.free, point) for point in points])
     except KeyboardInterrupt:
-        if not told:
+        if not informations:
             raise
-    alone = [_score(plan, places, before, [each]) for each in told]
-    order = sorted(range(len(told)), key=lambda k: alone[k])
-    chosen = _chosen(plan, places, before, told)
+    scores = [_criterion(plan, points, prior, [information]) for information in informations]
+    order = sorted(range(len(informations)), key=lambda k: scores[k])
+    selection = _select_tests(plan, points, prior, informations)
     names = [candidate.name for candidate in plan.candidates]
-    tests = {names[k]: _predicted(plan, places, before, [told[k]]) for k in order}
-    together = _predicted(plan, places, before, [told[k] for k in chosen])
+    tests = {names[k]: _predict(plan, points, prior, [informations[k]]) for k in order}
+    together = _predict(plan, points, prior, [informations[k] for k in selection])
     return Design(
         plan.title,
         plan.criterion,
         tests,
-        tuple(names[k] for k in chosen),
+        tuple(names[k] for k in selection),
         together,
-        {names[k]: alone[k] for k in order},
-        tuple(_remarks(plan, tests, together)),
-        len(told) < len(plan.candidates),
+        {names[k]: scores[k] for k in order},
+        tuple(_design_notes(plan, tests, together)),
+        len(informations) < len(plan.candidates),
     )
 
 
-def _places(plan: DesignPlan) -> list[FloatArray]:
-    """Where the numbers may be: at their starts, and drawn from their priors."""
+def _prior_points(plan: DesignPlan) -> list[FloatArray]:
+    """Return the start point and random samples of the priors."""
     starts = np.array([f.start for f in plan.free])
     generator = np.random.default_rng(plan.seed)
-    found = [starts]
+    points = [starts]
     if any(f.prior for f in plan.free):
         for _ in range(plan.draws):
-            drawn = [f.start if f.prior is None else generator.normal(f.prior.mean, f.prior.sd) for f in plan.free]
-            room = [1e-3 * min(f.scale, f.high - f.low) for f in plan.free]
-            bounds = zip(drawn, plan.free, room, strict=True)
-            found.append(np.array([min(max(x, f.low + r), f.high - r) for x, f, r in bounds]))
-    return found
+            sample = [f.start if f.prior is None else generator.normal(f.prior.mean, f.prior.sd) for f in plan.free]
+            margins = [1e-3 * min(f.scale, f.high - f.low) for f in plan.free]
+            bounds = zip(sample, plan.free, margins, strict=True)
+            points.append(np.array([min(max(x, f.low + r), f.high - r) for x, f, r in bounds]))
+    return points
 
 
-def _known(plan: DesignPlan) -> FloatArray:
-    """Information that there is before any test: priors, a result, or next to nothing."""
+def _prior_information(plan: DesignPlan) -> FloatArray:
+    """Return the information before any test: priors and a previous result."""
     spreads = [f.prior.sd if f.prior else f.scale for f in plan.free]
     information = np.diag(1.0 / np.square(spreads))
     if plan.known is None:
         return information
     estimates = plan.known.parameters
-    at = [k for k, f in enumerate(plan.free) if f.name in estimates and math.isfinite(estimates[f.name].standard_error)]
-    names = [plan.free[k].name for k in at]
+    indices = [
+        k for k, f in enumerate(plan.free) if f.name in estimates and math.isfinite(estimates[f.name].standard_error)
+    ]
+    names = [plan.free[k].name for k in indices]
     errors = np.array([estimates[name].standard_error for name in names])
     joint = np.array([[plan.known.correlation.get(a, {}).get(b, float(a == b)) for b in names] for a in names])
-    information[np.ix_(at, at)] += np.linalg.pinv(joint * np.outer(errors, errors), hermitian=True)
+    information[np.ix_(indices, indices)] += np.linalg.pinv(joint * np.outer(errors, errors), hermitian=True)
     return information
 
 
-def _information(candidate: Candidate, free: Sequence[FreeParameter], place: FloatArray) -> FloatArray:
-    """Fisher information of one test about the shared numbers, what is its own left out."""
+def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter], point: FloatArray) -> FloatArray:
+    """Return the Fisher information of a test about the shared parameters."""
     measurement = Measurement(
         "test",
         tuple(_channel(candidate, sensor.address, sensor.unit, sensor.lag) for sensor in candidate.sensors),
@@ -227,19 +229,19 @@ def _information(candidate: Candidate, free: Sequence[FreeParameter], place: Flo
         duration=candidate.duration,
     )
     instance = candidate.circuit.instance
-    values = by_name(free, place)
+    values = by_name(free, point)
     if candidate.start:
         # An initial value that is free begins where the noise-free recording does.
         lags = [f for f in recording_parameters([measurement], [candidate.circuit], ["fit"]) if f.role == "lag"]
-        as_it_is = Experiment(instance, dataclasses.replace(measurement, start={}), (*free, *lags))
-        shown = as_it_is.outputs({**values, **by_name(lags, [f.start for f in lags])})
-        channels = zip(measurement.channels, shown, strict=True)
+        noise_free = Experiment(instance, dataclasses.replace(measurement, start={}), (*free, *lags))
+        outputs = noise_free.outputs({**values, **by_name(lags, [f.start for f in lags])})
+        channels = zip(measurement.channels, outputs, strict=True)
         measurement = dataclasses.replace(
             measurement, channels=tuple(dataclasses.replace(c, values=row) for c, row in channels)
         )
-    own = recording_parameters([measurement], [candidate.circuit], ["fit"])
-    experiment = Experiment(instance, measurement, (*free, *own))
-    slopes = experiment.outputs_and_slopes({**by_name(own, [f.start for f in own]), **values})[1]
+    nuisances = recording_parameters([measurement], [candidate.circuit], ["fit"])
+    experiment = Experiment(instance, measurement, (*free, *nuisances))
+    slopes = experiment.outputs_and_slopes({**by_name(nuisances, [f.start for f in nuisances]), **values})[1]
     whitened = np.vstack([slope / sensor.noise for slope, sensor in zip(slopes, candidate.sensors, strict=True)])
     offsets, priors = _offsets(candidate, [slope.shape[0] for slope in slopes])
     shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], offsets])
@@ -248,19 +250,19 @@ def _information(candidate: Candidate, free: Sequence[FreeParameter], place: Flo
         # Scaled, for nuisances of different units may share what they take away.
         size = np.maximum(np.linalg.norm(nuisance, axis=0), 1e-300)
         unit = nuisance / size
-        inner = unit.T @ unit + np.diag(np.concatenate([np.zeros(len(own)), priors]) / size**2)
+        inner = unit.T @ unit + np.diag(np.concatenate([np.zeros(len(nuisances)), priors]) / size**2)
         cross = unit.T @ shared
         information = information - cross.T @ np.linalg.pinv(inner, rcond=LOST, hermitian=True) @ cross
     return np.asarray(0.5 * (information + information.T))
 
 
-def _channel(candidate: Candidate, address: str, unit: str, lag: float | None) -> Channel:
+def _channel(candidate: TestCandidate, address: str, unit: str, lag: float | None) -> Channel:
     time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
     return Channel(address, time, np.zeros(time.size), unit, lag=lag)
 
 
-def _offsets(candidate: Candidate, sizes: Sequence[int]) -> tuple[FloatArray, FloatArray]:
-    """A column of ones over the noise for each sensor whose zero is not sure, and the information about it."""
+def _offsets(candidate: TestCandidate, sizes: Sequence[int]) -> tuple[FloatArray, FloatArray]:
+    """Return columns of the uncertain sensor offsets, and their prior information."""
     columns, priors = [np.zeros((sum(sizes), 0))], list[float]()
     first = 0
     for sensor, size in zip(candidate.sensors, sizes, strict=True):
@@ -273,12 +275,12 @@ def _offsets(candidate: Candidate, sizes: Sequence[int]) -> tuple[FloatArray, Fl
     return np.hstack(columns), np.array(priors)
 
 
-Told = Sequence[FloatArray]
+Information = Sequence[FloatArray]
 """Information of one test at every place where the numbers may be."""
 
 
 def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, float]:
-    """Standard errors of the numbers, and the logarithm of the determinant of their covariance, both relative."""
+    """Return the relative standard errors, and the log determinant of their covariance."""
     scale = np.array([f.scale for f in plan.free])
     relative = information * np.outer(scale, scale)
     # To a diagonal of ones first, for what is known well and what hardly at all stand in one matrix.
@@ -290,53 +292,61 @@ def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, floa
     return np.sqrt(np.sum(vectors**2 / eigenvalues, axis=1)) / size, volume
 
 
-def _score(plan: DesignPlan, places: Sequence[FloatArray], before: FloatArray, tests: Sequence[Told]) -> float:
-    """The criterion of some tests together: natural logarithm, averaged over the places."""
-    found = []
-    for k in range(len(places)):
-        errors, volume = _errors(plan, before + sum(each[k] for each in tests))
-        of = {"intervals": np.mean(np.log(errors)), "worst": np.log(np.max(errors)), "volume": 0.5 * volume}
-        found.append(float(of[plan.criterion]))
-    return float(np.mean(found))
+def _criterion(
+    plan: DesignPlan, points: Sequence[FloatArray], prior: FloatArray, tests: Sequence[Information]
+) -> float:
+    """Return the criterion of several tests: a natural logarithm, averaged over the points."""
+    scores = []
+    for k in range(len(points)):
+        errors, volume = _errors(plan, prior + sum(information[k] for information in tests))
+        criteria = {"intervals": np.mean(np.log(errors)), "worst": np.log(np.max(errors)), "volume": 0.5 * volume}
+        scores.append(float(criteria[plan.criterion]))
+    return float(np.mean(scores))
 
 
-def _chosen(plan: DesignPlan, places: Sequence[FloatArray], before: FloatArray, told: Sequence[Told]) -> list[int]:
-    """The tests that together tell most: the best next one each time, then exchanges as long as one helps."""
+def _select_tests(
+    plan: DesignPlan, points: Sequence[FloatArray], prior: FloatArray, informations: Sequence[Information]
+) -> list[int]:
+    """Return the tests with the best criterion: greedy choice, then exchanges."""
 
     def score(tests: Sequence[int]) -> float:
-        return _score(plan, places, before, [told[k] for k in tests])
+        return _criterion(plan, points, prior, [informations[k] for k in tests])
 
-    chosen: list[int] = []
+    selection: list[int] = []
     for _ in range(plan.select):
-        chosen.append(min(range(len(told)), key=lambda k: score([*chosen, k])))
+        selection.append(min(range(len(informations)), key=lambda k: score([*selection, k])))
     improved = plan.select > 1
     while improved:
         improved = False
-        for at in range(len(chosen)):
-            rest = chosen[:at] + chosen[at + 1 :]
-            best = min(range(len(told)), key=lambda k: score([*rest, k]))
-            if score([*rest, best]) < score(chosen) - 1e-9:
-                chosen, improved = [*rest, best], True
-    return chosen
+        for position in range(len(selection)):
+            remaining = selection[:position] + selection[position + 1 :]
+            best = min(range(len(informations)), key=lambda k: score([*remaining, k]))
+            if score([*remaining, best]) < score(selection) - 1e-9:
+                selection, improved = [*remaining, best], True
+    return selection
 
 
-def _predicted(
-    plan: DesignPlan, places: Sequence[FloatArray], before: FloatArray, tests: Sequence[Told]
+def _predict(
+    plan: DesignPlan, points: Sequence[FloatArray], prior: FloatArray, tests: Sequence[Information]
 ) -> dict[str, Prediction]:
     scale = np.array([f.scale for f in plan.free])
-    errors = [_errors(plan, before + sum(each[k] for each in tests))[0] * scale for k in range(len(places))]
+    errors = [
+        _errors(plan, prior + sum(information[k] for information in tests))[0] * scale for k in range(len(points))
+    ]
     largest = np.max(errors, axis=0)
     rows = zip(plan.free, errors[0], largest, strict=True)
     return {
-        f.name: Prediction(f.start, f.unit, float(error), float(most), verdict(f, f.start, TWO_SIDED * float(error)))
-        for f, error, most in rows
+        f.name: Prediction(
+            f.start, f.unit, float(error), float(largest_error), verdict(f, f.start, TWO_SIDED * float(error))
+        )
+        for f, error, largest_error in rows
     }
 
 
-def _remarks(
+def _design_notes(
     plan: DesignPlan, tests: Mapping[str, Mapping[str, Prediction]], together: Mapping[str, Prediction]
 ) -> list[Note]:
-    """What none of the tests tells, and what depends on where the numbers are."""
+    """Return notes on parameters that no test determines or that depend on the priors."""
     remarks = []
     for f in plan.free:
         if all(row[f.name].verdict == "not determined" for row in tests.values()):

@@ -1,149 +1,206 @@
-"""The misfit over conductance and wall heat, all other numbers fitted anew at every place."""
+"""Chi-square contour over conductance and wall conductance; the other free parameters are refitted at each point."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
-from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
-from poppet.identify.free_parameter import FreeParameter, begun_at
+from poppet.identify.free_parameter import FreeParameter, with_starts
 from poppet.identify.result import Result
 from poppet.timeseries.checks import FloatArray
 
 ROWS = COLUMNS = 15
-REACH = 4.0
-"""Sigmas on either side of the best place that are shown."""
+HALF_WIDTH = 4.0
+"""Half width of the grid about the optimum, in standard deviations."""
 LEVELS = {"68 %": 2.296, "95 %": 5.991}
-"""Chi-square of two numbers, below which the truth lies so often."""
-DECADES = np.linspace(-2.5, 3.5, ROWS - 2)
-"""Powers of ten of wall heat over its start where other regions are looked for: from none to an isothermal tank."""
+"""Chi-square limits of the joint confidence regions of two parameters."""
+WALL_DECADES = np.linspace(-2.5, 3.5, ROWS - 2)
+"""Decimal exponents of the global grid of wall conductances, relative to the scale of the parameter: from nearly
+adiabatic to isothermal."""
 
-Row = tuple[float, Optimum]
+Fit = Callable[..., Optimum]
+"""Fit from a start vector, with `conductance` or `wall` or both fixed at the values of the keyword arguments."""
 
 
-def contoured(plan: FitPlan, optimum: Optimum, result: Result, told: Callable[[str, int, int], Any]) -> Result:
-    """A result with the misfit around its optimum, and wherever wall heat leaves it as small."""
-    over, wall = conductance_and_wall(plan.free)
-    spread = spread_of(plan.experiments, optimum, plan.settings)
-    widening = max(spread.widening, *(spread.factor(spread.pulls[k]) for k in (over, wall)))
-    quiet, done = SearchSettings(plan.settings.loss), 0
+class RowFit(NamedTuple):
+    """Best fit at one fixed wall conductance."""
 
-    def fit(x: FloatArray, **held: float) -> Optimum:
-        nonlocal done
-        names = {plan.free[{"over": over, "wall": wall}[key]].name: value for key, value in held.items()}
-        found = optimise(plan.experiments, begun_at(plan.free, x), quiet, sigmas=optimum.sigmas, held=names)
-        if found.interrupted:
+    wall: float
+    optimum: Optimum
+
+
+def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Callable[[str, int, int], Any]) -> Result:
+    """Add the chi-square contour and a note on each 95 % region to a result."""
+    conductance_index, wall_index = contour_indices(plan.free)
+    conductance_parameter, wall_parameter = plan.free[conductance_index], plan.free[wall_index]
+    spread = error_model_of(plan.experiments, optimum, plan.settings)
+    variance_factor = max(
+        spread.variance_factor, *(spread.factor(spread.influences[k]) for k in (conductance_index, wall_index))
+    )
+    parameters = {"conductance": conductance_parameter, "wall": wall_parameter}
+    single_start, n_fits = SearchSettings(plan.settings.loss), 0
+
+    def fit(start: FloatArray, **fixed: float) -> Optimum:
+        nonlocal n_fits
+        fixed_by_name = {parameters[key].name: value for key, value in fixed.items()}
+        fitted = optimise(
+            plan.experiments, with_starts(plan.free, start), single_start, sigmas=optimum.sigmas, fixed=fixed_by_name
+        )
+        if fitted.interrupted:
             raise KeyboardInterrupt
-        done += 1
-        told("places of the contour", done, ROWS * (COLUMNS + 2))
-        return found
+        n_fits += 1
+        on_progress("places of the contour", n_fits, ROWS * (COLUMNS + 2))
+        return fitted
 
     try:
-        rows = _rows(plan.free[wall], optimum, wall, spread.deviation(spread.pulls[wall]), fit, widening)
-        table = [_columns(row, (over, wall), plan.free[over], fit, widening) for row in rows]
+        wall_error = spread.deviation(spread.influences[wall_index])
+        rows = _fit_rows(wall_parameter, optimum, wall_index, wall_error, fit, variance_factor)
+        cells = [
+            _fit_columns(row, (conductance_index, wall_index), conductance_parameter, fit, variance_factor)
+            for row in rows
+        ]
     except KeyboardInterrupt:
         remarks = (*result.remarks, Note("finding.stopped.contour"))
         return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=remarks)
-    places, costs = (np.array([[each[k] for each in row] for row in table]) for k in (0, 1))
-    rise = 2.0 * (costs - min(optimum.cost, float(np.min(costs)))) / widening
-    found = {
-        "x": places,
-        "y": np.array([row[0] for row in rows]),
-        "rise": rise,
-        "x_name": plan.free[over].name,
-        "x_unit": plan.free[over].unit,
-        "y_name": plan.free[wall].name,
-        "y_unit": plan.free[wall].unit,
-        "best": (float(optimum.x[over]), float(optimum.x[wall])),
+    conductances, costs = (np.array([[cell[k] for cell in row] for row in cells]) for k in (0, 1))
+    least_cost = min(optimum.cost, float(np.min(costs)))
+    contour = {
+        "x": conductances,
+        "y": np.array([row.wall for row in rows]),
+        "rise": 2.0 * (costs - least_cost) / variance_factor,
+        "x_name": conductance_parameter.name,
+        "x_unit": conductance_parameter.unit,
+        "y_name": wall_parameter.name,
+        "y_unit": wall_parameter.unit,
+        "best": (float(optimum.x[conductance_index]), float(optimum.x[wall_index])),
     }
-    remarks = (*result.remarks, *_regions(found))
-    return replace(result, remarks=remarks, series={**result.series, "contour": found})
+    remarks = (*result.remarks, *_region_notes(contour))
+    return replace(result, remarks=remarks, series={**result.series, "contour": contour})
 
 
-def conductance_and_wall(free: Sequence[FreeParameter]) -> tuple[int, int]:
-    """Places of the two numbers of a contour."""
-    places = []
-    for wanted in (("sonic_conductance", "effective_area"), ("wall_conductance",)):
-        own = [k for k, f in enumerate(free) if f.address.rpartition(".")[2] in wanted]
-        if not own:
-            raise InputError("fit.contour", "contour", wanted=wanted[0], known=tuple(f.name for f in free))
-        places.append(own[0])
-    return places[0], places[1]
+def contour_indices(free: Sequence[FreeParameter]) -> tuple[int, int]:
+    """Return the indices of the conductance and the wall conductance among the free parameters.
+
+    Raises
+    ------
+    InputError
+        If either of them is not free.
+    """
+    indices = []
+    for fields in (("sonic_conductance", "effective_area"), ("wall_conductance",)):
+        matches = [k for k, parameter in enumerate(free) if parameter.address.rpartition(".")[2] in fields]
+        if not matches:
+            names = tuple(parameter.name for parameter in free)
+            raise InputError("fit.contour", "contour", wanted=fields[0], known=names)
+        indices.append(matches[0])
+    return indices[0], indices[1]
 
 
-def _rows(
-    wall: FreeParameter, optimum: Optimum, k: int, error: float, fit: Callable[..., Optimum], widening: float
-) -> list[Row]:
-    """Wall heats with the best fit at each: around the optimum, and over all decades where others fit as well."""
-    best = float(optimum.x[k])
-    near = best + REACH * error * np.linspace(-1.0, 1.0, ROWS) if np.isfinite(error) else np.array([best])
-    near = np.unique(np.clip(near, wall.low, wall.high))
-    others = [float(each.x[k]) for each in (optimum, *optimum.others)]
-    far = np.unique(np.clip([0.0, *wall.scale * 10.0**DECADES, *others], wall.low, wall.high))
-    wide = _along(far, best, optimum, fit)
-    rises = {value: 2.0 * (row.cost - optimum.cost) / widening for value, row in wide}
-    is_near = {value: near[0] <= value <= near[-1] for value in rises}
-    # Outside its reach nothing else may fit, and inside nothing may be far worse than a parabola.
-    stray = any(rise > 2.0 * REACH**2 if is_near[v] else rise < LEVELS["95 %"] for v, rise in rises.items())
-    if stray or near.size < 3:
-        # What lies within a decade of the optimum would be lost between the decades.
-        beside = np.setdiff1d(near[[near.size // 4, -1 - near.size // 4]], [row[0] for row in wide])
-        return sorted([*wide, *_along(beside, best, optimum, fit)], key=_value)
-    return _along(near, best, optimum, fit)
+def _fit_rows(
+    wall_parameter: FreeParameter,
+    optimum: Optimum,
+    wall_index: int,
+    wall_error: float,
+    fit: Fit,
+    variance_factor: float,
+) -> list[RowFit]:
+    """Fit at a grid of wall conductances, local to the optimum unless other regions fit as well."""
+    low, high = wall_parameter.low, wall_parameter.high
+    best = float(optimum.x[wall_index])
+    offsets = HALF_WIDTH * wall_error * np.linspace(-1.0, 1.0, ROWS) if np.isfinite(wall_error) else np.zeros(1)
+    local_grid = np.unique(np.clip(best + offsets, low, high))
+    optima = [float(other.x[wall_index]) for other in (optimum, *optimum.others)]
+    global_grid = np.unique(np.clip([0.0, *wall_parameter.scale * 10.0**WALL_DECADES, *optima], low, high))
+    global_rows = _fit_from_neighbours(global_grid, best, optimum, fit)
+    if local_grid.size >= 3 and not _has_other_region(global_rows, local_grid, optimum.cost, variance_factor):
+        return _fit_from_neighbours(local_grid, best, optimum, fit)
+    # The global grid is coarse: resolve the region of the optimum by one more point on either side.
+    quarter = local_grid.size // 4
+    flanks = np.setdiff1d(local_grid[[quarter, -1 - quarter]], [row.wall for row in global_rows])
+    return sorted([*global_rows, *_fit_from_neighbours(flanks, best, optimum, fit)], key=_wall_of)
 
 
-def _value(row: Row) -> float:
-    return row[0]
+def _has_other_region(
+    rows: Sequence[RowFit], local_grid: FloatArray, least_cost: float, variance_factor: float
+) -> bool:
+    """Return True if the local grid would miss a region or distort it.
+
+    Outside the local grid no row may lie in the 95 % region. Inside it chi-square may rise to twice the value of a
+    parabola at the edge of the grid, but no further.
+    """
+    for row in rows:
+        rise = 2.0 * (row.optimum.cost - least_cost) / variance_factor
+        is_local = local_grid[0] <= row.wall <= local_grid[-1]
+        if rise > 2.0 * HALF_WIDTH**2 if is_local else rise < LEVELS["95 %"]:
+            return True
+    return False
 
 
-def _along(values: FloatArray, best: float, optimum: Optimum, fit: Callable[..., Optimum]) -> list[Row]:
-    """The best fits at some values, each begun where that of its neighbour ended, away from the optimum."""
-    found: list[Row] = []
-    for way in (values[values >= best], values[values < best][::-1]):
-        last = optimum
-        for value in way:
-            last = fit(last.x, wall=float(value))
-            found.append((float(value), last))
-    return sorted(found, key=_value)
+def _wall_of(row: RowFit) -> float:
+    return row.wall
 
 
-def _columns(
-    row: Row, pair: tuple[int, int], over: FreeParameter, fit: Callable[..., Optimum], widening: float
+def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: Fit) -> list[RowFit]:
+    """Fit at each wall conductance, outwards from the optimum; each fit starts from that of its inner neighbour."""
+    rows: list[RowFit] = []
+    for branch in (walls[walls >= best], walls[walls < best][::-1]):
+        neighbour = optimum
+        for wall in branch:
+            neighbour = fit(neighbour.x, wall=float(wall))
+            rows.append(RowFit(float(wall), neighbour))
+    return sorted(rows, key=_wall_of)
+
+
+def _fit_columns(
+    row: RowFit, pair: tuple[int, int], conductance_parameter: FreeParameter, fit: Fit, variance_factor: float
 ) -> list[tuple[float, float]]:
-    """Conductances with their costs across the valley at some wall heat."""
-    (value, floor), (k, _) = row, pair
-    others = [i for i in range(floor.x.size) if i not in pair and floor.active[i] == 0]
-    # The part of its slope that no other number imitates.
-    own = np.linalg.qr(floor.jacobian[:, [*others, k]])[1][-1, -1]
-    step = np.sqrt(widening) / max(abs(float(own)), 1e-12 / over.scale)
-    best, middle = float(floor.x[k]), COLUMNS // 2
-    found = {middle: (best, floor.cost)}
-    for way in (1, -1):
-        last = floor
-        for column in range(1, middle + 1):
-            place = float(np.clip(best + way * column * REACH * step / middle, over.low, over.high))
-            last = fit(last.x, over=place, wall=value)
-            found[middle + way * column] = place, last.cost
-    return [found[column] for column in range(COLUMNS)]
+    """Fit at conductances on both sides of the best fit of a row; return pairs of conductance and cost."""
+    (wall, row_optimum), (conductance_index, _) = row, pair
+    n_parameters = row_optimum.x.size
+    nuisances = [k for k in range(n_parameters) if k not in pair and row_optimum.active[k] == 0]
+    # The last diagonal element of R is the sensitivity to the conductance that the nuisance parameters cannot absorb.
+    _, r_factor = np.linalg.qr(row_optimum.jacobian[:, [*nuisances, conductance_index]])
+    sensitivity = max(abs(float(r_factor[-1, -1])), 1e-12 / conductance_parameter.scale)
+    sigma = np.sqrt(variance_factor) / sensitivity
+    best, middle = float(row_optimum.x[conductance_index]), COLUMNS // 2
+    cells = {middle: (best, row_optimum.cost)}
+    for direction in (1, -1):
+        neighbour = row_optimum
+        for offset in range(1, middle + 1):
+            conductance = best + direction * offset * HALF_WIDTH * sigma / middle
+            conductance = float(np.clip(conductance, conductance_parameter.low, conductance_parameter.high))
+            neighbour = fit(neighbour.x, conductance=conductance, wall=wall)
+            cells[middle + direction * offset] = conductance, neighbour.cost
+    return [cells[column] for column in range(COLUMNS)]
 
 
-def _regions(table: dict[str, Any]) -> list[Note]:
-    """Every region in which 95 % of the truth lies, by neighbouring rows."""
-    inside = table["rise"] < LEVELS["95 %"]
-    rows = np.flatnonzero(inside.any(axis=1))
-    parts = [part for part in np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if part.size]
+def _region_notes(contour: dict[str, Any]) -> list[Note]:
+    """Return one note for each connected range of rows in the 95 % confidence region."""
+    is_inside = contour["rise"] < LEVELS["95 %"]
+    rows = np.flatnonzero(is_inside.any(axis=1))
+    regions = [region for region in np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if region.size]
+    code = f"finding.contour.{'one' if len(regions) == 1 else 'several'}"
     notes = []
-    for place, part in enumerate(parts, 1):
-        x, y = table["x"][part][inside[part]], table["y"][part]
-        ends = {"low": float(x.min()), "high": float(x.max()), "unit": table["x_unit"]}
-        of_wall = {"wall_low": float(y.min()), "wall_high": float(y.max()), "wall_unit": table["y_unit"]}
-        facts = {"place": place, "count": len(parts), "other": table["y_name"], **ends, **of_wall}
-        notes.append(Note(f"finding.contour.{'one' if len(parts) == 1 else 'several'}", table["x_name"], **facts))
+    for number, region in enumerate(regions, 1):
+        conductances, walls = contour["x"][region][is_inside[region]], contour["y"][region]
+        facts = {
+            "place": number,
+            "count": len(regions),
+            "other": contour["y_name"],
+            "low": float(conductances.min()),
+            "high": float(conductances.max()),
+            "unit": contour["x_unit"],
+            "wall_low": float(walls.min()),
+            "wall_high": float(walls.max()),
+            "wall_unit": contour["y_unit"],
+        }
+        notes.append(Note(code, contour["x_name"], **facts))
     return notes

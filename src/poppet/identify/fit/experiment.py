@@ -1,4 +1,4 @@
-"""One recording and the circuit that is to explain it: numbers in, modelled channels out, fast.
+"""Model of one recording: from parameter values to modelled channels and their derivatives.
 
 A run of the model is a compiled kernel on plain arrays. Derivatives with respect to the numbers come from runs that
 share the step sequence of the base run: they differ smoothly, so that forward differences are good to 1e-6.
@@ -23,7 +23,7 @@ from poppet.engine.call import RepeatedCall
 from poppet.engine.lane_kernel import LockstepLanes
 from poppet.engine.problem import Problem, RawRun
 from poppet.engine.solve import solve
-from poppet.identify.fit.fit_series import driving_signals, first_value, lagged
+from poppet.identify.fit.fit_series import apply_lag, driving_signals, first_value
 from poppet.identify.free_parameter import FreeParameter
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel, Measurement
@@ -42,8 +42,8 @@ FAILED = 1e6
 """Residual, in sigmas, of samples that a failed run did not reach."""
 
 
-class Sensor(NamedTuple):
-    """What stands between an output of the circuit and a channel."""
+class ChannelSensor(NamedTuple):
+    """Sensor between an output of the circuit and a channel."""
 
     places: slice | NDArray[np.int64]  # rows of the grid at which there are samples
     lag: float  # known time constant [s]
@@ -51,8 +51,8 @@ class Sensor(NamedTuple):
     free_offset: str
 
 
-class _Kept(NamedTuple):
-    """The last run."""
+class _LastRun(NamedTuple):
+    """Result of the most recent run."""
 
     repeated: RepeatedCall | None  # what made it, where it is alone
     tables: FloatArray  # (n_runs, n_outputs, n_times), those with a number moved behind it where it went in lanes
@@ -60,7 +60,10 @@ class _Kept(NamedTuple):
 
 
 class Experiment:
-    """A recording with the model that is to explain it; of the free numbers, those of other recordings are ignored."""
+    """Recording with its model.
+
+    Free parameters of other recordings are ignored.
+    """
 
     def __init__(
         self,
@@ -71,14 +74,14 @@ class Experiment:
         relative_tolerance: float = 1e-6,
     ) -> None:
         self.measurement = measurement
-        own = [f for f in free if f.recording in ("", measurement.name)]
-        self.free, instance = _with_dead_times(own, measurement, instance)
+        parameters = [f for f in free if f.recording in ("", measurement.name)]
+        self.free, instance = _with_dead_times(parameters, measurement, instance)
         outputs = [name for name, _ in instance.model.outputs]
         for channel in measurement.channels:
             if channel.address not in outputs:
-                place = f"recordings.{measurement.name}.{channel.address}"
+                location = f"recordings.{measurement.name}.{channel.address}"
                 near = NameSuggestion(channel.address, outputs)
-                raise InputError("names.unknown", place, meaning="an output of this circuit", near=near)
+                raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
         started = _with_start(measurement, instance)
         driven = driving_signals(measurement, {})
         self.instance = started.with_signals({**instance.signals, **driven}) if driven else started
@@ -94,22 +97,22 @@ class Experiment:
         self._rebuilds = None in self.slots.values() or any(
             f.role in ("delay", "dead_time", "input_lag") for f in self.free
         )
-        self._led = None if self._rebuilds or not LockstepLanes.takes(self.base) else self._in_lanes()
-        self._repeated = None if self._rebuilds or self._led else RepeatedCall(self.base, np.empty(SCRIPT_LENGTH))
+        self._lanes = None if self._rebuilds or not LockstepLanes.takes(self.base) else self._make_lanes()
+        self._repeated = None if self._rebuilds or self._lanes else RepeatedCall(self.base, np.empty(SCRIPT_LENGTH))
         self.samples = self.instance.model.n_timers > 0
-        self._last: tuple[tuple[float, ...], _Kept] | None = None
+        self._last: tuple[tuple[float, ...], _LastRun] | None = None
 
     def with_samples(self, samples: Sequence[FloatArray], free: Sequence[FreeParameter]) -> Experiment:
-        """The same with other values at the times of each channel, and free numbers that begin elsewhere."""
+        """Return a copy with other sample values and other start values of the free parameters."""
         channels = zip(self.measurement.channels, samples, strict=True)
-        told = tuple(dataclasses.replace(channel, values=values) for channel, values in channels)
-        measurement = dataclasses.replace(self.measurement, channels=told)
-        if self._led is None or "first" in measurement.start.values():
+        resampled = tuple(dataclasses.replace(channel, values=values) for channel, values in channels)
+        measurement = dataclasses.replace(self.measurement, channels=resampled)
+        if self._lanes is None or "first" in measurement.start.values():
             return Experiment(self.instance, measurement, free, relative_tolerance=self.run.tolerance)
         # What runs does not depend on the samples, and no later run writes over the last one.
-        own, begun = copy.copy(self), {f.name: f for f in free}
-        own.measurement, own.free = measurement, tuple(begun[f.name] for f in self.free)
-        return own
+        experiment, parameters = copy.copy(self), {f.name: f for f in free}
+        experiment.measurement, experiment.free = measurement, tuple(parameters[f.name] for f in self.free)
+        return experiment
 
     @property
     def name(self) -> str:
@@ -118,8 +121,8 @@ class Experiment:
 
     @property
     def brings_slopes(self) -> bool:
-        """Whether a run comes with its slopes, which then cost little more."""
-        return self._led is not None
+        """True if a run also gives its derivatives, at little extra cost."""
+        return self._lanes is not None
 
     @property
     def sizes(self) -> list[int]:
@@ -127,14 +130,14 @@ class Experiment:
         return [channel.time.size for channel in self.measurement.channels]
 
     def problem(self, values: Mapping[str, float]) -> Problem:
-        """Arrays of a run with other numbers."""
+        """Return the arrays of a run with other parameter values."""
         base = self._rebuilt(values) if self._rebuilds else self.base
         p, coefficients = base.p.copy(), base.coefficients.copy()
         self._write(values, p, coefficients)
         return dataclasses.replace(base, p=p, x0=base.kernel.start(p), coefficients=coefficients)
 
     def _rebuilt(self, values: Mapping[str, float]) -> Problem:
-        """Arrays of a run where the inputs, or numbers that others follow from, are not those of the recording."""
+        """Return the arrays of a run with changed inputs or changed dependent parameters."""
         delays = {f.address: values[f.name] for f in self.free if f.role == "delay"}
         delays |= {f.address: -values[f.name] for f in self.free if f.role == "dead_time"}
         lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
@@ -148,40 +151,43 @@ class Experiment:
         return dataclasses.replace(instance.problem(self.run), grid=self.grid, kernel=self._kernel)
 
     def _write(self, values: Mapping[str, float], p: FloatArray, coefficients: FloatArray) -> None:
-        """Numbers in their slots."""
+        """Write parameter values to the arrays of a run."""
         for name, slots in self.slots.items():
             if slots is None:
                 continue
-            place, held = slots
-            p[place] = values[name]
-            if held:
-                coefficients[:, held, 0] = values[name]
+            index, driven = slots
+            p[index] = values[name]
+            if driven:
+                coefficients[:, driven, 0] = values[name]
 
-    def _in_lanes(self) -> LockstepLanes:
-        """The run at some numbers with those that have one of them moved."""
-        slots = [each for each in self.slots.values() if each is not None]
-        held = tuple((k, place) for place, inputs in slots for k in inputs)
-        return LockstepLanes(self.base, len(slots) + 1, np.array([place for place, _ in slots], dtype=np.int64), held)
+    def _make_lanes(self) -> LockstepLanes:
+        """Return the call that runs the base values and one shifted value per parameter together."""
+        slots = [slot for slot in self.slots.values() if slot is not None]
+        driven = tuple((k, index) for index, inputs in slots for k in inputs)
+        return LockstepLanes(self.base, len(slots) + 1, np.array([index for index, _ in slots], dtype=np.int64), driven)
 
-    def _prepared(self, values: Mapping[str, float]) -> RepeatedCall:
-        """What runs at some numbers."""
+    def _prepare_call(self, values: Mapping[str, float]) -> RepeatedCall:
+        """Return the call of a run with other parameter values."""
         if self._repeated is None:
             return RepeatedCall(self.problem(values), np.empty(SCRIPT_LENGTH))
         self._write(values, self._repeated.p, self._repeated.coefficients)
         return self._repeated
 
-    def everything(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
-        """A run with all outputs of the circuit, and their names."""
+    def all_outputs(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
+        """Run the circuit; return all its outputs and their names."""
         kernel = self.instance.kernel
         run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
         return run, [name for name, _ in kernel.model.outputs]
 
     def outputs(self, values: Mapping[str, float]) -> list[FloatArray]:
-        """Modelled channels at the measured times, lags included."""
-        return self._channels(self._kept(values).tables[0], values)
+        """Return the modelled channels at the measured times, with sensor lags and offsets."""
+        return self._channels(self._run_at(values).tables[0], values)
 
-    def _kept(self, values: Mapping[str, float]) -> _Kept:
-        """The run at some numbers and its table, in lanes with those of the runs that have a number moved.
+    def _run_at(self, values: Mapping[str, float]) -> _LastRun:
+        """Return the run at some values; in lanes, also the runs with one shifted value.
+
+        The last run is stored, because the derivatives at the same point follow. A run that stalls is not repeated with
+        a slower solver.
 
         The last one is kept, for slopes follow at the same place.
 
@@ -191,46 +197,46 @@ class Experiment:
         if self._last is None or self._last[0] != key:
             # Whatever ends this run early, the arrays of the last one are written over.
             self._last = None
-            if self._led is None:
-                repeated = self._prepared(values)
-                self._last = key, _Kept(repeated, repeated.run()[np.newaxis], np.zeros(0))
+            if self._lanes is None:
+                repeated = self._prepare_call(values)
+                self._last = key, _LastRun(repeated, repeated.run()[np.newaxis], np.zeros(0))
             else:
-                self._led.values[:] = [values[name] for name in self.slots]
-                moved = np.arange(len(self.slots))
-                steps = np.array([_step(f, values) for f in self.free if f.name in self.slots])
-                self._led.values[moved + 1, moved] += steps
-                self._last = key, _Kept(None, self._led.run(), steps)
+                self._lanes.values[:] = [values[name] for name in self.slots]
+                lanes = np.arange(len(self.slots))
+                steps = np.array([_difference_step(f, values) for f in self.free if f.name in self.slots])
+                self._lanes.values[lanes + 1, lanes] += steps
+                self._last = key, _LastRun(None, self._lanes.run(), steps)
         return self._last[1]
 
     def _channels(self, table: FloatArray, values: Mapping[str, float]) -> list[FloatArray]:
         result = []
         for series, sensor in zip(table, self._sensors, strict=True):
             lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
-            shown = lagged(self.grid, series, lag)
-            result.append(shown[sensor.places] + (values[sensor.free_offset] if sensor.free_offset else 0.0))
+            sensed = apply_lag(self.grid, series, lag)
+            result.append(sensed[sensor.places] + (values[sensor.free_offset] if sensor.free_offset else 0.0))
         return result
 
     def outputs_and_slopes(
         self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
     ) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Modelled channels and their derivatives, as `slopes` gives them."""
+        """Return the modelled channels and their derivatives."""
         return self.outputs(values), self.slopes(values, width)
 
     def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
-        """Derivatives of the modelled channels, (n_samples, n_free) each, with respect to the free numbers.
+        """Return the derivatives of the modelled channels, (n_samples, n_free) each.
 
         `width` is that of the differences where a program samples, relative to the numbers.
         """
-        repeated, tables, steps = self._kept(values)
+        repeated, tables, steps = self._run_at(values)
         # By columns: each is written whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
-        others = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
+        remaining = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
         if len(tables) > 1:
             self._write_slopes(values, tables, steps, slopes)
-        wide = self._wide_slopes([f for _, f in others], values, width)
-        base = self._channels(tables[0], values) if others else []
-        for k, f in others:
-            columns = wide.get(f.name) or self._slope(f, values, base, repeated, tables[0])
+        whole_run_slopes = self._wide_slopes([f for _, f in remaining], values, width)
+        base = self._channels(tables[0], values) if remaining else []
+        for k, f in remaining:
+            columns = whole_run_slopes.get(f.name) or self._difference_quotient(f, values, base, repeated, tables[0])
             for slope, column in zip(slopes, columns, strict=True):
                 slope[:, k] = column
         return slopes
@@ -238,18 +244,18 @@ class Experiment:
     def _write_slopes(
         self, values: Mapping[str, float], tables: FloatArray, steps: FloatArray, slopes: list[FloatArray]
     ) -> None:
-        """Differences of the runs in lanes from the first one."""
-        places = [k for k, f in enumerate(self.free) if f.name in self.slots]
+        """Compute the derivatives from the differences of runs in lanes."""
+        columns = [k for k, f in enumerate(self.free) if f.name in self.slots]
         for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
             lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
-            shown = lagged(self.grid, series, lag)
-            shown = shown[:, sensor.places]
-            found = np.subtract(shown[1:], shown[0], out=slope.T if len(places) == len(self.free) else None)
-            found /= steps[:, np.newaxis]
-            if len(places) < len(self.free):
-                slope.T[places] = found
+            sensed = apply_lag(self.grid, series, lag)
+            sensed = sensed[:, sensor.places]
+            differences = np.subtract(sensed[1:], sensed[0], out=slope.T if len(columns) == len(self.free) else None)
+            differences /= steps[:, np.newaxis]
+            if len(columns) < len(self.free):
+                slope.T[columns] = differences
 
-    def _slope(
+    def _difference_quotient(
         self,
         f: FreeParameter,
         values: Mapping[str, float],
@@ -257,14 +263,18 @@ class Experiment:
         repeated: RepeatedCall | None,
         table: FloatArray,
     ) -> list[FloatArray]:
-        step = _step(f, values)
-        moved = {**values, f.name: values[f.name] + step}
+        step = _difference_step(f, values)
+        shifted_values = {**values, f.name: values[f.name] + step}
         if f.role not in ("lag", "offset"):
-            table = self._moved(f, moved, repeated)
-        return [(a - b) / step for a, b in zip(self._channels(table, moved), base, strict=True)]
+            table = self._shifted_run(f, shifted_values, repeated)
+        return [(a - b) / step for a, b in zip(self._channels(table, shifted_values), base, strict=True)]
 
-    def _ends(self, f: FreeParameter, values: Mapping[str, float], width: float) -> tuple[float, float] | None:
-        """Values between which whole runs are compared, where runs over the same steps would not tell a slope.
+    def _difference_ends(
+        self, f: FreeParameter, values: Mapping[str, float], width: float
+    ) -> tuple[float, float] | None:
+        """Return the ends of a central difference of whole runs, or None if unnecessary.
+
+        A parameter stays within its bounds. An input can be recorded early or late.
 
         A number stays within its bounds, a record may be early as well as late.
         """
@@ -280,22 +290,24 @@ class Experiment:
     def _wide_slopes(
         self, free: Sequence[FreeParameter], values: Mapping[str, float], width: float
     ) -> dict[str, list[FloatArray]]:
-        """Differences of whole runs for the numbers that need them, all runs on threads."""
-        ends = {f.name: both for f in free if (both := self._ends(f, values, width))}
-        if not ends:
+        """Return central differences of whole runs for the parameters that need them."""
+        pairs = {f.name: pair for f in free if (pair := self._difference_ends(f, values, width))}
+        if not pairs:
             return {}
-        moved = [{**values, name: value} for name, both in ends.items() for value in both]
+        trials = [{**values, name: value} for name, pair in pairs.items() for value in pair]
         # In arrays of their own: nothing is written over where an interruption leaves a thread behind.
-        runs = [RepeatedCall(self.problem(each), np.empty(0)) for each in moved]
+        runs = [RepeatedCall(self.problem(trial), np.empty(0)) for trial in trials]
         with ThreadPoolExecutor(min(usable_cores(), len(runs))) as threads:
-            channels = [self._channels(*each) for each in zip(threads.map(RepeatedCall.run, runs), moved, strict=True)]
+            channels = [
+                self._channels(*trial) for trial in zip(threads.map(RepeatedCall.run, runs), trials, strict=True)
+            ]
         return {
             name: [(b - a) / (high - low) for a, b in zip(*channels[2 * k : 2 * k + 2], strict=True)]
-            for k, (name, (low, high)) in enumerate(ends.items())
+            for k, (name, (low, high)) in enumerate(pairs.items())
         }
 
-    def _moved(self, f: FreeParameter, values: Mapping[str, float], repeated: RepeatedCall | None) -> FloatArray:
-        """The run with one number moved, over the steps of the base run where there are any."""
+    def _shifted_run(self, f: FreeParameter, values: Mapping[str, float], repeated: RepeatedCall | None) -> FloatArray:
+        """Return the run with one shifted parameter, over the steps of the base run."""
         assert repeated is not None
         if not repeated.is_scripted:
             return RepeatedCall(self.problem(values), repeated.script).run()
@@ -305,14 +317,14 @@ class Experiment:
         return repeated.replay()
 
 
-def _step(f: FreeParameter, values: Mapping[str, float]) -> float:
-    """Step of the forward difference in a number."""
+def _difference_step(f: FreeParameter, values: Mapping[str, float]) -> float:
+    """Return the step of the forward difference in a parameter."""
     step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
     return -step if values[f.name] + step > f.high else step
 
 
 class FittedChannel(NamedTuple):
-    """A channel among all that are fitted; `rows` are its samples among all."""
+    """Channel of a fit; `rows` are its samples in the vector of all residuals."""
 
     name: str
     channel: Channel
@@ -320,27 +332,30 @@ class FittedChannel(NamedTuple):
 
 
 def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
-    """All channels in the order of experiments, as residuals are joined."""
-    found, row = [], 0
+    """Return all channels in the order of the residuals."""
+    channels, row = [], 0
     for e in experiments:
         for channel in e.measurement.channels:
-            found.append(FittedChannel(f"{e.name}.{channel.address}", channel, slice(row, row + channel.time.size)))
+            channels.append(FittedChannel(f"{e.name}.{channel.address}", channel, slice(row, row + channel.time.size)))
             row += channel.time.size
-    return found
+    return channels
 
 
 def _with_dead_times(
     free: Sequence[FreeParameter], measurement: Measurement, instance: Instance
 ) -> tuple[tuple[FreeParameter, ...], Instance]:
-    """Free numbers that delay a recorded input move its record instead, which may reach back before the run."""
+    """Turn free parameters that delay a recorded input into shifts of its recording.
+
+    A shifted recording can extend to times before the run.
+    """
     recorded = {item.address for item in measurement.inputs}
-    delaying = {item.delay: item.name for item in instance.model.inputs if item.delay and item.name in recorded}
-    moving = {f.address for f in free if f.role == "number"} & set(delaying)
-    told = tuple(
-        dataclasses.replace(f, role="dead_time", address=delaying[f.address]) if f.address in moving else f
+    inputs_by_delay = {item.delay: item.name for item in instance.model.inputs if item.delay and item.name in recorded}
+    shifting = {f.address for f in free if f.role == "number"} & set(inputs_by_delay)
+    parameters = tuple(
+        dataclasses.replace(f, role="dead_time", address=inputs_by_delay[f.address]) if f.address in shifting else f
         for f in free
     )
-    return told, instance.with_values(dict.fromkeys(moving, 0.0)) if moving else instance
+    return parameters, instance.with_values(dict.fromkeys(shifting, 0.0)) if shifting else instance
 
 
 def _with_start(measurement: Measurement, instance: Instance) -> Instance:
@@ -376,7 +391,7 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
 
 
 def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:
-    """The output that begins at a number of the circuit, and its channel where it was recorded."""
+    """Return the output that starts at a parameter, and its channel or None."""
     output = next((name for name, number in instance.initial.items() if number == address), address)
     return output, next((c for c in measurement.channels if c.address == output), None)
 
@@ -389,26 +404,31 @@ def _grid(measurement: Measurement, has_lag: bool) -> FloatArray:
     return grid
 
 
-def _sensor(channel: Channel, grid: FloatArray, free: Sequence[FreeParameter]) -> Sensor:
-    places = slice(None) if np.array_equal(grid, channel.time) else np.searchsorted(grid, channel.time)
+def _sensor(channel: Channel, grid: FloatArray, free: Sequence[FreeParameter]) -> ChannelSensor:
+    rows = slice(None) if np.array_equal(grid, channel.time) else np.searchsorted(grid, channel.time)
     names = {f.role: f.name for f in free if f.address == channel.address and f.role in ("lag", "offset")}
-    return Sensor(places, channel.lag or 0.0, names.get("lag", ""), names.get("offset", ""))
+    return ChannelSensor(rows, channel.lag or 0.0, names.get("lag", ""), names.get("offset", ""))
 
 
 def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
-    """Place of each free number in p and of the inputs that it is the default of; None where others follow from it."""
-    inputs, before = instance.model.inputs, instance.parameters
-    tied = instance.tied({f.address: _probe(f, before[f.address]) for f in free if f.address in before})
+    """Return the index in p and the driven inputs of each free parameter.
+
+    The result is None for a parameter on which others depend.
+
+    The result is None for a parameter on which others depend.
+    """
+    inputs, values = instance.model.inputs, instance.parameters
+    tied = instance.tied({f.address: _probe(f, values[f.address]) for f in free if f.address in values})
     # A delay moves breakpoints: the segments of its input are made anew.
     tied |= {item.delay for item in inputs}
     slots: dict[str, tuple[int, list[int]] | None] = {}
     for f in free:
-        held = [k for k, i in enumerate(inputs) if i.default == f.address and i.name not in instance.signals]
-        slots[f.name] = (instance.place(f.address), held) if f.address in before and f.address not in tied else None
+        driven = [k for k, i in enumerate(inputs) if i.default == f.address and i.name not in instance.signals]
+        slots[f.name] = (instance.place(f.address), driven) if f.address in values and f.address not in tied else None
     return slots
 
 
 def _probe(f: FreeParameter, value: float) -> float:
-    """A value of a free number close to the one that it has."""
+    """Return a value of a free parameter close to its present value."""
     probe = value * (1.0 + 1e-6) if value else 1e-6 * f.scale
     return probe if f.low <= probe <= f.high else value * (1.0 - 1e-6)

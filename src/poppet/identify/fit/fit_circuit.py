@@ -225,27 +225,27 @@ class _RecordingReader:
 
     def _read(self, name: str, data: Data, names: Iterable[str]) -> Measurement:
         """Return one recording in SI units."""
-        place = f"recordings.{name}"
+        location = f"recordings.{name}"
         if isinstance(data, Recording):
             table, ambient_pressure = _recording_table(data), data.ambient_pressure
             internal: Iterable[str] = data.inner
         else:
-            table, ambient_pressure, internal = _frame_table(data, place), self.circuit.surroundings.pressure, ()
+            table, ambient_pressure, internal = _frame_table(data, location), self.circuit.surroundings.pressure, ()
         if not table.columns[0].size:
-            raise InputError("fit.no_rows", place)
-        compared, omitted = self._compared(table, set(internal), place)
+            raise InputError("fit.no_rows", location)
+        compared, omitted = self._compared(table, set(internal), location)
         fields: dict[str, Any] = {"time": {"column": 0, "unit": table.units[0]}}
         with ErrorCollector() as errors:
             for address in compared:
                 with errors.collecting():
-                    unit = self._unit(table, address, self.outputs[address], place)
+                    unit = self._unit(table, address, self.outputs[address], location)
                     fields[address] = {"column": table.names.index(address), "unit": unit}
                 if address in self.noise:
                     fields[address]["noise"] = self.noise[address]
             inputs = {}
             for address in self._driving(table):
                 with errors.collecting():
-                    unit = self._unit(table, address, self.inputs[address].unit, place)
+                    unit = self._unit(table, address, self.inputs[address].unit, location)
                     inputs[address] = {"column": table.names.index(address), "unit": unit, "hold": self.hold}
         shared = {address: value for address, value in self.start.items() if address not in names}
         fields |= {"inputs": inputs, "start": shared | dict(self.start.get(name, {}))}
@@ -264,24 +264,24 @@ class _RecordingReader:
             findings=(*doubts, *measurement.findings),
         )
 
-    def _compared(self, table: Table, internal: set[str], place: str) -> tuple[list[str], list[str]]:
+    def _compared(self, table: Table, internal: set[str], location: str) -> tuple[list[str], list[str]]:
         """Return the addresses that are compared, and those that are omitted from a default selection."""
         recorded = dict(zip(table.names[1:], table.columns[1:], strict=True))
         if self.selected is not None:
             compared = [address for address in self.selected if address in recorded]
             if not compared:
-                raise InputError("fit.no_series", place, near=NameSuggestion(self.selected[0], recorded))
+                raise InputError("fit.no_series", location, near=NameSuggestion(self.selected[0], recorded))
             return compared, []
-        known = (*self.outputs, *self.inputs)
+        valid = (*self.outputs, *self.inputs)
         with ErrorCollector() as errors:
             for address in recorded:
-                if address not in known:
-                    errors.add("fit.unknown_series", f"{place}.{address}", near=NameSuggestion(address, known))
+                if address not in valid:
+                    errors.add("fit.unknown_series", f"{location}.{address}", near=NameSuggestion(address, valid))
         candidates = [address for address in recorded if address not in self.inputs]
         varying = [address for address in candidates if address not in internal and _varies(recorded[address])]
         compared = [a for a in varying if a.rpartition(".")[2].rpartition("_")[2] not in DISCRETE] or candidates
         if not compared:
-            raise InputError("fit.no_series", place, near=NameSuggestion("", self.outputs))
+            raise InputError("fit.no_series", location, near=NameSuggestion("", self.outputs))
         return compared, [address for address in candidates if address not in compared]
 
     def _driving(self, table: Table) -> list[str]:
@@ -298,13 +298,13 @@ class _RecordingReader:
                 driving.append(address)
         return driving
 
-    def _unit(self, table: Table, address: str, unit: str, place: str) -> str:
+    def _unit(self, table: Table, address: str, unit: str, location: str) -> str:
         """Return the unit of a column; the SI unit of the circuit if the column has none."""
         written = table.units[table.names.index(address)] or unit
         try:
             convert(1.0, written, unit)
         except InputError as error:
-            raise error.at(f"{place}.{address}") from None
+            raise error.at(f"{location}.{address}") from None
         return written
 
 
@@ -322,7 +322,7 @@ def _recording_table(recording: Recording) -> Table:
     )
 
 
-def _frame_table(frame: DataFrame, place: str) -> Table:
+def _frame_table(frame: DataFrame, location: str) -> Table:
     """Return the columns of a data frame, the time first.
 
     Raises
@@ -331,18 +331,18 @@ def _frame_table(frame: DataFrame, place: str) -> Table:
         If a column occurs twice, if there is no time, or if the object is not a data frame.
     """
     if not hasattr(frame, "columns") or not hasattr(frame, "index"):
-        raise InputError("fit.no_recording", place, value=type(frame).__name__)
+        raise InputError("fit.no_recording", location, value=type(frame).__name__)
     labels = list(frame.columns)
     headings = [split_heading(str(label)) for label in labels]
     names = [name for name, _ in headings]
     stated: Mapping[str, str] = getattr(frame, "attrs", {}).get("units", {})
     with ErrorCollector() as errors:
         for name in dict.fromkeys(name for name in names if names.count(name) > 1):
-            errors.add("fit.column_twice", f"{place}.{name}")
+            errors.add("fit.column_twice", f"{location}.{name}")
     if "time" in names:
         time, unit = frame[labels[names.index("time")]], headings[names.index("time")][1]
     elif type(frame.index).__name__ == "RangeIndex":
-        raise InputError("fit.no_time", place)
+        raise InputError("fit.no_time", location)
     else:
         label = getattr(frame.index, "name", None)
         time, unit = frame.index, split_heading(str(label))[1] if label else ""

@@ -1,4 +1,4 @@
-"""Fit files: which circuit, which recordings, which numbers are free."""
+"""Reader of fit files."""
 
 from __future__ import annotations
 
@@ -76,7 +76,10 @@ def _read_plan(file: TomlFile) -> FitPlan:
 
 
 def read_circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
-    """The circuit that a file names, with the numbers that it sets; mistakes stand where that file has them."""
+    """Return the circuit of a file with the values of its table `set`.
+
+    Errors refer to the location in that file.
+    """
     try:
         circuit = load(folder / str(data["circuit"]))
     except InputError as error:
@@ -88,33 +91,36 @@ def read_circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
 
 
 def _search(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
-    """How to search, and the free numbers without it; both may stand in one table, for there is one search."""
-    numbers = {k: dict(v) if isinstance(v, Mapping) else v for k, v in data["free"].items() if k not in SEARCH}
-    tables = {"": data, "free.": data["free"]} | {f"free.{k}.": v for k, v in numbers.items() if isinstance(v, dict)}
-    found: dict[str, tuple[Any, str]] = {}
-    for place, table in tables.items():
+    """Return the search settings and the tables of the free parameters without them.
+
+    The settings can be in both tables, but must agree.
+    """
+    parameters = {k: dict(v) if isinstance(v, Mapping) else v for k, v in data["free"].items() if k not in SEARCH}
+    tables = {"": data, "free.": data["free"]} | {f"free.{k}.": v for k, v in parameters.items() if isinstance(v, dict)}
+    settings: dict[str, tuple[Any, str]] = {}
+    for prefix, table in tables.items():
         for key in SEARCH:
             if key not in table:
                 continue
-            value, first = found.setdefault(key, (table[key], f"{place}{key}"))
+            value, first = settings.setdefault(key, (table[key], f"{prefix}{key}"))
             if value != table[key]:
-                raise InputError("fit.two_searches", f"{place}{key}", value=table[key], first=first, other=value)
-    for table in numbers.values():
+                raise InputError("fit.two_searches", f"{prefix}{key}", value=table[key], first=first, other=value)
+    for table in parameters.values():
         for key in SEARCH if isinstance(table, dict) else ():
             table.pop(key, None)
     try:
-        return SearchSettings(**{key: value for key, (value, _) in found.items()}), numbers
+        return SearchSettings(**{key: value for key, (value, _) in settings.items()}), parameters
     except InputError as error:
-        raise relocated(error, lambda key: found[key][1]) from None
+        raise relocated(error, lambda key: settings[key][1]) from None
 
 
 def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> tuple[list[Measurement], list[str]]:
-    """Recordings and what each is used for."""
+    """Return the recordings and their roles."""
     measurements, roles = [], []
     with ErrorCollector() as errors:
         for name, table in tables.items():
-            own = dict(table) if isinstance(table, Mapping) else table
-            role = own.pop("use", ROLES[0]) if isinstance(own, dict) else ROLES[0]
+            fields = dict(table) if isinstance(table, Mapping) else table
+            role = fields.pop("use", ROLES[0]) if isinstance(fields, dict) else ROLES[0]
             if role not in ROLES:
                 errors.add(
                     "fields.not_an_option",
@@ -126,7 +132,7 @@ def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> 
             with errors.collecting():
                 measurements.append(
                     read_measurement(
-                        name, own, folder, ambient_pressure=circuit.surroundings.pressure, other_fields=("use",)
+                        name, fields, folder, ambient_pressure=circuit.surroundings.pressure, other_fields=("use",)
                     )
                 )
                 roles.append(role)

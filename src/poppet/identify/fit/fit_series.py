@@ -1,4 +1,4 @@
-"""Series of a recording on their way to and from a model: lag of a sensor, late and held inputs, first values."""
+"""Processing of recorded and modelled series: sensor lag, delays, inputs, first values."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ PER_START = 75
 """Samples of a recording for each one that its first value is taken from."""
 
 
-def lagged(time: Array, values: Array, lag: float) -> Array:
-    r"""Response of a first-order sensor to series, (..., n_times), that are straight between their samples.
+def apply_lag(time: Array, values: Array, lag: float) -> Array:
+    r"""Return the response of a first-order sensor to piecewise linear series, (..., n_times).
 
     .. math:: \tau \dot y + y = u, \quad y(0) = u(0)
 
     Examples
     --------
     >>> ramp = np.linspace(0.0, 10.0, 101)
-    >>> bool(abs(lagged(ramp, ramp, 0.5)[-1] - 9.5) < 1e-8)
+    >>> bool(abs(apply_lag(ramp, ramp, 0.5)[-1] - 9.5) < 1e-8)
     True
     """
     if lag <= 0.0:
@@ -37,7 +37,9 @@ def lagged(time: Array, values: Array, lag: float) -> Array:
 
 
 def recursion(factor: Array, term: Array) -> Array:
-    """Series y[k] = factor[k] y[k-1] + term[k] from y = 0, for each row of `term`.
+    """Return the series y[k] = factor[k] y[k-1] + term[k] for each row of `term`.
+
+    Each series starts from y = 0.
 
     Examples
     --------
@@ -48,24 +50,24 @@ def recursion(factor: Array, term: Array) -> Array:
 
     # Two diagonals of ones and of factors; each column of the right-hand side is a series.
     band = np.array([np.ones(factor.size), np.append(-factor[1:], 0.0)])
-    found, _ = dtbtrs(band, term.reshape(-1, factor.size).T, uplo="L", diag="U")
-    return np.asarray(found.T).reshape(term.shape)
+    series, _ = dtbtrs(band, term.reshape(-1, factor.size).T, uplo="L", diag="U")
+    return np.asarray(series.T).reshape(term.shape)
 
 
-def shifted(time: Array, values: Array, late: float, *, hold: bool = False) -> tuple[Array, Array]:
-    """A record that is late by some time, put right: its values happened that much earlier."""
-    moved = time - late
-    first = float(np.interp(0.0, moved, values))
+def shift_series(time: Array, values: Array, delay: float, *, hold: bool = False) -> tuple[Array, Array]:
+    """Return a series whose values are moved to earlier times by a delay."""
+    shifted_time = time - delay
+    first = float(np.interp(0.0, shifted_time, values))
     if hold:
-        first = float(values[max(int(np.searchsorted(moved, 0.0, side="right")) - 1, 0)])
-    inside = moved > 0.0
-    return np.concatenate([[0.0], moved[inside]]), np.concatenate([[first], values[inside]])
+        first = float(values[max(int(np.searchsorted(shifted_time, 0.0, side="right")) - 1, 0)])
+    is_positive = shifted_time > 0.0
+    return np.concatenate([[0.0], shifted_time[is_positive]]), np.concatenate([[first], values[is_positive]])
 
 
 def driving_signals(
     measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None
 ) -> dict[str, Any]:
-    """Recorded inputs as signals, put right for the lateness and the lag of their instruments."""
+    """Return the recorded inputs as signals, corrected for delay and lag of their sensors."""
     signals: dict[str, Any] = {}
     lags = lags or {}
     for item in measurement.inputs:
@@ -73,7 +75,7 @@ def driving_signals(
         lag = lags.get(item.address, item.lag or 0.0)
         if lag:  # the law of the sensor turned round: u = y + lag dy/dt
             values = values + lag * np.gradient(values, item.time)
-        time, values = shifted(item.time, values, delays.get(item.address, item.delay or 0.0), hold=item.hold)
+        time, values = shift_series(item.time, values, delays.get(item.address, item.delay or 0.0), hold=item.hold)
         if item.hold:
             changed = np.diff(values, prepend=np.nan) != 0.0
             signals[item.address] = Steps(time[changed], values[changed])
@@ -83,7 +85,10 @@ def driving_signals(
 
 
 def first_value(channel: Any) -> float:
-    """A channel at its first sample: of many samples, what a line through the first few says, for the noise."""
+    """Return the first value of a channel.
+
+    If there are many samples, the value is that of a line through the first few.
+    """
     from poppet.timeseries.measurements import noise_of
 
     n = channel.values.size // PER_START

@@ -1,4 +1,4 @@
-"""`identify fit`: from a fit file to a result with intervals, verdicts, residuals and findings."""
+"""Method `identify fit`: from a plan to a result with intervals, verdicts and findings."""
 
 from __future__ import annotations
 
@@ -10,16 +10,28 @@ from typing import Any
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
-from poppet.identify.fit.contour import conductance_and_wall, contoured
-from poppet.identify.fit.equivalent_optima import local_estimates, searched, tables, told, united
+from poppet.identify.fit.contour import add_contour, contour_indices
+from poppet.identify.fit.equivalent_optima import (
+    local_estimates,
+    optima_notes,
+    optimum_tables,
+    search_tables,
+    unite_estimates,
+)
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.fit_file import read_fit_file
-from poppet.identify.fit.fit_findings import CompletedFit, findings, spread_of, trials, unexplained
+from poppet.identify.fit.fit_findings import (
+    CompletedFit,
+    critical_ratio_notes,
+    error_model_of,
+    finding_notes,
+    unexplained_note,
+)
 from poppet.identify.fit.fit_plan import FitPlan, check_effects
-from poppet.identify.fit.intervals import Stages, bootstrapped, profiled
-from poppet.identify.fit.optima import optima
+from poppet.identify.fit.intervals import Stages, add_bootstrap, add_profiles
+from poppet.identify.fit.optima import find_optima
 from poppet.identify.fit.search import Optimum, kick_rounds
-from poppet.identify.fit.statistics import Band, ChannelFit, aicc, bands, correlation, shown
+from poppet.identify.fit.statistics import ChannelFit, ConfidenceBand, aicc, channel_fits, confidence_bands, correlation
 from poppet.identify.free_parameter import by_name
 from poppet.identify.result import Result
 
@@ -40,7 +52,7 @@ def identify_fit(
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
-    """Fit the free numbers of a circuit to recordings.
+    """Fit free parameters of a circuit to recordings.
 
     Parameters
     ----------
@@ -71,7 +83,7 @@ def identify_fit(
     second, name = (
         (compare, compare.title) if isinstance(compare, FitPlan) else (read_fit_file(compare), Path(compare).name)
     )
-    return compared(result, run_fit(second, progress=progress), name)
+    return compare_results(result, run_fit(second, progress=progress), name)
 
 
 def run_fit(
@@ -85,67 +97,76 @@ def run_fit(
 ) -> Result:
     """Return the result of a plan: optimum, intervals and findings."""
     if contour:
-        conductance_and_wall(plan.free)  # before the work of the fit
+        contour_indices(plan.free)  # before the work of the fit
     check_effects(plan)
-    optimum = optima(plan.experiments, plan.free, plan.settings, progress=progress)
-    result = describe(plan, optimum)
-    stages = stages or (lambda what, done, total: None)
+    optimum = find_optima(plan.experiments, plan.free, plan.settings, progress=progress)
+    result = describe_optimum(plan, optimum)
+    stages = stages or (lambda stage, completed, total: None)
     if profile and not optimum.interrupted:
-        result = profiled(plan, optimum, result, profile, stages)
+        result = add_profiles(plan, optimum, result, profile, stages)
     if contour and not result.conditions["interrupted"]:
-        result = contoured(plan, optimum, result, stages)
+        result = add_contour(plan, optimum, result, stages)
     if repeats and not result.conditions["interrupted"]:
-        result = bootstrapped(plan, optimum, result, repeats, stages)
+        result = add_bootstrap(plan, optimum, result, repeats, stages)
     return result
 
 
-def describe(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
-    """Everything there is to say about an optimum; trials of other critical ratios cost further searches."""
+def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
+    """Return the result of an optimum.
+
+    `with_trials` adds fits with other critical ratios, which need further searches.
+    """
     values = by_name(plan.free, optimum.x)
-    fitted, held = shown(plan.experiments, values), shown(plan.validation, values)
-    spread = spread_of(plan.experiments, optimum, plan.settings)
+    fitted, validation = channel_fits(plan.experiments, values), channel_fits(plan.validation, values)
+    spread = error_model_of(plan.experiments, optimum, plan.settings)
     local = local_estimates(plan, optimum)
-    found = united(plan, local)
+    estimates = unite_estimates(plan, local)
     remarks: list[Note] = []
-    doubt = unexplained(fitted)
-    if doubt:
-        remarks.append(doubt)
-        found = {k: replace(e, verdict="weak") if e.verdict == "determined" else e for k, e in found.items()}
-    remarks += told(plan, optimum)
-    fit = CompletedFit(plan.experiments, plan.free, plan.settings, optimum, spread, fitted, found)
-    remarks += findings(fit)
+    doubt_note = unexplained_note(fitted)
+    if doubt_note:
+        remarks.append(doubt_note)
+        estimates = {k: replace(e, verdict="weak") if e.verdict == "determined" else e for k, e in estimates.items()}
+    remarks += optima_notes(plan, optimum)
+    fit = CompletedFit(plan.experiments, plan.free, plan.settings, optimum, spread, fitted, estimates)
+    remarks += finding_notes(fit)
     if with_trials:
-        remarks += trials(fit)
-    remarks += [Note("finding.held_out", each.name, percent=100.0 * each.summary().nrmse) for each in held]
-    pieces = [each.model - each.channel.values for each in fitted]
-    criterion = aicc(pieces, len(plan.free))
+        remarks += critical_ratio_notes(fit)
+    remarks += [
+        Note("finding.held_out", channel_fit.name, percent=100.0 * channel_fit.summary().nrmse)
+        for channel_fit in validation
+    ]
+    residuals = [channel_fit.model - channel_fit.channel.values for channel_fit in fitted]
+    criterion = aicc(residuals, len(plan.free))
     return Result(
         "fit",
         plan.title,
-        found,
-        residuals={each.name: each.summary() for each in (*fitted, *held)},
+        estimates,
+        residuals={channel_fit.name: channel_fit.summary() for channel_fit in (*fitted, *validation)},
         correlation=correlation(plan.free, optimum),
         comparison={
             "aicc": criterion,
             "AICc": criterion,  # as it is written in the literature
             "free_numbers": len(plan.free),
-            "samples": sum(piece.size for piece in pieces),
+            "samples": sum(piece.size for piece in residuals),
         },
         remarks=tuple(dict.fromkeys(remarks)),
         conditions=_conditions(plan, optimum),
-        optima=tables(plan, optimum, local),
-        series={each.name: _series(each, band) for each, band in zip_longest((*fitted, *held), bands(optimum, spread))},
+        optima=optimum_tables(plan, optimum, local),
+        series={
+            channel_fit.name: _series_table(channel_fit, band)
+            for channel_fit, band in zip_longest((*fitted, *validation), confidence_bands(optimum, spread))
+        },
     )
 
 
-def _series(shown: ChannelFit, band: Band | None) -> dict[str, Any]:
-    """A channel for the report; what is held out of the fit has no band."""
-    channel, model = shown.channel, shown.model
-    found = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
+def _series_table(channel_fit: ChannelFit, band: ConfidenceBand | None) -> dict[str, Any]:
+    """Return the series of a channel for the report; validation data have no band."""
+    channel, model = channel_fit.channel, channel_fit.model
+    table = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
     if band is not None:
-        found |= {"low": model - band.model, "high": model + band.model}
-        found |= {"samples_low": model - band.samples, "samples_high": model + band.samples}
-    return found
+        table |= {"low": model - band.model, "high": model + band.model}
+        table |= {"samples_low": model - band.samples, "samples_high": model + band.samples}
+    return table
 
 
 def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
@@ -157,17 +178,17 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
         "starts": plan.settings.starts,
         "seed": plan.settings.seed,
         "kicks": kick_rounds(plan.settings, plan.experiments),
-        "fixed": _fixed_numbers(plan.experiments[0]),
+        "fixed": _fixed_parameters(plan.experiments[0]),
         "evaluations": optimum.evaluations,
-        "noise": {each.name: float(sigma) for each, sigma in sigmas},
+        "noise": {fitted.name: float(sigma) for fitted, sigma in sigmas},
         "interrupted": optimum.interrupted,
-        "searches": searched(plan, optimum),
+        "searches": search_tables(plan, optimum),
     }
 
 
-def _fixed_numbers(experiment: Experiment) -> dict[str, str]:
-    """Numbers of the parts that the fit took as they are, with their source."""
-    free = {each for f in experiment.free for each in (f.address, f.name)}
+def _fixed_parameters(experiment: Experiment) -> dict[str, str]:
+    """Return the fixed parameters of the parts with their sources."""
+    free = {name for f in experiment.free for name in (f.address, f.name)}
     return {
         address: f"{number.display()} ({number.source.kind})"
         for address, number in experiment.instance.sources.items()
@@ -175,8 +196,8 @@ def _fixed_numbers(experiment: Experiment) -> dict[str, str]:
     }
 
 
-def compared(first: Result, second: Result, name: str) -> Result:
-    """The first result with the second, of the file `name`, judged against it by AICc."""
+def compare_results(first: Result, second: Result, name: str) -> Result:
+    """Add the comparison with a second result, by AICc, to the first one."""
     if first.comparison["samples"] != second.comparison["samples"] or set(first.residuals) != set(second.residuals):
         raise InputError("fit.compare", "compare", other=name)
     difference = float(second.comparison["aicc"]) - float(first.comparison["aicc"])
@@ -185,8 +206,8 @@ def compared(first: Result, second: Result, name: str) -> Result:
         verdict = Note("finding.models.alike", first=titles[0], second=titles[1], size=size)
     else:
         better, worse = titles if difference > 0.0 else titles[::-1]
-        word = "clearly" if size > STRONG else "somewhat"
-        verdict = Note(f"finding.models.{word}", better=better, worse=worse, size=size)
+        degree = "clearly" if size > STRONG else "somewhat"
+        verdict = Note(f"finding.models.{degree}", better=better, worse=worse, size=size)
     comparison = {
         **first.comparison,
         "other": name,

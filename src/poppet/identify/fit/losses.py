@@ -1,4 +1,4 @@
-"""Losses: what a residual costs, so that outliers cost less than their squares.
+"""Loss functions; the robust ones reduce the effect of outliers.
 
 References
 ----------
@@ -18,7 +18,7 @@ FLAT = 1e-16
 
 
 def costs_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Half the square of each residual, or what a robust loss makes of it: SciPy's rho."""
+    """Return the costs of the residuals: half their squares, or SciPy's rho."""
     squares = residual**2
     if loss == "soft_l1":
         squares = 2.0 * (np.sqrt(1.0 + squares) - 1.0)
@@ -30,7 +30,7 @@ def costs_of(residual: FloatArray, loss: str) -> FloatArray:
 
 
 def weights_of(residual: FloatArray, loss: str) -> FloatArray:
-    """What a residual counts in the slope of the cost: rho' of SciPy's `least_squares`."""
+    """Return the weight of each residual in the gradient of the cost, rho' in SciPy."""
     if loss == "soft_l1":
         return np.asarray(1.0 / np.sqrt(1.0 + residual**2))
     if loss == "huber":
@@ -39,7 +39,7 @@ def weights_of(residual: FloatArray, loss: str) -> FloatArray:
 
 
 def curvatures_of(residual: FloatArray, loss: str) -> FloatArray:
-    """What a residual counts in the curvature of the cost: rho' + 2 r^2 rho'', where that is positive."""
+    """Return the weights in the curvature, rho' + 2 r^2 rho'', if positive."""
     weights = weights_of(residual, loss)
     if loss == "soft_l1":
         weights = weights**3

@@ -1,4 +1,4 @@
-"""All places at which a fit is as good as it gets: the lowest one, and those that the data cannot tell from it.
+"""Search for all equivalent optima of a fit.
 
 A tank that fills without wall heat and one that is isothermal have the same pressure at all times where the flow
 comes from a supply of fixed temperature and C differs by kappa T_s/T_w. No local analysis sees that: every fit of wall
@@ -15,9 +15,9 @@ from typing import Any
 import numpy as np
 
 from poppet.identify.fit.experiment import Experiment, channels_of
-from poppet.identify.fit.fit_findings import spread_of
+from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.losses import costs_of
-from poppet.identify.fit.search import KnownOptimum, Optimum, SearchSettings, elsewhere, first_weights, optimise
+from poppet.identify.fit.search import KnownOptimum, Optimum, SearchSettings, initial_sigmas, optimise, random_point
 from poppet.identify.fit.statistics import RANK, UNFELT, errors, estimates
 from poppet.identify.free_parameter import FreeParameter
 from poppet.identify.result import CONFIDENCE
@@ -41,104 +41,111 @@ stands on one: a difference of models below a step is no evidence there."""
 
 @dataclass
 class _Searches:
-    """Searches over the same residuals from several places; where each one ended."""
+    """Searches over the same residuals from several start points, with their optima."""
 
     experiments: Sequence[Experiment]
     free: tuple[FreeParameter, ...]
     settings: SearchSettings
     weights: list[float]
     progress: Callable[[int, float], Any] | None = None
-    found: list[Optimum] = field(default_factory=list)
+    optima: list[Optimum] = field(default_factory=list)
     is_stopped: bool = False
     evaluations: int = 0
 
     def run(
         self,
         name: str,
-        begin: FloatArray,
+        start_point: FloatArray,
         *,
-        held: Mapping[str, float] | None = None,
+        fixed: Mapping[str, float] | None = None,
         settings: SearchSettings | None = None,
-        known: Sequence[Optimum] = (),
+        joinable: Sequence[Optimum] = (),
         weights: list[float] | None = None,
     ) -> Optimum:
-        """One search; with weights of its own it comes to an end of its own."""
-        before = self.evaluations
+        """Return the optimum of one search."""
+        evaluations_before = self.evaluations
 
-        def told(evaluations: int, cost: float) -> None:
+        def report(evaluations: int, cost: float) -> None:
             if self.progress:
-                self.progress(before + evaluations, min([cost, *(o.cost for o in self.found)]))
+                self.progress(evaluations_before + evaluations, min([cost, *(o.cost for o in self.optima)]))
 
         optimum = optimise(
             self.experiments,
             self.free,
             settings or replace(self.settings, kicks=0),
-            progress=told,
+            progress=report,
             sigmas=weights,
-            held=held,
-            begin=begin,
-            known=[KnownOptimum(o.x, errors(o), o.cost) for o in known if self.settings.loss == "linear"],
+            fixed=fixed,
+            start_point=start_point,
+            joinable=[KnownOptimum(o.x, errors(o), o.cost) for o in joinable if self.settings.loss == "linear"],
         )
         self.evaluations += optimum.evaluations
         self.is_stopped = self.is_stopped or optimum.interrupted
-        return replace(optimum, name=name, begin=begin, held=dict(held or {}), evaluations=self.evaluations)
+        return replace(
+            optimum, name=name, start_point=start_point, fixed=dict(fixed or {}), evaluations=self.evaluations
+        )
 
-    def add(self, name: str, begin: FloatArray, held: Mapping[str, float] | None = None) -> FloatArray:
-        """One more search over the first weights, unless the user has had enough; where it ended."""
+    def add(self, name: str, start_point: FloatArray, fixed: Mapping[str, float] | None = None) -> FloatArray:
+        """Add a search with the initial sigmas, unless interrupted; return its end point."""
         if self.is_stopped:
-            return begin
-        known = [] if held else self.found
-        self.found.append(self.run(name, begin, held=held, known=known, weights=self.weights))
-        return self.found[-1].x
+            return start_point
+        joinable = [] if fixed else self.optima
+        self.optima.append(self.run(name, start_point, fixed=fixed, joinable=joinable, weights=self.weights))
+        return self.optima[-1].x
 
-    def lowest(self, found: Sequence[Optimum]) -> Optimum:
-        """The first of those with the least cost."""
-        return min(found, key=lambda o: round(float(np.sum(costs_of(o.residual, self.settings.loss))), TIE))
+    def lowest(self, optima: Sequence[Optimum]) -> Optimum:
+        """Return the first optimum with the least cost."""
+        return min(optima, key=lambda o: round(float(np.sum(costs_of(o.residual, self.settings.loss))), TIE))
 
 
-def optima(
+def find_optima(
     experiments: Sequence[Experiment],
     free: tuple[FreeParameter, ...],
     settings: SearchSettings,
     *,
     progress: Callable[[int, float], Any] | None = None,
 ) -> Optimum:
-    """The lowest optimum, with all others that the data cannot tell from it."""
-    searches = _Searches(experiments, free, settings, first_weights(experiments), progress)
+    """Return the lowest optimum with all equivalent optima."""
+    searches = _Searches(experiments, free, settings, initial_sigmas(experiments), progress)
     start = np.array([f.start for f in free])
-    if walls := thermal_units(experiments, free):
-        _from_thermal_ends(searches, start, walls)
+    if wall_units := thermal_units(experiments, free):
+        _search_thermal_limits(searches, start, wall_units)
     searches.add("given", start)
     generator = np.random.default_rng(settings.seed)
     for _ in range(settings.starts - 1):
-        searches.add("elsewhere", elsewhere(free, generator))
+        searches.add("elsewhere", random_point(free, generator))
     if not any(e.samples for e in experiments):
-        for place in _swapped(free, searches.lowest(searches.found).x):
-            searches.add("swapped", place)
-    lowest = searches.lowest(searches.found)
+        for point in _swapped_points(free, searches.lowest(searches.optima).x):
+            searches.add("swapped", point)
+    lowest = searches.lowest(searches.optima)
     if searches.is_stopped:
         return replace(lowest, interrupted=True)
     # Now with the noise as the residuals show it, and kicks where these are not white.
-    best = replace(searches.run(lowest.name, lowest.x, settings=settings, known=searches.found), begin=lowest.begin)
+    best = replace(
+        searches.run(lowest.name, lowest.x, settings=settings, joinable=searches.optima), start_point=lowest.start_point
+    )
     if not searches.is_stopped:
-        best = _with_rivals(searches, best, lowest.cost)
-    return replace(best, searches=tuple(searches.found))
+        best = _add_equivalent_optima(searches, best, lowest.cost)
+    return replace(best, searches=tuple(searches.optima))
 
 
-# Where to begin ---------------------------------------------------------------------------------------------------
+# Start points -----------------------------------------------------------------------------------------------------
 
 
 def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
-    """Places of the wall conductances that only pressures speak of, with that of one transfer unit [W/K]."""
+    """Return the indices of wall conductances without temperature data, with one transfer unit [W/K]."""
     if any(e.samples for e in experiments):
         return {}
     units = {k: _one_unit(experiments, f) for k, f in enumerate(free) if f.address.endswith(WALL)}
-    return {k: one for k, one in units.items() if one > 0.0}
+    return {k: unit for k, unit in units.items() if unit > 0.0}
 
 
 def _one_unit(experiments: Sequence[Experiment], wall: FreeParameter) -> float:
-    """Heat capacity of the gas over the time of most of its change [W/K]; 0 where its temperature was recorded."""
-    chamber, found = wall.address.removesuffix(WALL), 0.0
+    """Return the heat capacity of the gas over the duration of its change [W/K].
+
+    The result is 0 if the temperature of the gas was recorded.
+    """
+    chamber, unit = wall.address.removesuffix(WALL), 0.0
     for e in experiments:
         channels = {c.address: c for c in e.measurement.channels}
         if wall.recording not in ("", e.name) or f"{chamber}.volume" not in e.instance.parameters:
@@ -147,153 +154,174 @@ def _one_unit(experiments: Sequence[Experiment], wall: FreeParameter) -> float:
             return 0.0
         if (channel := channels.get(f"{chamber}.pressure")) is None:
             continue
-        moved = np.abs(channel.values - channel.values[0])
-        tau = float(channel.time[max(1, int(np.argmax(moved >= 0.63 * moved.max())))] - channel.time[0])
+        change = np.abs(channel.values - channel.values[0])
+        tau = float(channel.time[max(1, int(np.argmax(change >= 0.63 * change.max())))] - channel.time[0])
         content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
-        found = max(found, content / ((kappa_of(e) - 1.0) * e.instance.surroundings.temperature * tau))
-    return found
+        unit = max(unit, content / ((kappa_of(e) - 1.0) * e.instance.surroundings.temperature * tau))
+    return unit
 
 
 def kappa_of(experiment: Experiment) -> float:
-    """Isentropic exponent of the gas in a recording."""
+    """Return the isentropic exponent of the gas in a recording."""
     return float(experiment.instance.parameters["gas.isentropic_exponent"])
 
 
-def _from_thermal_ends(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
-    """Searches in both thermal limits, and from near them."""
+def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
+    """Search in the adiabatic and the isothermal limit, and from points near them."""
     free = searches.free
     flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
 
     def at(x: FloatArray, units: float, factor: float = 1.0) -> FloatArray:
-        moved = x.copy()
-        moved[list(walls)] = [units * one for one in walls.values()]
-        moved[flows] *= factor
-        return np.clip(moved, [f.low for f in free], [f.high for f in free])
+        point = x.copy()
+        point[list(walls)] = [units * unit for unit in walls.values()]
+        point[flows] *= factor
+        return np.clip(point, [f.low for f in free], [f.high for f in free])
 
-    def held(x: FloatArray) -> dict[str, float]:
+    def fixed(x: FloatArray) -> dict[str, float]:
         return {free[k].name: float(x[k]) for k in walls}
 
     kappa = kappa_of(searches.experiments[0])
     # C of the start is that of an isothermal tank.
-    begin = at(start, 0.0, 1.0 / kappa)
-    adiabatic = searches.add("adiabatic", begin, held(begin))
-    begin = at(adiabatic, ISOTHERMAL, kappa)
-    isothermal = searches.add("isothermal", begin, held(begin))
+    point = at(start, 0.0, 1.0 / kappa)
+    adiabatic = searches.add("adiabatic", point, fixed(point))
+    point = at(adiabatic, ISOTHERMAL, kappa)
+    isothermal = searches.add("isothermal", point, fixed(point))
     searches.add("nearly_adiabatic", at(adiabatic, NEARLY_ADIABATIC))
     searches.add("nearly_isothermal", at(isothermal, NEARLY_ISOTHERMAL))
 
 
-def _swapped(free: Sequence[FreeParameter], x: FloatArray) -> Iterator[FloatArray]:
-    """Places with the numbers of two parts exchanged: passages in series may be alike in either order."""
+def _swapped_points(free: Sequence[FreeParameter], x: FloatArray) -> Iterator[FloatArray]:
+    """Yield points with the parameters of two parts exchanged.
+
+    Flow paths in series can be equivalent in either order.
+    """
     parts: dict[str, dict[str, int]] = {}
     for k, f in enumerate(free):
         part, _, local = f.name.rpartition(".")
         if f.role == "number":
             parts.setdefault(part, {})[local] = k
-    for one, other in combinations(parts.values(), 2):
-        if set(one) == set(other) and any(f".{local}" in CONDUCTANCES for local in one):
-            moved = x.copy()
-            for local in one:
-                moved[one[local]], moved[other[local]] = x[other[local]], x[one[local]]
-            yield np.clip(moved, [f.low for f in free], [f.high for f in free])
+    for first, second in combinations(parts.values(), 2):
+        if set(first) == set(second) and any(f".{local}" in CONDUCTANCES for local in first):
+            point = x.copy()
+            for local in first:
+                point[first[local]], point[second[local]] = x[second[local]], x[first[local]]
+            yield np.clip(point, [f.low for f in free], [f.high for f in free])
 
 
-def _along(free: Sequence[FreeParameter], optimum: Optimum) -> Iterator[tuple[FloatArray, dict[str, float]]]:
-    """Places farther along a direction that is hardly seen: what moves most is twice, or half, of what it was."""
-    inside = np.flatnonzero((optimum.active == 0) & (optimum.x != 0.0))
-    slopes = optimum.jacobian[:, inside] * optimum.x[inside]
+def _points_along_valley(
+    free: Sequence[FreeParameter], optimum: Optimum
+) -> Iterator[tuple[FloatArray, dict[str, float]]]:
+    """Yield points along a weakly determined direction.
+
+    The dominant parameter is twice or half its value.
+    """
+    indices = np.flatnonzero((optimum.active == 0) & (optimum.x != 0.0))
+    slopes = optimum.jacobian[:, indices] * optimum.x[indices]
     norms = np.linalg.norm(slopes, axis=0)
-    inside, slopes, norms = inside[norms > UNFELT], slopes[:, norms > UNFELT], norms[norms > UNFELT]
-    if inside.size < 2:
+    indices, slopes, norms = indices[norms > UNFELT], slopes[:, norms > UNFELT], norms[norms > UNFELT]
+    if indices.size < 2:
         return
     _, sizes, directions = np.linalg.svd(slopes / norms, full_matrices=False)
     # What is not seen at all needs no search: it is not determined.
     if not RANK * sizes[0] < sizes[-1] < SHALLOW * sizes[0]:
         return
     direction = directions[-1] / norms
-    most = int(np.argmax(np.abs(direction)))
+    dominant = int(np.argmax(np.abs(direction)))
     for factor in (2.0, 0.5):
-        moved = optimum.x.copy()
-        moved[inside] *= factor ** (direction / direction[most])
-        moved = np.clip(moved, [f.low for f in free], [f.high for f in free])
-        yield moved, {free[inside[most]].name: float(moved[inside[most]])}
+        point = optimum.x.copy()
+        point[indices] *= factor ** (direction / direction[dominant])
+        point = np.clip(point, [f.low for f in free], [f.high for f in free])
+        yield point, {free[indices[dominant]].name: float(point[indices[dominant]])}
 
 
 # What the data cannot tell apart ----------------------------------------------------------------------------------
 
 
-def _with_rivals(searches: _Searches, best: Optimum, least: float) -> Optimum:
-    """The best of all places, with the others of like cost, each once; `least` is the least cost over first weights."""
+def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> Optimum:
+    """Return the lowest optimum with the equivalent ones, each once.
+
+    `least` is the least cost with the initial sigmas.
+    """
     from scipy.special import chdtri
 
-    every = [best]
+    candidates = [best]
     # Over the weights of the best; a single search has led to the best.
-    for first in searches.found if len(searches.found) > 1 else []:
+    for first in searches.optima if len(searches.optima) > 1 else []:
         if first.cost <= HOPELESS * least:
-            known = [] if first.held else [best]
-            again = searches.run(first.name, first.x, held=first.held, known=known, weights=best.sigmas)
-            every.append(replace(again, begin=first.begin))
-    for place, held in [] if any(e.samples for e in searches.experiments) else _along(searches.free, best):
-        every.append(searches.run("along", place, held=held, weights=best.sigmas))
-    best = searches.lowest(every)
-    spread = spread_of(searches.experiments, best, searches.settings)
+            joinable = [] if first.fixed else [best]
+            refit = searches.run(first.name, first.x, fixed=first.fixed, joinable=joinable, weights=best.sigmas)
+            candidates.append(replace(refit, start_point=first.start_point))
+    for point, fixed in (
+        [] if any(e.samples for e in searches.experiments) else _points_along_valley(searches.free, best)
+    ):
+        candidates.append(searches.run("along", point, fixed=fixed, weights=best.sigmas))
+    best = searches.lowest(candidates)
+    spread = error_model_of(searches.experiments, best, searches.settings)
     # The cost is half a sum of squares, which exceeds its least value by chi-square.
-    limit = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * spread.widening
-    found: list[Optimum] = []
-    for rival in sorted(every, key=lambda o: o.cost):
-        off = {
-            o.channel for s in (spread, spread_of(searches.experiments, rival, searches.settings)) for o in s.offsets
+    limit = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * spread.variance_factor
+    equivalent: list[Optimum] = []
+    for rival in sorted(candidates, key=lambda o: o.cost):
+        offset_channels = {
+            o.channel
+            for s in (spread, error_model_of(searches.experiments, rival, searches.settings))
+            for o in s.offsets
         }
-        excess = evidence(searches.experiments, best, rival, searches.settings.loss, off)
-        if excess < limit and not any(_is_same(searches, o, rival) for o in (best, *found)):
-            found.append(replace(rival, excess=excess))
+        excess = evidence(searches.experiments, best, rival, searches.settings.loss, offset_channels)
+        if excess < limit and not any(_is_same(searches, o, rival) for o in (best, *equivalent)):
+            equivalent.append(replace(rival, excess=excess))
     is_stopped, evaluations = searches.is_stopped, searches.evaluations
-    return replace(best, others=tuple(found), limit=limit, interrupted=is_stopped, evaluations=evaluations)
+    return replace(best, others=tuple(equivalent), limit=limit, interrupted=is_stopped, evaluations=evaluations)
 
 
 def evidence(
-    experiments: Sequence[Experiment], best: Optimum, other: Optimum, loss: str = "linear", off: Collection[int] = ()
+    experiments: Sequence[Experiment], best: Optimum, rival: Optimum, loss: str = "linear", off: Collection[int] = ()
 ) -> float:
-    """By how much the data speak for one place against another, as a difference of cost, never negative.
+    """Return the evidence against another optimum: a difference of cost, at least 0.
+
+    Differences that an offset in the channels `off` explains do not count, nor those below the resolution of a sensor.
 
     Whatever a constant in the channels that are `off` explains is no evidence, nor what a coarse gauge does not show.
     """
     channels = channels_of(experiments)
-    shown = np.ones(best.residual.size, dtype=bool)
-    for each, sigma in zip(channels, best.sigmas, strict=True):
-        moved = np.abs(other.residual - best.residual)[each.rows] * sigma
-        shown[each.rows] = ~_is_standing(each.channel, sigma) | (moved >= each.channel.quantum)
-    found = []
+    is_visible = np.ones(best.residual.size, dtype=bool)
+    for fitted, sigma in zip(channels, best.sigmas, strict=True):
+        difference_of_models = np.abs(rival.residual - best.residual)[fitted.rows] * sigma
+        is_visible[fitted.rows] = ~_is_on_step(fitted.channel, sigma) | (difference_of_models >= fitted.channel.quantum)
+    excesses = []
     for rows in ([], [channels[k].rows for k in off]):
-        difference = costs_of(_explained(other, rows), loss) - costs_of(_explained(best, rows), loss)
-        found.append(float(np.sum(difference[shown])))
-    return max(0.0, min(found))
+        difference = costs_of(_residuals_without_offsets(rival, rows), loss) - costs_of(
+            _residuals_without_offsets(best, rows), loss
+        )
+        excesses.append(float(np.sum(difference[is_visible])))
+    return max(0.0, min(excesses))
 
 
-def _explained(optimum: Optimum, off: Sequence[slice]) -> FloatArray:
-    """Residuals that constants over some rows leave, the numbers fitted along."""
-    constants = np.zeros((optimum.residual.size, len(off)))
-    for k, rows in enumerate(off):
+def _residuals_without_offsets(optimum: Optimum, offset_rows: Sequence[slice]) -> FloatArray:
+    """Return the residuals after a fit of offsets and free parameters."""
+    constants = np.zeros((optimum.residual.size, len(offset_rows)))
+    for k, rows in enumerate(offset_rows):
         constants[rows, k] = 1.0
     if constants.size == 0:
         return optimum.residual
     slopes = optimum.jacobian[:, optimum.active == 0]
     norms = np.linalg.norm(slopes, axis=0)
-    known = np.hstack([slopes[:, norms > 0.0] / norms[norms > 0.0], constants])
-    return np.asarray(optimum.residual - known @ np.linalg.lstsq(known, optimum.residual, rcond=RANK)[0])
+    basis = np.hstack([slopes[:, norms > 0.0] / norms[norms > 0.0], constants])
+    return np.asarray(optimum.residual - basis @ np.linalg.lstsq(basis, optimum.residual, rcond=RANK)[0])
 
 
-def _is_standing(channel: Channel, sigma: float) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """Samples at which a coarse gauge stands on a step that noise does not blur."""
+def _is_on_step(channel: Channel, sigma: float) -> np.ndarray[Any, np.dtype[np.bool_]]:
+    """Return True for each sample at a constant reading of a coarse, quiet sensor."""
     result = np.zeros(channel.values.size, dtype=bool)
     if sigma < DITHERED * channel.quantum:
         changes = np.flatnonzero(np.diff(channel.values)) + 1
-        for begin, end in zip([0, *changes], [*changes, result.size], strict=True):
-            result[begin:end] = end - begin >= STUCK
+        for start_point, end in zip([0, *changes], [*changes, result.size], strict=True):
+            result[start_point:end] = end - start_point >= STUCK
     return result
 
 
-def _is_same(searches: _Searches, one: Optimum, other: Optimum) -> bool:
-    """Whether every number of one place lies in the interval of the other."""
-    found = estimates(searches.free, one, spread_of(searches.experiments, one, searches.settings))
-    return all(found[f.name].low <= x <= found[f.name].high for f, x in zip(searches.free, other.x, strict=True))
+def _is_same(searches: _Searches, first: Optimum, second: Optimum) -> bool:
+    """Return True if each parameter of one optimum is in the interval of the other."""
+    intervals = estimates(searches.free, first, error_model_of(searches.experiments, first, searches.settings))
+    return all(
+        intervals[f.name].low <= x <= intervals[f.name].high for f, x in zip(searches.free, second.x, strict=True)
+    )

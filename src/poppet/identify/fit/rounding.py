@@ -1,4 +1,4 @@
-"""Coarse gauges: of a slow signal, rounding makes a staircase and no noise."""
+"""Effect of the resolution of a sensor on slow signals."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ QUIET = 1e-3
 
 
 class Staircase(NamedTuple):
-    r"""The part of rounding that noise does not smooth away, for an unknown place of the steps.
+    r"""Part of the rounding error that noise does not average out.
 
     .. math:: e(x) = \sum_h a_h \sin\Big(\frac{2 \pi h x}{q} + \varphi_h\Big), \qquad
         a_h = \frac{q}{\pi h} \exp\Big(-\frac{2 \pi^2 h^2 \sigma^2}{q^2}\Big)
@@ -33,12 +33,12 @@ class Staircase(NamedTuple):
     square: float
 
     def excess(self, weights: Array) -> float:
-        """By how much the variance of a weighted sum exceeds what independent errors of the same size make."""
+        """Return the variance of a weighted sum minus that of independent errors of equal size."""
         return float(np.sum((self.waves @ weights) ** 2)) - self.square * float(weights @ weights)
 
 
 def staircase(values: Array, quantum: float, noise: float) -> Staircase | None:
-    """What rounding to steps of `quantum` adds to values with noise of one sigma; None where noise hides the steps."""
+    """Return the effect of rounding to steps of `quantum`; None if noise hides the steps."""
     order = np.arange(1, HARMONICS + 1)
     smooth = np.exp(-2.0 * (np.pi * order * noise / quantum) ** 2)
     order, smooth = order[smooth > QUIET], smooth[smooth > QUIET]

@@ -1,4 +1,4 @@
-"""Whether residuals are noise: the runs test, and how many samples count as one."""
+"""Tests of residuals for white noise, and their correlation time."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ WHITE_SHORT, SHORT = 0.02, 100
 
 
 def runs_probability(residual: Array) -> float:
-    """Two-sided probability that white residuals have as few or as many runs of one sign (Wald & Wolfowitz)."""
+    """Return the two-sided probability of the number of runs of one sign (Wald & Wolfowitz)."""
     from scipy.special import erfc
 
     # About the median: a bias is no correlation, and is looked for elsewhere.
@@ -30,7 +30,7 @@ def runs_probability(residual: Array) -> float:
 
 
 def portmanteau_probability(residual: Array) -> float:
-    """Probability that white residuals are as correlated over a few samples (Ljung & Box 1978).
+    """Return the probability of the correlations over a few samples (Ljung & Box 1978).
 
     Sees a slow misfit that is small against the noise, which leaves nearly all signs to the noise.
     """
@@ -47,17 +47,17 @@ def portmanteau_probability(residual: Array) -> float:
 
 
 def whiteness(residual: Array) -> float:
-    """The lesser of the probabilities of the runs test and the portmanteau test."""
+    """Return the lower probability of the runs test and the portmanteau test."""
     return min(runs_probability(residual), portmanteau_probability(residual))
 
 
 def is_white(residual: Array) -> bool:
-    """False where a test rejects that the residuals are noise."""
+    """Return False if a test rejects that the residuals are white noise."""
     return whiteness(residual) >= (WHITE if residual.size >= SHORT else WHITE_SHORT)
 
 
 def correlation_time(residual: Array) -> float:
-    """Number of samples that count as one: the integrated autocorrelation time, at least 1."""
+    """Return the integrated autocorrelation time in samples, at least 1."""
     centred = residual - residual.mean()
     variance = float(centred @ centred)
     if variance <= 0.0 or residual.size < 8:

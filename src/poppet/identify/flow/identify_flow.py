@@ -28,12 +28,7 @@ from poppet.identify.flow.flow_fit import (
 )
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, reject_rising_flow
 from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
-from poppet.identify.gum import (
-    chi_square_probability,
-    correlations,
-    few_runs_probability,
-    leave_one_out,
-)
+from poppet.identify.gum import chi_square_probability, correlations, few_runs_probability, leave_one_out
 from poppet.identify.result import ResidualSummary, Result, Verdict, replace_uncertain_findings
 from poppet.laws.iso6358.domain import DOMAINS, problem
 
@@ -140,7 +135,7 @@ def identify_flow(
         residuals={"points.mass_flow_rate": ResidualSummary.of(accepted.modelled, points.mass_flow_rate, "kg/s")},
         correlation=correlations([f"{prefix}{name}" for name in accepted.model.free], rows @ rows.T),
         comparison=tests
-        | ({"alternatives": _alternative(fit, *alternative)} if alternative else {})
+        | (_alternative(fit, *alternative) if alternative else {})
         | {
             "standard_formulas": _evaluate_standard(fit, subsonic_index, cracking_pressure),
             "uncertainty": {f"{prefix}{name}": row for name, row in budgets(accepted).items()},
@@ -186,7 +181,7 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
 def _alternative(fit: FlowFit, name: str, better: FlowFit) -> dict[str, Any]:
     """Return a better law in the form of `identify tank`."""
     row = {key: {"value": e.value, "low": e.low, "high": e.high} for key, e in law_estimates(better).items()}
-    return {name: {"aicc_difference": better.aicc - fit.aicc, "free": row}}
+    return {"alternatives": {name: {"aicc_difference": better.aicc - fit.aicc, "free": row}}}
 
 
 def _influence(fit: FlowFit) -> dict[str, list[float]]:

@@ -19,9 +19,9 @@ from typing import Any
 
 import numpy as np
 
-from poppet.identify.friction.coordinate import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.friction.friction_fit import LawSolution
 from poppet.identify.friction.motion import BENT, WAYS, RecordedMotion, Reversal
+from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import WEAK
 from poppet.laws.physics.friction import sliding_level

@@ -17,8 +17,7 @@ from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind, quantity
 from poppet.identify.columns import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
-from poppet.identify.friction.coordinate import ON_LINE, TURNING, Coordinate
-from poppet.identify.friction.records import FrictionRecord
+from poppet.identify.friction.records import ON_LINE, TURNING, Coordinate, FrictionRecord
 
 if TYPE_CHECKING:
     from poppet.timeseries.tables.reading import Table
@@ -204,11 +203,7 @@ def _read_channel(
 
 
 def _read_columns(
-    channels: Mapping[str, Mapping[str, Any]],
-    table: Table,
-    index: int,
-    ambient_pressure: float,
-    coordinate: Coordinate,
+    channels: Mapping[str, Mapping[str, Any]], table: Table, index: int, ambient_pressure: float, coordinate: Coordinate
 ) -> dict[str, Any]:
     """Read the channels of a table in SI units; pressures are gauge."""
     columns: dict[str, Any] = {}

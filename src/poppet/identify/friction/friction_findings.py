@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterator
 
@@ -10,10 +11,10 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.core.message_format import facts_of
 from poppet.identify.clusters import clustered
-from poppet.identify.friction.coordinate import STATIC, STRIBECK, VISCOUS
 from poppet.identify.friction.friction_fit import LAWS, design
 from poppet.identify.friction.friction_fits import FrictionFits, levels_of
 from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
+from poppet.identify.friction.records import STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import judged
 
@@ -25,27 +26,13 @@ ZONES, UNEVEN = 8, 0.05
 
 def findings(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
     """Yield the findings, the most important first, with the units that their texts need."""
-    coordinate = analysis.coordinate
-    units = {
-        "effort": coordinate.effort,
-        "effort_unit": coordinate.effort_unit,
-        "length": coordinate.length,
-        "speed": coordinate.speed,
-    }
-    for note in _findings(analysis, requested_law):
+    units = {name: getattr(analysis.coordinate, name) for name in ("effort", "effort_unit", "length", "speed")}
+    checks = _bounds, _bristles, _pressure, _sides, _break_away, _positions, _noise, _velocity, _zeros
+    for note in itertools.chain(_verdict(analysis, requested_law), *(check(analysis) for check in checks)):
         yield Note(note.code, note.address, **note.facts, **{n: units[n] for n in facts_of(note.code) & units.keys()})
 
 
-def _findings(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
-    yield from _verdict(analysis, requested_law)
-    yield from _bounds(analysis)
-    yield from _bristles(analysis)
-    yield from _pressure(analysis)
-    yield from _sides(analysis)
-    yield from _break_away(analysis)
-    yield from _positions(analysis)
-    yield from _noise(analysis)
-    yield from _velocity(analysis)
+def _zeros(analysis: FrictionFits) -> Iterator[Note]:
     at_zero = [analysis.coordinate.name(name) for name, value in analysis.fit.values.items() if value <= 0.0]
     if at_zero:
         yield Note("friction.at_zero", names=at_zero)

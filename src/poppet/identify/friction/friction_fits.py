@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -12,7 +12,6 @@ import numpy as np
 
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.identify.friction.bristles import Bristles, fit_bristles
-from poppet.identify.friction.coordinate import Coordinate
 from poppet.identify.friction.friction_fit import LAWS, FrictionData, FrictionLawFit, fit_friction_law, select_law
 from poppet.identify.friction.motion import (
     RecordedMotion,
@@ -23,8 +22,7 @@ from poppet.identify.friction.motion import (
     rows_of_table,
     stack_rows,
 )
-from poppet.identify.friction.records import FrictionRecord
-from poppet.timeseries.checks import FloatArray
+from poppet.identify.friction.records import Coordinate, FrictionRecord
 
 LUGRE = "lugre"
 NARROW = 5.0
@@ -98,14 +96,15 @@ def fit_records(
     mass: float,
 ) -> FrictionFits:
     """Fit all laws to the sliding rows of records."""
-    records = tuple(_subtract_offset(record, offset) for record in records)
+    records = tuple(records)
+    if isinstance(offset, float | int) and offset != 0.0:
+        records = tuple(replace(record, force=record.force - float(offset)) for record in records)
     motions, strokes = [], 0
     for index, record in enumerate(records):
-        motion = (
-            rows_of_recording(record, index, strokes, smoothing, mass)
-            if record.is_motion
-            else rows_of_table(record, index)
-        )
+        if record.is_motion:
+            motion = rows_of_recording(record, index, strokes, smoothing, mass)
+        else:
+            motion = rows_of_table(record, index)
         strokes = int(np.max(motion.rows.stroke, initial=strokes - 1)) + 1
         motions.append(motion)
     distances = bending_distances(motions)
@@ -118,12 +117,10 @@ def fit_records(
     rows = rows.of(slides)
     free_offsets = [k for k, r in enumerate(records) if offset == "free" or (offset is None and r.is_motion)]
     with ErrorCollector() as errors:
-        for first_record, second_record in itertools.combinations(records, 2):
-            if all(
-                _are_equal(getattr(first_record, name), getattr(second_record, name))
-                for name in ("force", "velocity", "position")
-            ):
-                errors.add("friction.same_twice", "file", name=first_record.name, other=second_record.name)
+        for first, second in itertools.combinations(records, 2):
+            # An absent channel is None, which equals only None.
+            if all(np.array_equal(getattr(first, n), getattr(second, n)) for n in ("force", "velocity", "position")):
+                errors.add("friction.same_twice", "file", name=first.name, other=second.name)
         for k, record in enumerate(records):
             if record.body != records[0].body:
                 errors.add("friction.bodies", record.name, body=record.body, other=records[0].body)
@@ -154,28 +151,12 @@ def fit_records(
     )
 
 
-def _are_equal(a: FloatArray | None, b: FloatArray | None) -> bool:
-    return a is b is None or (a is not None and b is not None and np.array_equal(a, b))
-
-
 def _acts_along_motion(rows: SlidingRows, *, is_free: bool) -> bool:
     """Return True if the force acts along the motion: a sign is wrong."""
-    means = [
-        float(np.mean(rows.friction[rows.sign == direction]))
-        for direction in (1.0, -1.0)
-        if (rows.sign == direction).any()
-    ]
-    zero = float(np.mean(means)) if is_free else 0.0
-    friction_along_motion = rows.sign * (rows.friction - zero)
-    return float(np.mean(friction_along_motion)) < -0.5 * float(np.sqrt(np.mean(friction_along_motion**2)))
-
-
-def _subtract_offset(record: FrictionRecord, offset: float | str | None) -> FrictionRecord:
-    """Return a record whose force is corrected for a known offset."""
-    if not isinstance(offset, float | int) or offset == 0.0:
-        return record
-    fields = {name: getattr(record, name) for name in record.__dataclass_fields__}
-    return FrictionRecord(**fields | {"force": record.force - float(offset)})
+    masks = [mask for mask in (rows.sign == 1.0, rows.sign == -1.0) if mask.any()]
+    zero = float(np.mean([float(np.mean(rows.friction[mask])) for mask in masks])) if is_free else 0.0
+    along = rows.sign * (rows.friction - zero)
+    return float(np.mean(along)) < -0.5 * float(np.sqrt(np.mean(along**2)))
 
 
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:

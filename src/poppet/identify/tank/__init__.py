@@ -1,1 +1,1 @@
-"""Tests with a tank, after ISO 6358-2."""
+"""Tank tests according to ISO 6358-2."""

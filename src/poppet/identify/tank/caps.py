@@ -1,4 +1,4 @@
-"""What speaks against the model of a tank test caps its verdicts: an interval holds noise, not a wrong model."""
+"""Limits on the verdicts of a tank test from evidence against its model."""
 
 from __future__ import annotations
 
@@ -8,12 +8,18 @@ from dataclasses import replace
 
 from poppet.core.codes import Note
 from poppet.core.units import quantity
-from poppet.identify.fit.equivalent_optima import united
+from poppet.identify.fit.equivalent_optima import unite_estimates
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import CLEAR, STRONG
 from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
 from poppet.identify.result import DETERMINED, Estimate, Result
-from poppet.identify.tank.alternatives import Alternative, misfits, table, tried, warmed
+from poppet.identify.tank.alternatives import (
+    Alternative,
+    alternatives_table,
+    fit_alternatives,
+    misfit_channels,
+    wall_temperature_notes,
+)
 from poppet.identify.tank.tank_plan import AREA_FACTOR, TankRun
 from poppet.identify.tank.test import TankTest
 from poppet.laws.iso6358.conversion import conductance_from_effective_area
@@ -46,67 +52,94 @@ READ_OFF = ("initial_pressure", "initial_temperature")
 """Numbers that the first samples say, whatever the model."""
 
 
-def doubted(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
-    """A result with what speaks against its model, other models beside it, and verdicts that heed it."""
+def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
+    """Add alternative models and notes to a result, and limit its verdicts."""
     number = f"{test.part}.sonic_conductance"
     if result.conditions["interrupted"] or number not in result.parameters:
         return result
-    found = tried(test, runs, plan, result)
-    comparison = {**result.comparison, **({"alternatives": table(found, number)} if found else {})}
-    remarks = _of_alternatives(found, result, number)
+    alternatives = fit_alternatives(test, runs, plan, result)
+    comparison = {
+        **result.comparison,
+        **({"alternatives": alternatives_table(alternatives, number)} if alternatives else {}),
+    }
+    remarks = _alternative_notes(alternatives, result, number)
     if test.bore:
-        coefficient = _coefficient(test, result.parameters[number])
+        coefficient = _discharge_coefficient(test, result.parameters[number])
         comparison["discharge_coefficient"] = coefficient
         remarks += [Note("finding.area", number, **coefficient)] if coefficient["least"] > 1.0 else []
-    remarks += warmed(test, runs, plan, result, number)
-    remarks += _unusual(plan, result, number)
-    local = [{**result.parameters, **each.estimates} for each in found if _is_rival(each, result, number)]
-    parameters = united(plan, [result.parameters, *local])
-    said = sorted((*remarks, *result.remarks), key=lambda note: not note.code.startswith(MISREAD))
-    doubts = replace(result, parameters=parameters, comparison=comparison, remarks=tuple(said))
-    return _capped(doubts, misfits(plan, result))
+    remarks += wall_temperature_notes(test, runs, plan, result, number)
+    remarks += _unusual_notes(plan, result, number)
+    estimates_by_model = [
+        {**result.parameters, **alternative.estimates}
+        for alternative in alternatives
+        if _is_equivalent_model(alternative, result, number)
+    ]
+    parameters = unite_estimates(plan, [result.parameters, *estimates_by_model])
+    sorted_remarks = sorted((*remarks, *result.remarks), key=lambda note: not note.code.startswith(MISREAD))
+    doubts = replace(result, parameters=parameters, comparison=comparison, remarks=tuple(sorted_remarks))
+    return _cap_verdicts(doubts, misfit_channels(plan, result))
 
 
-def _is_rival(each: Alternative, result: Result, number: str) -> bool:
-    """Whether another model explains the recordings as well; where its C is near, with no more free numbers."""
-    simple, value = result.parameters[number], each.estimates[number].value
-    is_swap = len(each.estimates) <= len(result.parameters) and each.difference < CLEAR
-    is_far = abs(value / simple.value - 1.0) > DETERMINED and each.difference < ALIKE
-    return each.name in LOOK_ALIKE and (is_swap or is_far)
+def _is_equivalent_model(alternative: Alternative, result: Result, number: str) -> bool:
+    """Return True if another model explains the recordings equally well.
+
+    If its C is near, it must have no more free parameters.
+    """
+    simple, value = result.parameters[number], alternative.estimates[number].value
+    is_swap = len(alternative.estimates) <= len(result.parameters) and alternative.difference < CLEAR
+    is_far = abs(value / simple.value - 1.0) > DETERMINED and alternative.difference < ALIKE
+    return alternative.name in LOOK_ALIKE and (is_swap or is_far)
 
 
-def _of_alternatives(found: Sequence[Alternative], result: Result, number: str) -> list[Note]:
-    """Which of the other models is the best, and the number that a test is made for under each."""
-    if not found:
+def _alternative_notes(alternatives: Sequence[Alternative], result: Result, number: str) -> list[Note]:
+    """Return notes on the best alternative and on the main parameter under each."""
+    if not alternatives:
         return []
-    simple, best = result.parameters[number], found[0]
-    changes = {each.name: 100.0 * (each.estimates[number].value / simple.value - 1.0) for each in found}
+    simple, best = result.parameters[number], alternatives[0]
+    changes = {
+        alternative.name: 100.0 * (alternative.estimates[number].value / simple.value - 1.0)
+        for alternative in alternatives
+    }
 
-    def is_outside(each: Alternative) -> bool:
-        return not simple.low <= each.estimates[number].value <= simple.high
+    def is_outside(alternative: Alternative) -> bool:
+        return not simple.low <= alternative.estimates[number].value <= simple.high
 
-    rival = next((each for each in found if _is_rival(each, result, number) and is_outside(each)), None)
+    rival = next(
+        (
+            alternative
+            for alternative in alternatives
+            if _is_equivalent_model(alternative, result, number) and is_outside(alternative)
+        ),
+        None,
+    )
     if best.gain > STRONG:
-        word = "clear"
+        degree = "clear"
     elif best.gain > DOUBTFUL and is_outside(best):
-        word = "doubt"
+        degree = "doubt"
     elif rival:
-        word, best = "alike", rival
-    elif len(found) == 1 and best.gain < CLEAR:
+        degree, best = "alike", rival
+    elif len(alternatives) == 1 and best.gain < CLEAR:
         return []  # nothing asked for it
     else:
-        word = "somewhat" if best.gain > CLEAR else "none"
-    alike = tuple(each.name for each in found if abs(each.difference - best.difference) < CLEAR)
+        degree = "somewhat" if best.gain > CLEAR else "none"
+    alike = tuple(
+        alternative.name for alternative in alternatives if abs(alternative.difference - best.difference) < CLEAR
+    )
     facts = {"models": alike, "size": -best.difference, "percent": changes[best.name]}
     facts |= {"value": best.estimates[number].value, "unit": simple.unit}
     return [
-        Note(f"finding.other_model.{word}", number, **facts),
-        Note("finding.other_models", number, changes=changes, sizes={each.name: each.difference for each in found}),
+        Note(f"finding.other_model.{degree}", number, **facts),
+        Note(
+            "finding.other_models",
+            number,
+            changes=changes,
+            sizes={alternative.name: alternative.difference for alternative in alternatives},
+        ),
     ]
 
 
-def _unusual(plan: FitPlan, result: Result, number: str) -> Iterator[Note]:
-    """Numbers of no valve and no tank: some unit is wrong."""
+def _unusual_notes(plan: FitPlan, result: Result, number: str) -> Iterator[Note]:
+    """Yield notes on implausible values, which suggest a wrong unit."""
     conductance = result.parameters[number].value
     if not USUAL_CONDUCTANCE[0] <= conductance <= USUAL_CONDUCTANCE[1]:
         yield Note("finding.unusual.conductance", number, value=conductance)
@@ -122,44 +155,47 @@ def _unusual(plan: FitPlan, result: Result, number: str) -> Iterator[Note]:
             yield Note("finding.unusual.wall", name, value=e.value, coefficient=e.value / area)
 
 
-def _coefficient(test: TankTest, conductance: Estimate) -> dict[str, float]:
-    """Discharge coefficient with the interval of C, and the least that the uncertainty of the bore leaves."""
-    bore, sigma = (quantity(each, "m", name="bore").value for each in (test.bore, test.bore_uncertainty))
+def _discharge_coefficient(test: TankTest, conductance: Estimate) -> dict[str, float]:
+    """Return the discharge coefficient with its interval and its least possible value."""
+    bore, sigma = (quantity(number, "m", name="bore").value for number in (test.bore, test.bore_uncertainty))
 
     def nozzle(diameter: float) -> float:
         return conductance_from_effective_area(0.25 * math.pi * diameter**2).sonic_conductance
 
-    value, low, high = (each / nozzle(bore) for each in (conductance.value, conductance.low, conductance.high))
+    value, low, high = (number / nozzle(bore) for number in (conductance.value, conductance.low, conductance.high))
     return {"value": value, "low": low, "high": high, "least": conductance.value / nozzle(bore + 2.0 * sigma)}
 
 
-def _capped(result: Result, missed: Collection[str]) -> Result:
-    """A result in which no number is determined that a finding speaks against; `capped` of its conditions says why."""
+def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
+    """Limit to "weak" the verdicts of parameters with evidence against the model.
+
+    `capped` of the conditions has the reasons.
+    """
     reasons: dict[str, list[str]] = {}
     for note in result.remarks:
         if note.code not in CAPPING or (note.code == MISFIT and note.address not in missed):
             continue
         if note.code == "finding.wall" and abs(note.facts["percent"]) <= 100.0 * DETERMINED:
             continue  # it moves C by no more than a verdict allows
-        for name in _touched(note, result):
+        for name in _capped_parameters(note, result):
             if note.code not in reasons.setdefault(name, []):
                 reasons[name].append(note.code)
     if not reasons:
         return result
-    found = {k: replace(e, verdict="weak") if k in reasons else e for k, e in result.parameters.items()}
-    told = Note("finding.capped", names=tuple(reasons))
+    parameters = {k: replace(e, verdict="weak") if k in reasons else e for k, e in result.parameters.items()}
+    cap_note = Note("finding.capped", names=tuple(reasons))
     conditions = {**result.conditions, "capped": reasons}
-    return replace(result, parameters=found, remarks=(told, *result.remarks), conditions=conditions)
+    return replace(result, parameters=parameters, remarks=(cap_note, *result.remarks), conditions=conditions)
 
 
-def _touched(note: Note, result: Result) -> list[str]:
-    """Numbers that were determined and depend on what a note says."""
-    own, names = note.address.partition(".")[0], result.conditions["recordings"]
+def _capped_parameters(note: Note, result: Result) -> list[str]:
+    """Return the determined parameters that a note affects."""
+    recording, names = note.address.partition(".")[0], result.conditions["recordings"]
     return [
         name
         for name, estimate in result.parameters.items()
         if estimate.verdict == "determined"
         and name.rpartition(".")[2] not in READ_OFF
         # A recording's misfit says nothing of the numbers that belong to another.
-        and not (own in names and name.partition(".")[0] in names and name.partition(".")[0] != own)
+        and not (recording in names and name.partition(".")[0] in names and name.partition(".")[0] != recording)
     ]

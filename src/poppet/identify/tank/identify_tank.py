@@ -1,4 +1,4 @@
-"""`identify tank`: charge and discharge tests of ISO 6358-2, without writing a circuit."""
+"""Method `identify tank`: charge and discharge tests according to ISO 6358-2."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from poppet.core.toml_file import TomlFile
 from poppet.identify.fit.identify_fit import Progress, run_fit
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.result import Result
-from poppet.identify.tank.caps import doubted
-from poppet.identify.tank.laws import compared_laws
-from poppet.identify.tank.tank_ambient import allowing_for_room
-from poppet.identify.tank.tank_plan import tank_plan, tank_runs
-from poppet.identify.tank.test import TankTest, test_of
+from poppet.identify.tank.caps import apply_caps
+from poppet.identify.tank.laws import compare_laws
+from poppet.identify.tank.tank_ambient import widen_for_ambient
+from poppet.identify.tank.tank_plan import plan_tank_fit, read_runs
+from poppet.identify.tank.test import TankTest, read_test
 
 
 def identify_tank(
@@ -26,7 +26,7 @@ def identify_tank(
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
-    """Find C, b and what else is free from charge and discharge tests.
+    """Fit C, b and other free parameters to charge and discharge tests.
 
     Parameters
     ----------
@@ -73,16 +73,16 @@ def identify_tank(
     ('determined', True)
     """
     if isinstance(test, TankTest):
-        runs = tank_runs(test)
-        plan = tank_plan(test, runs)
+        runs = read_runs(test)
+        plan = plan_tank_fit(test, runs)
     else:
         file = TomlFile.read(test, "recordings")
         with file.errors():
-            test = test_of(file)
-            runs = tank_runs(test)
-            plan = tank_plan(test, runs)
+            test = read_test(file)
+            runs = read_runs(test)
+            plan = plan_tank_fit(test, runs)
     result = run_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
-    result = doubted(test, runs, plan, replace(result, method="tank"))
+    result = apply_caps(test, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
-        result = compared_laws(test, runs, plan, result)
-    return allowing_for_room(test, runs, result)
+        result = compare_laws(test, runs, plan, result)
+    return widen_for_ambient(test, runs, result)

@@ -1,4 +1,4 @@
-"""From a tank test to a plan of a fit: the circuits, where the search begins, and what speaks against the data."""
+"""Plan of the fit of a tank test: circuits, start values, checks."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 from poppet.parts.chamber import Chamber
 from poppet.parts.fields import NumberSpec, read_number, specs
-from poppet.parts.orifice import Orifice
+from poppet.parts.flow_path import Orifice
 from poppet.parts.part import Part
-from poppet.parts.reservoir import Reservoir
+from poppet.parts.sources import Reservoir
 from poppet.timeseries.measurements import Channel, InputChannel, Measurement, noise_of, quantum_of, read_measurement
 from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, ordered
 from poppet.timeseries.measurements.verdicts import verdicts
@@ -83,7 +83,7 @@ USUAL_ZERO = 0.01
 
 @dataclass(frozen=True)
 class TankRun:
-    """One recording with what holds for it."""
+    """Recording of a tank test with its conditions."""
 
     measurement: Measurement
     direction: str
@@ -96,45 +96,45 @@ class TankRun:
 
     @property
     def pressure(self) -> Channel:
-        """The channel that every tank test has."""
+        """Channel of the tank pressure."""
         return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
 
     @property
     def supply(self) -> Any:
-        """Pressure of the supply, or where the search for it begins: at what it filled the tank to."""
-        return _begin(self.supply_pressure, float(np.max(self.pressure.values)))
+        """Supply pressure, or its start value: the highest tank pressure."""
+        return _start_value(self.supply_pressure, float(np.max(self.pressure.values)))
 
     @property
     def place(self) -> str:
-        """Where it stands in a file."""
+        """Address of the recording in a file."""
         return f"recordings.{self.measurement.name}"
 
 
-def tank_runs(test: TankTest) -> list[TankRun]:
-    """Read the recordings of a tank test and check their course."""
+def read_runs(test: TankTest) -> list[TankRun]:
+    """Read and check the recordings of a tank test."""
     pressure = float(_ambient(test).pressure)  # type: ignore[arg-type]
     runs: list[TankRun] = []
     with ErrorCollector() as errors:
-        for name, given in test.recordings.items():
+        for name, recording in test.recordings.items():
             with errors.collecting():
-                runs.append(_run(test, name, given, pressure))
+                runs.append(_read_run(test, name, recording, pressure))
     with ErrorCollector() as errors:
         for run in runs:
             with errors.collecting():
                 _check_course(run, pressure)
                 if test.valve_delay == 0.0 and run.opens == 0.0:
-                    _check_begin(run)
+                    _check_start(run)
     return runs
 
 
-def tank_plan(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
-    """Build the circuits of a tank test and say what is free in them."""
+def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
+    """Return the plan of a tank test: its circuits and free parameters."""
     ambient = _ambient(test)
     circuits = [_circuit(test, run, ambient) for run in runs]
-    runs = [replace(run, measurement=_completed(test, run)) for run in runs]
+    runs = [replace(run, measurement=_complete_recording(test, run)) for run in runs]
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     settings = SearchSettings(test.loss, test.starts, test.seed)
-    free = _free(test, runs, circuits)
+    free = _free_parameters(test, runs, circuits)
     return plan_fit(circuits, measurements, roles, free, settings=settings, title=test.title)
 
 
@@ -148,60 +148,62 @@ def _ambient(test: TankTest) -> Ambient:
 # Recordings -------------------------------------------------------------------------------------------------------
 
 
-def _run(test: TankTest, name: str, given: Any, ambient_pressure: float) -> TankRun:
-    place = f"recordings.{name}"
-    if not isinstance(given, Mapping):
-        raise InputError("fields.no_table", place, value=given)
-    rest = {key: value for key, value in given.items() if key not in OWN}
+def _read_run(test: TankTest, name: str, recording: Any, ambient_pressure: float) -> TankRun:
+    location = f"recordings.{name}"
+    if not isinstance(recording, Mapping):
+        raise InputError("fields.no_table", location, value=recording)
+    channels = {key: value for key, value in recording.items() if key not in OWN}
     with ErrorCollector() as errors:
-        own = read_fields(errors, {key: given[key] for key in OWN if key in given}, OWN, place)
-        if PRESSURE not in rest:
-            errors.extend([missing_field(f"{place}.{PRESSURE}", _PRESSURE)])
-    if isinstance(rest.get("time"), str | int | Mapping | None):
+        fields = read_fields(errors, {key: recording[key] for key in OWN if key in recording}, OWN, location)
+        if PRESSURE not in channels:
+            errors.extend([missing_field(f"{location}.{PRESSURE}", _PRESSURE)])
+    if isinstance(channels.get("time"), str | int | Mapping | None):
         measurement = read_measurement(
-            name, rest, Path(test.folder), ambient_pressure=ambient_pressure, other_fields=tuple(OWN)
+            name, channels, Path(test.folder), ambient_pressure=ambient_pressure, other_fields=tuple(OWN)
         )
     else:
-        measurement = _from_arrays(name, rest, ambient_pressure)
+        measurement = _read_arrays(name, channels, ambient_pressure)
     shared = {key: getattr(test, key) for key in ("direction", "volume", "supply_pressure", "supply_temperature")}
-    supply = next((each for each in measurement.inputs if each.address == SUPPLY), None)
+    supply = next((item for item in measurement.inputs if item.address == SUPPLY), None)
     if shared["supply_pressure"] is None and supply is not None:
         shared["supply_pressure"] = float(np.max(supply.values))
-    run = TankRun(measurement, **{**shared, **own})
+    run = TankRun(measurement, **{**shared, **fields})
     if not 0.0 <= run.opens < run.closes:
-        raise InputError("tank.closes", f"{place}.closes", opens=run.opens, closes=run.closes)
+        raise InputError("tank.closes", f"{location}.closes", opens=run.opens, closes=run.closes)
     return run
 
 
-def _from_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -> Measurement:
-    place = f"recordings.{name}"
+def _read_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -> Measurement:
+    location = f"recordings.{name}"
     channels: list[Channel] = []
     notes: list[Note] = []
     with ErrorCollector() as errors:
-        read_fields(errors, table, OF_ARRAYS, place, table="recording of arrays")
+        read_fields(errors, table, OF_ARRAYS, location, table="recording of arrays")
         for address in ARRAYS:
             if address in table:
                 with errors.collecting():
-                    channel, more = _channel(address, table[address], table.get("time"), f"{place}.{address}")
+                    channel, channel_notes = _read_channel(
+                        address, table[address], table.get("time"), f"{location}.{address}"
+                    )
                     channels.append(channel)
-                    notes += more
-    found = tuple(verdicts(channels, (), ambient_pressure, frozenset()))
+                    notes += channel_notes
+    findings = tuple(verdicts(channels, (), ambient_pressure, frozenset()))
     duration = max(float(channel.time[-1]) for channel in channels)
     start = dict(table.get("start", {}))
-    return Measurement(name, tuple(channels), (), start, ambient_pressure, tuple(notes), found, duration)
+    return Measurement(name, tuple(channels), (), start, ambient_pressure, tuple(notes), findings, duration)
 
 
-def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel, list[Note]]:
-    """A channel of arrays, and what was left out or merged in it."""
+def _read_channel(address: str, argument: Any, stamps: Any, location: str) -> tuple[Channel, list[Note]]:
+    """Return a channel of arrays, and notes on omitted or merged samples."""
     with ErrorCollector() as errors:
-        table = given if isinstance(given, Mapping) else {"values": given}
-        read = read_fields(errors, table, OF_ARRAY, place, table="channel")
+        table = argument if isinstance(argument, Mapping) else {"values": argument}
+        read = read_fields(errors, table, OF_ARRAY, location, table="channel")
     try:
-        time, values = (np.asarray(each, dtype=np.float64) for each in (stamps, read["values"]))
+        time, values = (np.asarray(array, dtype=np.float64) for array in (stamps, read["values"]))
     except (TypeError, ValueError, OverflowError):
-        raise InputError("tank.no_samples", place, value=read["values"]) from None
+        raise InputError("tank.no_samples", location, value=read["values"]) from None
     if time.ndim != 1 or time.shape != values.shape or time.size < LEAST_SAMPLES:
-        raise InputError("tank.shapes", place, shape=values.shape, time=time.shape, least=LEAST_SAMPLES)
+        raise InputError("tank.shapes", location, shape=values.shape, time=time.shape, least=LEAST_SAMPLES)
     samples = ordered(time - float(np.nanmin(time)), values)
     lag = read.get("lag", 0.0)
     noise, offset = (float(read[key]) if key in read else None for key in ("noise", "offset"))
@@ -219,41 +221,43 @@ def _channel(address: str, given: Any, stamps: Any, place: str) -> tuple[Channel
 
 
 def _check_course(run: TankRun, ambient_pressure: float) -> None:
-    """Refuse what is no charge or discharge, before a fit makes numbers of it."""
+    """Raise an error if a recording is not a charge or discharge."""
     values, noise = run.pressure.values, max(noise_of(run.pressure.values), 1e-9)
     count = max(3, values.size // 50)
     begin, end = float(np.median(values[:count])), float(np.median(values[-count:]))
-    place = f"{run.place}.{PRESSURE}"
+    location = f"{run.place}.{PRESSURE}"
     if np.ptp(values) < LEAST_CHANGE * noise:
-        raise InputError("tank.still", place, change=float(np.ptp(values)), noise=noise)
+        raise InputError("tank.still", location, change=float(np.ptp(values)), noise=noise)
     change = end - begin if run.direction == "discharge" else begin - end
     if change > CONTRARY * noise:
-        other = next(each for each in DIRECTIONS if each != run.direction)
-        raise InputError("tank.contrary", place, begin=begin, end=end, direction=run.direction, other=other)
+        other_direction = next(direction for direction in DIRECTIONS if direction != run.direction)
+        raise InputError(
+            "tank.contrary", location, begin=begin, end=end, direction=run.direction, other=other_direction
+        )
     if run.direction == "charge":
         if run.supply_pressure is None:
             raise missing_field(f"{run.place}.supply_pressure", _SUPPLY)
         supply = _pressure(run.supply, ambient_pressure)
         if not is_free(run.supply_pressure) and end > ABOVE_SUPPLY * supply:
-            raise InputError("tank.above_supply", place, end=end, supply=supply)
+            raise InputError("tank.above_supply", location, end=end, supply=supply)
 
 
-def _check_begin(run: TankRun) -> None:
-    """Refuse a pressure that rests at first, where the valve is said to be open from the first sample on."""
+def _check_start(run: TankRun) -> None:
+    """Raise an error if the pressure rests at first although the valve is open."""
     channel = run.pressure
     share = max(6.0 * noise_of(channel.values) / float(np.ptp(channel.values)), 0.002)
     if share > STIRRED:
         return
-    samples = [_when(channel, each) for each in (share, 4.0 * share, ONSET, COURSE)]
-    stirred, later, onset, course = (float(each) for each in channel.time[samples] - channel.time[0])
+    samples = [_index_of_change(channel, fraction) for fraction in (share, 4.0 * share, ONSET, COURSE)]
+    stirred, later, onset, course = (float(fraction) for fraction in channel.time[samples] - channel.time[0])
     # A slow gauge begins like a parabola: it is at four times the share after twice the time.
     if samples[0] > 3 and later < 1.5 * stirred and stirred > (RESTING + share / (COURSE - ONSET)) * (course - onset):
-        rest = float(channel.time[samples[0] - 1] - channel.time[0])
-        raise InputError("tank.rests", f"{run.place}.{PRESSURE}", rest=rest)
+        rest_time = float(channel.time[samples[0] - 1] - channel.time[0])
+        raise InputError("tank.rests", f"{run.place}.{PRESSURE}", rest=rest_time)
 
 
-def _pressure(given: Any, ambient_pressure: float) -> float:
-    read = quantity(given, "Pa", kind="pressure", name="supply_pressure")
+def _pressure(argument: Any, ambient_pressure: float) -> float:
+    read = quantity(argument, "Pa", kind="pressure", name="supply_pressure")
     return read.value + (ambient_pressure if read.reference == "gauge" else 0.0)
 
 
@@ -261,7 +265,7 @@ def _pressure(given: Any, ambient_pressure: float) -> float:
 
 
 def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
-    volume = _begin(run.volume, None)
+    volume = _start_value(run.volume, None)
     if volume is None:
         raise InputError("tank.no_start", "volume", value=run.volume)
     numbers: dict[str, Any] = {"volume": volume, "thermal": test.thermal}
@@ -270,60 +274,60 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
     cubic_metres = read_number("volume", declared, volume).value
     if test.thermal == "energy":
         common = COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0)
-        numbers["wall_conductance"] = _begin(test.wall_conductance, common)
-        numbers["wall_temperature"] = _begin(test.wall_temperature, test.room)
-        numbers["wall_heat_capacity"] = _begin(test.wall_heat_capacity, plausible_wall(cubic_metres))
+        numbers["wall_conductance"] = _start_value(test.wall_conductance, common)
+        numbers["wall_temperature"] = _start_value(test.wall_temperature, test.room)
+        numbers["wall_heat_capacity"] = _start_value(test.wall_heat_capacity, plausible_wall(cubic_metres))
     if test.thermal == "polytropic":
-        numbers["polytropic_exponent"] = _begin(test.polytropic_exponent, COMMON_EXPONENT)
+        numbers["polytropic_exponent"] = _start_value(test.polytropic_exponent, COMMON_EXPONENT)
     if test.initial_temperature is not None or TEMPERATURE not in {c.address for c in run.measurement.channels}:
-        given = _begin(test.initial_temperature, test.room)
-        numbers["initial_temperature"] = test.room if given is None else given
+        argument = _start_value(test.initial_temperature, test.room)
+        numbers["initial_temperature"] = test.room if argument is None else argument
     tank = Chamber(initial_pressure=float(run.pressure.values[0]), **numbers)
     ports = ("tank", "ambient") if run.direction == "discharge" else ("supply", "tank")
     valve = Orifice(
         from_=ports[0],
         to=ports[1],
-        sonic_conductance=_begin(test.sonic_conductance, _conductance(run, cubic_metres, ambient)),
-        critical_ratio=_begin(test.critical_ratio, COMMON_RATIO),
-        subsonic_index=_begin(test.subsonic_index, 0.5),
+        sonic_conductance=_start_value(test.sonic_conductance, _initial_conductance(run, cubic_metres, ambient)),
+        critical_ratio=_start_value(test.critical_ratio, COMMON_RATIO),
+        subsonic_index=_start_value(test.subsonic_index, 0.5),
         laminar_ratio=NARROW_ZONE,
     )
     parts: dict[str, Part] = {"tank": tank, test.part: valve}
     if run.direction == "charge":
-        given = _begin(run.supply_temperature, test.room)
-        temperature = test.room if given is None else given
+        argument = _start_value(run.supply_temperature, test.room)
+        temperature = test.room if argument is None else argument
         parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
     if test.leak_conductance != 0.0:
         common = LEAK * float(valve.sonic_conductance)  # type: ignore[arg-type]
-        leak = {"sonic_conductance": _begin(test.leak_conductance, common), "critical_ratio": COMMON_RATIO}
+        leak = {"sonic_conductance": _start_value(test.leak_conductance, common), "critical_ratio": COMMON_RATIO}
         parts["leak"] = Orifice(from_="tank", to="ambient", **leak)
     return Circuit(parts, ambient=ambient, title=test.title)
 
 
 def plausible_wall(volume: float) -> float:
-    """Heat capacity of the wall of a light vessel [J/K], a guess."""
+    """Return the heat capacity of the wall of a light vessel [J/K], an estimate."""
     return PLAUSIBLE_WALL * AREA_FACTOR * float(volume ** (2.0 / 3.0))
 
 
-def _begin(given: Any, common: Any) -> Any:
-    """The value of a number, or where the search for it begins."""
-    if isinstance(given, Mapping):
-        return given.get("start", common)
-    return common if given == "free" else given
+def _start_value(argument: Any, common: Any) -> Any:
+    """Return the value of a parameter, or its start value if it is free."""
+    if isinstance(argument, Mapping):
+        return argument.get("start", common)
+    return common if argument == "free" else argument
 
 
-def is_free(given: Any) -> bool:
-    """Whether a number is to be found."""
-    return isinstance(given, Mapping) or given == "free"
+def is_free(argument: Any) -> bool:
+    """Return True if a parameter is free."""
+    return isinstance(argument, Mapping) or argument == "free"
 
 
-def _conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
-    """C as if the flow were choked and the gas isothermal; a place to begin."""
+def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
+    """Return a start value of C for choked flow and isothermal gas."""
     channel = run.pressure
-    before, after = (_when(channel, share) for share in (ONSET, COURSE))
-    before = min(before, max(0, after - 1))  # one step may do both
-    span = max(float(channel.time[after] - channel.time[before]), 1e-9)
-    high, low = float(channel.values[before]), float(channel.values[after])
+    first, last = (_index_of_change(channel, share) for share in (ONSET, COURSE))
+    first = min(first, max(0, last - 1))  # one step may do both
+    span = max(float(channel.time[last] - channel.time[first]), 1e-9)
+    high, low = float(channel.values[first]), float(channel.values[last])
     temperature = float(ambient.temperature)  # type: ignore[arg-type]
     if run.direction == "discharge":
         rate = math.log(max(high / low, 1.001)) / span
@@ -333,19 +337,19 @@ def _conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
     return volume * rate / factor
 
 
-def _when(channel: Channel, share: float) -> int:
-    """First sample at which a share of the whole change is done."""
+def _index_of_change(channel: Channel, share: float) -> int:
+    """Return the index of the first sample at a fraction of the total change."""
     # Of few samples the first is the start: by the third a tank may be half empty.
     begin = np.median(channel.values[: min(3, 1 + channel.time.size // 50)])
-    moved = np.abs(channel.values - begin)
+    change = np.abs(channel.values - begin)
     # However steep it is, there is a sample for the onset before the one for the course.
-    return min(int(np.argmax(moved >= share * np.max(moved))), channel.time.size - 2 + (share > ONSET))
+    return min(int(np.argmax(change >= share * np.max(change))), channel.time.size - 2 + (share > ONSET))
 
 
-def _completed(test: TankTest, run: TankRun) -> Measurement:
-    """The recording with its start values, and with the command of the valve where it is not open throughout."""
+def _complete_recording(test: TankTest, run: TankRun) -> Measurement:
+    """Return the recording with its start values and the command of the valve."""
     start: dict[str, Any] = {"tank.initial_pressure": "free"}
-    channels = [_lagging(test, channel) for channel in run.measurement.channels]
+    channels = [_with_lag(test, channel) for channel in run.measurement.channels]
     if test.initial_temperature is None and TEMPERATURE in {c.address for c in run.measurement.channels}:
         start["tank.initial_temperature"] = "first"
     measurement = replace(run.measurement, channels=tuple(channels), start={**start, **run.measurement.start})
@@ -361,7 +365,7 @@ def _completed(test: TankTest, run: TankRun) -> Measurement:
     return replace(measurement, inputs=(*measurement.inputs, command))
 
 
-def _lagging(test: TankTest, channel: Channel) -> Channel:
+def _with_lag(test: TankTest, channel: Channel) -> Channel:
     if channel.address != PRESSURE or channel.lag != 0.0 or test.pressure_lag == 0.0:
         return channel
     free = is_free(test.pressure_lag)
@@ -371,7 +375,7 @@ def _lagging(test: TankTest, channel: Channel) -> Channel:
 # What is free -----------------------------------------------------------------------------------------------------
 
 
-def _free(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> tuple[FreeParameter, ...]:
+def _free_parameters(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> tuple[FreeParameter, ...]:
     shared = {
         f"{test.part}.sonic_conductance": test.sonic_conductance,
         f"{test.part}.critical_ratio": test.critical_ratio,
@@ -382,71 +386,82 @@ def _free(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) 
     if test.thermal == "energy":
         shared |= {"tank.wall_temperature": test.wall_temperature, "tank.wall_heat_capacity": test.wall_heat_capacity}
     if test.thermal == "polytropic" and is_free(test.polytropic_exponent):
-        given = test.polytropic_exponent if isinstance(test.polytropic_exponent, Mapping) else {}
-        shared["tank.polytropic_exponent"] = EXPONENTS | dict(given)
-    found = [_read(address, given, circuits[0]) for address, given in shared.items() if is_free(given)]
+        argument = test.polytropic_exponent if isinstance(test.polytropic_exponent, Mapping) else {}
+        shared["tank.polytropic_exponent"] = EXPONENTS | dict(argument)
+    parameters = [
+        _read_free(address, argument, circuits[0]) for address, argument in shared.items() if is_free(argument)
+    ]
     if test.thermal == "energy" and is_free(test.wall_conductance):
-        found += _walls(test.wall_conductance, runs, circuits)
+        parameters += _free_walls(test.wall_conductance, runs, circuits)
     for local in ("pressure", "temperature"):
-        found += _supplies(f"supply.{local}", [getattr(run, f"supply_{local}") for run in runs], runs, circuits)
+        parameters += _free_supplies(
+            f"supply.{local}", [getattr(run, f"supply_{local}") for run in runs], runs, circuits
+        )
     if is_free(test.initial_temperature):
-        found += _of_each("tank.initial_temperature", [test.initial_temperature] * len(runs), runs, circuits)
+        parameters += _free_by_recording(
+            "tank.initial_temperature", [test.initial_temperature] * len(runs), runs, circuits
+        )
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
-    found += recording_parameters(measurements, circuits, roles)
+    parameters += recording_parameters(measurements, circuits, roles)
     for run in runs:
         name = run.measurement.name
         if test.valve_delay == "free":
-            found.append(_delay(f"{name}.{test.part}.delay", f"{test.part}.opening", run))
-        found += _offset(test, run)
-    return tuple(found)
+            parameters.append(_free_delay(f"{name}.{test.part}.delay", f"{test.part}.opening", run))
+        parameters += _free_offsets(test, run)
+    return tuple(parameters)
 
 
-def _offset(test: TankTest, run: TankRun) -> list[FreeParameter]:
-    """A sensor's zero, free where it was asked for, where it is stated how well it is known, or after a closing."""
-    given, stated = test.pressure_offset, run.pressure.offset
-    if given == 0.0 or (given is None and stated is None and run.closes >= run.measurement.duration):
+def _free_offsets(test: TankTest, run: TankRun) -> list[FreeParameter]:
+    """Return the free offset of the pressure sensor.
+
+    It is free on request, if its uncertainty is stated, or if the valve closes within the recording.
+    """
+    argument, stated = test.pressure_offset, run.pressure.offset
+    if argument == 0.0 or (argument is None and stated is None and run.closes >= run.measurement.duration):
         return []
-    known = stated or (None if given == "free" else USUAL_ZERO * float(np.ptp(run.pressure.values)))
-    prior = None if known is None else NormalPrior(0.0, known)
+    sd = stated or (None if argument == "free" else USUAL_ZERO * float(np.ptp(run.pressure.values)))
+    prior = None if sd is None else NormalPrior(0.0, sd)
     return [offset_parameter(run.measurement.name, run.pressure, prior)]
 
 
-def _walls(given: Any, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[FreeParameter]:
+def _free_walls(argument: Any, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[FreeParameter]:
     address = "tank.wall_conductance"
     if len({(run.direction, str(run.volume)) for run in runs}) == 1:
-        return [_read(address, given, circuits[0])]
-    return _of_each(address, [given] * len(runs), runs, circuits)
+        return [_read_free(address, argument, circuits[0])]
+    return _free_by_recording(address, [argument] * len(runs), runs, circuits)
 
 
-def _supplies(
-    address: str, given: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
+def _free_supplies(
+    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
 ) -> list[FreeParameter]:
-    """One supply where all recordings are charges from the same, else one for each charge."""
-    if all(run.direction == "charge" for run in runs) and len({str(each) for each in given}) == 1:
-        return [_read(address, given[0], circuits[0])] if is_free(given[0]) else []
-    charges = [each if run.direction == "charge" else None for each, run in zip(given, runs, strict=True)]
-    return _of_each(address, charges, runs, circuits)
+    """Return one free supply if all charges share it, else one per charge."""
+    if all(run.direction == "charge" for run in runs) and len({str(argument) for argument in arguments}) == 1:
+        return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []
+    charges = [argument if run.direction == "charge" else None for argument, run in zip(arguments, runs, strict=True)]
+    return _free_by_recording(address, charges, runs, circuits)
 
 
-def _of_each(
-    address: str, given: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
+def _free_by_recording(
+    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
 ) -> list[FreeParameter]:
-    """A free number of each recording; it needs no name of its own where there is but one."""
+    """Return a free parameter for each recording; a single one has no prefix."""
     names = [run.measurement.name for run in runs]
-    found = [
-        _read(address, each, c, recording=n) for n, each, c in zip(names, given, circuits, strict=True) if is_free(each)
+    parameters = [
+        _read_free(address, argument, c, recording=n)
+        for n, argument, c in zip(names, arguments, circuits, strict=True)
+        if is_free(argument)
     ]
-    return found if len(runs) > 1 else [replace(f, name=address) for f in found]
+    return parameters if len(runs) > 1 else [replace(f, name=address) for f in parameters]
 
 
-def _read(address: str, given: Any, circuit: Circuit, *, recording: str = "") -> FreeParameter:
-    table = given if isinstance(given, Mapping) else {}
+def _read_free(address: str, argument: Any, circuit: Circuit, *, recording: str = "") -> FreeParameter:
+    table = argument if isinstance(argument, Mapping) else {}
     name = f"{recording}.{address}" if recording else ""
     return read_free(address, table, circuit, recording=recording, name=name, where=address.rpartition(".")[2])
 
 
-def _delay(name: str, address: str, run: TankRun) -> FreeParameter:
-    """Begins where the pressure begins to move."""
+def _free_delay(name: str, address: str, run: TankRun) -> FreeParameter:
+    """Return the free delay of the valve, from the onset of the change."""
     latest = run.measurement.duration - run.opens
-    begin = float(np.clip(run.pressure.time[_when(run.pressure, ONSET)] - run.opens, 0.0, 0.5 * latest))
+    begin = float(np.clip(run.pressure.time[_index_of_change(run.pressure, ONSET)] - run.opens, 0.0, 0.5 * latest))
     return FreeParameter(name, address, "s", begin, 0.0, latest, "dead_time", run.measurement.name)

@@ -1,4 +1,4 @@
-"""What a user says about a tank test, in Python or in a file."""
+"""Description of a tank test, in Python or in a file."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _RECORDINGS = Field(
 
 @dataclass(frozen=True, kw_only=True)
 class TankTest:
-    r"""Charge and discharge tests of one component: a tank of known volume that fills or empties through it.
+    r"""Charge and discharge tests of one component with a tank.
 
     .. math:: \frac{V \dot p}{\kappa - 1} = \pm c_p T_1 q_m(C, b, m) + h A (T_w - T)
 
@@ -152,11 +152,15 @@ class TankTest:
 
     def __post_init__(self) -> None:
         with ErrorCollector() as errors:
-            for name, known in (("direction", DIRECTIONS), ("thermal", THERMAL)):
-                given = getattr(self, name)
-                if given not in known:
+            for name, valid in (("direction", DIRECTIONS), ("thermal", THERMAL)):
+                argument = getattr(self, name)
+                if argument not in valid:
                     errors.add(
-                        "fields.not_an_option", name, value=given, meaning=name, near=NameSuggestion(str(given), known)
+                        "fields.not_an_option",
+                        name,
+                        value=argument,
+                        meaning=name,
+                        near=NameSuggestion(str(argument), valid),
                     )
             laws = tuple(self.compare) if isinstance(self.compare, list | tuple) else (self.compare,)
             object.__setattr__(self, "compare", laws)
@@ -181,8 +185,15 @@ class TankTest:
 
     @property
     def room(self) -> Any:
-        """The ambient temperature, stated or usual."""
+        """Ambient temperature, or 20 degC if it is not stated."""
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
+
+
+FILE_FIELDS = {f.name: Field() for f in fields(TankTest) if f.name != "folder"} | {
+    "volume": Field(is_required=True, meaning="volume of the tank", example='volume = "16.2 l"'),
+    "recordings": _RECORDINGS,
+}
+"""Fields of a tank test file."""
 
 
 def read_tank_file(path: str | Path) -> TankTest:
@@ -224,17 +235,12 @@ def read_tank_file(path: str | Path) -> TankTest:
     """
     file = TomlFile.read(path, "recordings")
     with file.errors():
-        return test_of(file)
+        return read_test(file)
 
 
-def test_of(file: TomlFile) -> TankTest:
-    """The test that a file describes."""
-    known = {f.name: Field() for f in fields(TankTest) if f.name != "folder"}
-    known |= {
-        "volume": Field(is_required=True, meaning="volume of the tank", example='volume = "16.2 l"'),
-        "recordings": _RECORDINGS,
-    }
+def read_test(file: TomlFile) -> TankTest:
+    """Return the test of a file."""
     with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, known, table="tank test file")
+        data = read_fields(errors, file.content, FILE_FIELDS, table="tank test file")
     title = str(data.get("title", Path(file.name).stem))
     return TankTest(**{**data, "title": title}, folder=file.folder)

@@ -221,7 +221,7 @@ class _Schematic:
                 max((text_width(_port_label(e[1]), 6.5) for e in ports if self.sides[e] is s), default=0.0)
                 for s in (True, False)
             ]
-            widths.append(2.0 * max(labels) + 1.6 * _SYMBOL)
+            widths.append(2.0 * max(labels) + (2.4 if isinstance(part.symbol_for(False), str) else 1.6) * _SYMBOL)
         body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
         return _Box(name, lines, tags, max(widths) + 2.0 * _PAD, body + _TAG * len(tags), symbol_height)

@@ -44,8 +44,8 @@ def design_page(design: Design) -> str:
     return document(design.title, sections)
 
 
-def design_text(design: Design) -> str:
-    """Return a design as text for a terminal."""
+def design_text(design: Design, max_findings: int | None = None) -> str:
+    """Return a design as text for a terminal; it always has all findings."""
     n_omitted = len(design.tests) - MAX_CANDIDATES
     lines = [design.title, "Make:", *(f"  {k}. {name}" for k, name in enumerate(design.chosen, start=1)), ""]
     lines += [_joint_table(design).text(), "", _candidate_table(design, MAX_CANDIDATES).text()]

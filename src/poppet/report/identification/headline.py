@@ -6,9 +6,10 @@ from collections.abc import Iterable
 
 from poppet.core.codes import Note
 from poppet.core.message_format import sentence
+from poppet.core.note_groups import grouped
 from poppet.core.number_format import number, pretty, readable_unit, scaled, value_with_error
-from poppet.identify import Result
-from poppet.identify.result import VERDICTS, behind
+from poppet.identify.methods import METHODS
+from poppet.identify.result import VERDICTS, Result, behind
 
 SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
 """Symbols of the parameters in a headline; without such a parameter it shows the first two of the circuit."""
@@ -59,7 +60,8 @@ def headline(result: Result, *, is_plain: bool = False) -> str:
 
 
 def _main_names(result: Result) -> list[str]:
-    if result.method == "characteristic":
+    method = METHODS.get(result.method)
+    if method and method.has_coefficients:
         return []  # single coefficients of a curve have little meaning
     recordings = result.conditions.get("recordings", ())
     names = [name for name in result.parameters if name.partition(".")[0] not in recordings]
@@ -114,7 +116,8 @@ def next_step(result: Result) -> str:
         for remark in result.remarks:
             if any(remark.code == code or remark.code.startswith(f"{code}.") for code in codes):
                 return sentence(f"identification.next.{key}", {}) if key else str(remark)
-    if result.method not in ("fit", "tank") or result.conditions.get("validation"):
+    method = METHODS.get(result.method)
+    if not (method and method.is_fit) or result.conditions.get("validation"):
         return ""
     return sentence("identification.next.held_out", {})
 
@@ -126,3 +129,16 @@ def split_notes(notes: Iterable[Note]) -> tuple[list[Note], list[Note]]:
     for note in notes:
         (minor if note.code.partition(".")[0] in READING_CODES else major).append(note)
     return major, minor
+
+
+def result_summary(result: Result, max_findings: int | None = None) -> str:
+    """Return a result as text for a terminal, with all findings or a maximum number."""
+    step = next_step(result)
+    lines = [result.title] * bool(result.title) + [headline(result, is_plain=True)]
+    lines += [f"Next: {step}"] * bool(step) + result.lines()
+    major, minor = split_notes(result.remarks)
+    notes = [*major, *minor] if max_findings is None else [*grouped(major), *grouped(minor)]
+    lines += [f"- {note}" for note in notes[:max_findings]]
+    if max_findings is not None and len(notes) > max_findings:
+        lines.append(f"  ({len(notes) - max_findings} more: --all, the page and the result file)")
+    return "\n".join(lines)

@@ -12,13 +12,14 @@ import numpy as np
 from poppet.core.message_format import sentence
 from poppet.core.number_format import scaled, with_unit
 from poppet.identify import Estimate, Result
-from poppet.identify.result import DETERMINED, METHODS, VERDICTS, WEAK
+from poppet.identify.methods import METHODS, imported
+from poppet.identify.result import DETERMINED, VERDICTS, WEAK
 from poppet.report.html_page import Section, document, findings, folded, head, items, paragraph, picture, write_page
 from poppet.report.identification import identification_figures as figures
 from poppet.report.identification import identification_tables as tables
 from poppet.report.identification.cost_figures import contour_figure, profile_figure, starts_figure
 from poppet.report.identification.headline import headline, next_step, split_notes
-from poppet.report.identification.method_sections import METHOD_REPORTS, MethodReport
+from poppet.report.identification.method_sections import MethodReport
 from poppet.report.styles import stylesheet
 from poppet.report.tables import Table, code
 from poppet.timeseries.plotting.figures import style
@@ -39,12 +40,13 @@ def write_identification(result: Result, path: str | Path) -> Path:
 
 def identification_page(result: Result) -> str:
     """Return the report of an identification as HTML."""
-    method = METHOD_REPORTS.get(result.method, MethodReport())
+    declaration = METHODS.get(result.method)
+    method = (imported(declaration.sections) if declaration else None) or MethodReport()
     with style("A report of an identification"):
         c = result.comparison
         explanation = f"<p>{_text('explained', determined=100.0 * DETERMINED, weak=100.0 * WEAK)}</p>\n"
-        if result.method in METHODS:
-            explanation += f"<p>{_text(f'intervals.{result.method}')}</p>\n"
+        if declaration and declaration.intervals:
+            explanation += f"<p>{declaration.intervals}</p>\n"
         sections = [
             Section("", _head(result, method)),
             Section("Findings", _findings(result)),
@@ -69,6 +71,7 @@ def identification_page(result: Result) -> str:
 
 
 def _head(result: Result, method: MethodReport) -> str:
+    declaration = METHODS.get(result.method)
     estimates = sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
     worst = estimates[0][1].verdict if estimates else "determined"
     rows = [(tables.verdict_word(e.verdict), code(name), tables.estimate_text(e)) for name, e in estimates]
@@ -76,7 +79,7 @@ def _head(result: Result, method: MethodReport) -> str:
     curves = [t for t in figures.traces_of(result) if method.has_bands and t.low.size and not t.is_timed]
     bands = "".join(paragraph(_band_width(trace)) for trace in curves)
     step = next_step(result)
-    description = _text(f"method.{result.method}") if result.method in METHODS else result.method
+    description = declaration.description if declaration else result.method
     next_line = f"<p><strong>Next:</strong> {html.escape(step)}</p>\n" if step else ""
     # Without headings the table of the summary is not stacked.
     summary = bands or Table(("", "", ""), rows).html().replace("scroll stack", "scroll")

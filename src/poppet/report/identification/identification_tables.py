@@ -19,7 +19,7 @@ from poppet.core.number_format import (
 )
 from poppet.core.provenance import Number
 from poppet.identify import Estimate, Result
-from poppet.identify.friction.coordinate import TURNING
+from poppet.identify.friction.records import TURNING
 from poppet.report.tables import Column, Markup, Table, code, numeric, with_detail
 
 _LABELS = {

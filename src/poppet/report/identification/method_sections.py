@@ -1,6 +1,6 @@
 """Parts of an identification report that depend on the method.
 
-A method adds an entry to `METHOD_REPORTS`. Its functions return sections; empty tables are omitted.
+The declaration of a method names its `MethodReport`. The functions return sections; empty tables are omitted.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from poppet.core.number_format import number, readable_unit, scaled, with_unit
 from poppet.identify import Result
-from poppet.identify.friction.coordinate import COORDINATES
+from poppet.identify.friction.records import COORDINATES
 from poppet.report.html_page import Section
 from poppet.report.identification.identification_tables import error_text, estimate_text, plain_text
 from poppet.report.tables import Table, code, numeric
@@ -141,13 +141,8 @@ def _friction_sections(result: Result) -> list[Section]:
     return [Section("Friction laws", content)]
 
 
-_FRICTION_REFERENCES = ("friction_laws", "clusters", "one_error")
-METHOD_REPORTS = {
-    "fit": MethodReport(),
-    "tank": MethodReport(references=("iso6358_2", "runs", "aicc")),
-    "flow": MethodReport(evidence=_steady_sections, references=("iso6358_1", "gum", "aicc")),
-    "characteristic": MethodReport(evidence=_steady_sections, references=("varga2012", "runs", "aicc")),
-    "muscle": MethodReport(_force_sections, references=("muscle_laws", "jackknife")),
-    "friction": MethodReport(_friction_sections, references=_FRICTION_REFERENCES, has_bands=False),
-}
-"""Method to its part of the report; a method without an entry has the report of a fit."""
+TANK = MethodReport(references=("iso6358_2", "runs", "aicc"))
+FLOW = MethodReport(evidence=_steady_sections, references=("iso6358_1", "gum", "aicc"))
+CHARACTERISTIC = MethodReport(evidence=_steady_sections, references=("varga2012", "runs", "aicc"))
+MUSCLE = MethodReport(_force_sections, references=("muscle_laws", "jackknife"))
+FRICTION = MethodReport(_friction_sections, references=("friction_laws", "clusters", "one_error"), has_bands=False)

@@ -7,10 +7,10 @@
 
 @FUNCTIONS@
 
-static const double scales[] = {@SCALES@}; /* of each state: factor on the tolerance, floor, nominal size */
+static const double scales[] = {@SCALES@}; /* per state: factor on the tolerance, floor, nominal size */
 static const uint8_t positive[] = {@POSITIVE@};
 static const uint8_t acting[] = {@ACTING@};
-static const int64_t places[] = {@PLACES@}; /* stop conditions: outputs, or -1, and weights */
+static const int64_t places[] = {@PLACES@}; /* stop conditions: indices of outputs, or -1, and weights */
 static const double weights[] = {@WEIGHTS@};
 
 int64_t model_integrate(const int64_t *fields);
@@ -30,7 +30,7 @@ void model_adaptive_begin(model_adaptive *m) {
 
 int64_t model_adaptive_run(model_adaptive *m, const double *times, int64_t n_times, double *table) {
   int64_t job[@N_FIELDS@], course, k;
-  /* Inputs without a signal take the number that stands for them. */
+  /* An input without a signal has the value of its parameter. */
   for (k = 0; k < MODEL_INPUTS; k++) {
     if (model_input_list[k].number < 0 || model_input_list[k].is_driven) continue;
     for (course = 0; course < MODEL_COURSES; course++) {

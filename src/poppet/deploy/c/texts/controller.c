@@ -21,7 +21,7 @@ void model_call(model_state *m, double t) {
   @REAL@ fired[MODEL_TIMERS];
   double after[MODEL_MEMORY];
   int k, any, rounds;
-  /* What is closer is one instant; and a part may set a timer to the same instant again. */
+  /* Times within this tolerance are one instant. A part can set a timer to the same instant again. */
   const double due = t + 1e-14 * t + 1e-15;
   for (rounds = 0; rounds < 64; rounds++) {
     for (any = 0, k = 0; k < MODEL_TIMERS; k++) {

@@ -13,36 +13,36 @@ enum {
   MODEL_INPUTS = @N_INPUTS@,
   MODEL_NUMBERS = @N_NUMBERS@,
   MODEL_MEMORY = @N_MEMORY@,
-  MODEL_TIMERS = @N_TIMERS@, /* the first elements of the memory: when it acts next [s] */
+  MODEL_TIMERS = @N_TIMERS@, /* first elements of the memory: next sample instants [s] */
   MODEL_OUTPUTS = @N_OUTPUTS@
 };
 #define MODEL_CYCLE @CYCLE@ /* [s] */
 
-/* Places of the inputs in u. */
+/* Indices of the inputs in u. */
 enum {
 @U@
 };
 
-/* Places of the numbers in p. */
+/* Indices of the parameters in p. */
 enum {
 @P@
 };
 
-/* Places of the outputs in y. */
+/* Indices of the outputs in y. */
 enum {
 @Y@
 };
 
 typedef struct {
-  @REAL@ u[MODEL_INPUTS + 1];  /* set them before each call */
-  double p[MODEL_NUMBERS + 1]; /* may be changed between calls */
-  @REAL@ y[MODEL_OUTPUTS + 1]; /* of the last call */
+  @REAL@ u[MODEL_INPUTS + 1];  /* inputs: set them before each call */
+  double p[MODEL_NUMBERS + 1]; /* parameters: can change between calls */
+  @REAL@ y[MODEL_OUTPUTS + 1]; /* outputs of the last call */
   double z[MODEL_MEMORY + 1];
 } model_state;
 
-void model_begin(model_state *m); /* numbers and inputs as in the circuit file; the next call is the first */
-void model_restart(model_state *m); /* memory as at the start, with the numbers as they are */
-void model_call(model_state *m, double t); /* the time [s], from 0 on: of the calls before, times the cycle */
+void model_begin(model_state *m); /* parameters and inputs of the circuit file; the next call is the first */
+void model_restart(model_state *m); /* memory as at the start, with the present parameters */
+void model_call(model_state *m, double t); /* t [s]: number of the previous calls times the cycle */
 
 #ifdef __cplusplus
 }

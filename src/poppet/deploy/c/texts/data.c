@@ -25,11 +25,11 @@ const model_quantity model_output_list[] = {
 @OUTPUTS@
 };
 
-/* Where each segment of the signals begins, and which set of coefficients holds on it. */
+/* Start of each segment of the signals, and the index of its coefficients. */
 const double model_starts[] = {@STARTS@};
-const uint8_t model_jumps[] = {@JUMPS@}; /* of an input at its begin */
+const uint8_t model_jumps[] = {@JUMPS@}; /* 1 if an input jumps at the start */
 const int64_t model_courses[] = {@COURSES@};
-/* For each set and input: value, slope, amplitude, frequency, chirp rate, phase, and where its time begins. */
+/* For each set and input: value, slope, amplitude, frequency, chirp rate, phase, and origin of its time. */
 const double model_coefficients[] = {
 @COEFFICIENTS@
 };

@@ -16,15 +16,15 @@
 @PIECES@
 #define GAMMA 1.70710678118654752440 /* 1 + 1/sqrt(2) */
 #define AFTER_JUMP 4
-#define HALVINGS 6 /* of a step that has left the domain of the model */
-#define MOST_PARTS 256 /* of a substep that instants and breakpoints divide */
+#define HALVINGS 6 /* of a step that leaves the domain of the model */
+#define MOST_PARTS 256 /* of a substep that is divided by sample instants and breakpoints */
 
-#define APART 0.1 /* of a state, by which the results of both stages may differ before a step is made in halves */
+#define APART 0.1 /* of a state: a larger difference of both stages halves the step */
 
 static const uint8_t positive[] = {@POSITIVE@};
 static const double nominal[] = {@NOMINAL@};
 
-/* Inputs at a time of the present segment, and how fast they move; 0 where they rest. */
+/* Inputs at a time of the present segment, and their slopes; returns 0 if they are constant. */
 static int inputs_now(const model_fixed *m, double t, double *u, double *slopes) {
   double own[MODEL_ROOM_OF_INPUTS], moving[MODEL_ROOM_OF_INPUTS];
   Segment segment;
@@ -55,7 +55,7 @@ static int inputs_now(const model_fixed *m, double t, double *u, double *slopes)
   return moves;
 }
 
-/* Which segment of the signals holds, inputs, and what is sampled and due. */
+/* Present segment of the signals, inputs, and sampled parts whose instant has come. */
 static void settle(model_fixed *m) {
   double due = m->t + do_rounding(m->t);
   while (m->segment + 1 < MODEL_SEGMENTS && model_starts[m->segment + 1] <= due) {
@@ -65,7 +65,7 @@ static void settle(model_fixed *m) {
 @UPDATE@
 }
 
-/* One step of the method; 0 where the new state is one. */
+/* One step of the method; returns 0 if the new state is valid. */
 static int step(model_fixed *m, double h, int moves, int is_choosy) {
 @STEP@
 }
@@ -95,7 +95,7 @@ int model_fixed_step(model_fixed *m, double until) {
   const double longest = (until - m->t) / (double)substeps;
   long parts = 0;
   int halved = 0, k;
-  /* What an input that jumps sets going is over before long: the first step after it is made in parts. */
+  /* A jump of an input causes fast transients: the first step after it is divided. */
   int left = m->has_jumped ? AFTER_JUMP : 1;
   double share = 1.0;
   m->has_jumped = 0;
@@ -107,7 +107,7 @@ int model_fixed_step(model_fixed *m, double until) {
       end = model_starts[m->segment + 1];
     }
 @INSTANT@
-    /* As many substeps of one length as are needed up to there. */
+    /* Equal substeps up to that time. */
     even = floor((end - m->t) / longest + (1.0 - 1e-9));
     h = (end - m->t) * share / (even > 1.0 ? left * even : left);
     if (step(m, h, moves, halved < HALVINGS)) {
@@ -119,7 +119,7 @@ int model_fixed_step(model_fixed *m, double until) {
     for (k = 0; k < MODEL_INPUTS; k++) m->u[k] += m->by_host[k] ? (end - m->t) * m->slopes[k] : 0.0;
     m->t = end;
     left -= left > 1;
-    /* As much of the rest as went well, and no more than twice. */
+    /* The next part is at most twice the last successful one. */
     share = share < 0.5 ? 2.0 * share : 1.0;
     halved -= halved > 0;
     settle(m);

@@ -15,32 +15,32 @@ enum {
   MODEL_NUMBERS = @N_NUMBERS@,
   MODEL_INPUTS = @N_INPUTS@,
   MODEL_ROOM_OF_INPUTS = @ROOM@,
-  MODEL_STATES = @N_STATES@, /* that the run follows */
-  MODEL_INTEGRATED = @N_X@,  /* with the integrals of flows and heats behind them */
-  MODEL_MEMORY = @N_MEMORY@, /* of what is sampled or switched, in p behind the numbers */
-  MODEL_TIMERS = @N_TIMERS@, /* the first elements of the memory: when it acts next [s] */
+  MODEL_STATES = @N_STATES@, /* with error control */
+  MODEL_INTEGRATED = @N_X@,  /* with the integrals of flows and heat after them */
+  MODEL_MEMORY = @N_MEMORY@, /* sampled or switched states, in p after the parameters */
+  MODEL_TIMERS = @N_TIMERS@, /* first elements of the memory: next sample instants [s] */
   MODEL_OUTPUTS = @N_OUTPUTS@,
-  MODEL_SEGMENTS = @N_SEGMENTS@, /* of the signals that the model brings */
+  MODEL_SEGMENTS = @N_SEGMENTS@, /* of the signals of the model */
   MODEL_COURSES = @N_COURSES@,
-  MODEL_SUBSTEPS = @SUBSTEPS@ /* in which a call of model_fixed_step is made at first */
+  MODEL_SUBSTEPS = @SUBSTEPS@ /* initial number of steps per call of model_fixed_step */
 };
 
-/* Places of the numbers in p. */
+/* Indices of the parameters in p. */
 enum {
 @P@
 };
 
-/* Places of the inputs in u. */
+/* Indices of the inputs in u. */
 enum {
 @U@
 };
 
-/* Places of the states in x. */
+/* Indices of the states in x. */
 enum {
 @X@
 };
 
-/* Places of the outputs in y. */
+/* Indices of the outputs in y. */
 enum {
 @Y@
 };
@@ -48,14 +48,14 @@ enum {
 typedef struct {
   const char *name, *unit;
   double value, low, high;
-  int may_change; /* at run time; from the others something follows that is constant here */
+  int may_change; /* at run time; constants of the model depend on the others */
 } model_number;
 
 typedef struct {
   const char *name, *unit;
   double low, high;
-  int number;    /* that it takes where it has no signal, or -1 */
-  int is_driven; /* by a signal that the model brings */
+  int number;    /* index of the parameter with its value if it has no signal, or -1 */
+  int is_driven; /* by a signal of the model */
 } model_input;
 
 typedef struct {
@@ -69,24 +69,24 @@ extern const double model_starts[], model_coefficients[];
 extern const int64_t model_courses[];
 extern const uint8_t model_jumps[];
 
-/* Change a number of p: 0, or 1 where it may not be changed, 2 where the value is not finite or outside its limits. */
+/* Change a parameter in p. Returns 0; 1 if it must not change; 2 if the value is not finite or outside its limits. */
 int model_set(double *p, int place, double value);
 
 /* Real time: model_fixed.c. */
 typedef struct {
   double t;                                    /* time [s] */
   double x[@ROOM_X_FIXED@];                    /* states */
-  double p[MODEL_NUMBERS + MODEL_MEMORY + 1];  /* numbers, and behind them the memory */
-  double u[MODEL_ROOM_OF_INPUTS];              /* inputs at t; yours where by_host */
-  double slopes[MODEL_ROOM_OF_INPUTS];         /* how fast they move, per second; yours where by_host */
-  uint8_t by_host[MODEL_ROOM_OF_INPUTS];       /* 1 for an input that the caller drives */
+  double p[MODEL_NUMBERS + MODEL_MEMORY + 1];  /* parameters, then the memory */
+  double u[MODEL_ROOM_OF_INPUTS];              /* inputs at t; set by the caller if by_host */
+  double slopes[MODEL_ROOM_OF_INPUTS];         /* slopes of the inputs [1/s]; set by the caller if by_host */
+  uint8_t by_host[MODEL_ROOM_OF_INPUTS];       /* 1 for an input that the caller sets */
   int64_t segment;
   int has_jumped;
-  int substeps; /* of one length, at least, in which each call of model_fixed_step is made; yours */
+  int substeps; /* minimum number of equal steps per call of model_fixed_step; set by the caller */
 } model_fixed;
 
-void model_fixed_begin(model_fixed *m);   /* numbers as in the circuit file, and the state at t = 0 */
-void model_fixed_restart(model_fixed *m); /* t = 0 with the numbers as they are */
+void model_fixed_begin(model_fixed *m);   /* parameters of the circuit file, and the state at t = 0 */
+void model_fixed_restart(model_fixed *m); /* t = 0 with the present parameters */
 /* On to a time. 0; 1 where the state would leave the domain of the model, 2 where too much happens in one step: m then
    stands where it got to. */
 int model_fixed_step(model_fixed *m, double until);
@@ -102,7 +102,7 @@ typedef struct {
   int64_t counts[5]; /* accepted steps, attempts, rows written, stop condition that was met or -1 */
 } model_adaptive;
 
-void model_adaptive_begin(model_adaptive *m); /* numbers, signals and tolerance as in the circuit file */
+void model_adaptive_begin(model_adaptive *m); /* parameters, signals and tolerance of the circuit file */
 /* From t = 0 to the last of the times; table has MODEL_OUTPUTS rows, output k at times[i] is table[k * n_times + i].
    Gives back 0 done, 1 stopped by a condition, 2 stalled, 3 too many attempts, 4 not finite. */
 int64_t model_adaptive_run(model_adaptive *m, const double *times, int64_t n_times, double *table);

@@ -10,7 +10,7 @@
 
 enum { ROWS = @ROWS@, COMPARED = @COMPARED@ };
 static const double times[ROWS] = {@TIMES@};
-/* Outputs that are states, for these do not jump; of each its size, and its values at these times. */
+/* Outputs that are states, which do not jump: size and expected values at these times. */
 static const int places[] = {@PLACES_OF_STATES@};
 static const double sizes[] = {@SIZES@};
 static const double known[] = {
@@ -25,7 +25,7 @@ static const double allowed_fixed[] = {
 @ALLOWED_FIXED@
 };
 
-/* Whether all states are where they may be; prints the one that is nearest to its limit or furthest beyond it. */
+/* Returns 1 if all states are within their limits; prints the state with the largest ratio to its limit. */
 static int is_near(const double *table, const double *allowed) {
   double worst = -1.0, most = 0.0, limit = 0.0, at = 0.0;
   int k, row, place = -1;
@@ -38,7 +38,7 @@ static int is_near(const double *table, const double *allowed) {
       worst = d / limit;
       at = times[row];
       place = places[k];
-      if (!(worst <= 1e300)) k = COMPARED, row = ROWS; /* no number */
+      if (!(worst <= 1e300)) k = COMPARED, row = ROWS; /* not a number */
     }
   }
   if (place >= 0) {

@@ -1,7 +1,7 @@
   {
     double *z = m->p + MODEL_NUMBERS, fired[MODEL_TIMERS], after[MODEL_MEMORY];
     int k, any, rounds;
-    /* A part may set a timer to the same instant again. */
+    /* A part can set a timer to the same instant again. */
     for (rounds = 0; rounds < 64; rounds++) {
       for (any = 0, k = 0; k < MODEL_TIMERS; k++) {
         fired[k] = z[k] <= due ? 1.0 : 0.0;

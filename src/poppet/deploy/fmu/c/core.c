@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An instant or a breakpoint this close to where a step ends is there: hosts add up their steps. */
+/* Tolerance of sample instants and breakpoints at the end of a step, because importers add up their steps. */
 #define CLOSE(span) (1e-9 * (span))
 #define ROUNDING(t) (1e-12 * (t) + 1e-10)
 #define MOST_INSTANTS 1000000
@@ -13,7 +13,7 @@
 enum { U_NUMBER, U_CONSTANT, U_PORT, U_DRIVEN };
 enum { P_CONSTANT, P_FIXED, P_TUNABLE, P_INPUT };
 
-/* Scratch of `work`. */
+/* Size of `work`. */
 #define WORK_U 0
 #define WORK_SLOPES (WORK_U + ROOM(N_INPUTS))
 #define WORK_P (WORK_SLOPES + ROOM(N_INPUTS))
@@ -66,7 +66,7 @@ static int core_create(Core *c, void *(*allocate)(size_t, size_t), void (*releas
   return CORE_OK;
 }
 
-/* Times and tolerance of the experiment; returns why they cannot be, or NULL. */
+/* Set times and tolerance of the experiment; returns the reason if they are invalid, or NULL. */
 static const char *core_set_up(Core *c, double begin, int has_tolerance, double tolerance, int has_stop, double stop) {
   if (!IS_NUMBER(begin) || (has_stop && !(stop >= begin))) return "Start and stop time are not finite, or not in order.";
   if (has_tolerance && !(tolerance >= 1e-13 && tolerance <= 0.1)) return "The tolerance is not between 1e-13 and 0.1.";
@@ -76,10 +76,10 @@ static const char *core_set_up(Core *c, double begin, int has_tolerance, double 
   return NULL;
 }
 
-/* Categories of the log by the status that they tell; what is no success is always told. */
+/* Categories of the log by status; errors and warnings are always reported. */
 static const char *const LOG_CATEGORIES[] = {"logAll", "logStatusWarning", "logStatusDiscard", "logStatusError"};
 
-/* Whether successes are told too; `is_known` where there are all these categories. */
+/* Returns 1 if successes are reported too; `is_known` is 1 if all categories exist. */
 static int core_logs(int is_on, size_t n, const char *const categories[], int *is_known) {
   int logs = is_on && !n, j;
   size_t k;
@@ -94,7 +94,7 @@ static int core_logs(int is_on, size_t n, const char *const categories[], int *i
 
 /* Inputs ---------------------------------------------------------------------------------------------------------- */
 
-/* The segment of the courses at a time of the model; one that begins within `close` has begun. */
+/* Segment of the signals at a time of the model; it begins up to `close` earlier. */
 static int64_t segment_at(double t, double close) {
   int64_t low = 0, high = N_SEGMENTS;
   while (high - low > 1) {
@@ -105,7 +105,7 @@ static int64_t segment_at(double t, double close) {
   return low;
 }
 
-/* Coefficients of an input from a time on: value, slope, amplitude, frequency, chirp rate, phase, origin. */
+/* Coefficients of an input after a time: value, slope, amplitude, frequency, chirp rate, phase, origin. */
 static void coefficients(const Core *c, int k, int64_t segment, double t, double *row) {
   const double *d = c->d;
   int source = INPUT_SOURCE[k];
@@ -146,7 +146,7 @@ static double *inputs_now(Core *c) {
 
 /* Start and memory ------------------------------------------------------------------------------------------------ */
 
-/* Gas in a guided cylinder begins in the volume of the first moment. */
+/* The gas in a guided cylinder starts with the volume at the start time. */
 static void core_initialise(Core *c) {
   double *d = c->d, *u;
   int k;
@@ -168,7 +168,7 @@ static double next_instant(const double *z) {
   return first;
 }
 
-/* Let the timers act that have come, until none is left. */
+/* Update the memory until no timer has expired. */
 static void act(Core *c, double t, double due, const double *u, double *p) {
 #if N_MEMORY
   double *z = p + N_NUMBERS, *fired = c->work + WORK_FIRED, *after = c->work + WORK_AFTER;
@@ -184,14 +184,14 @@ static void act(Core *c, double t, double due, const double *u, double *p) {
 #endif
 }
 
-/* An event of model exchange: the segment of the courses from now on, and the instants that have come. */
+/* Event of model exchange: the next segment of the signals, and expired timers. */
 static void core_event(Core *c) {
   double *d = c->d, t = d[AT_OWN + OWN_TIME];
   d[AT_OWN + OWN_SEGMENT] = (double)segment_at(t, ROUNDING(t));
   act(c, t, t + ROUNDING(t), inputs_now(c), d + AT_P);
 }
 
-/* In time of the host; infinite for none. */
+/* Time of the importer; infinite if there is none. */
 static double core_next_event(const Core *c) {
   const double *own = c->d + AT_OWN;
   double next = next_instant(c->d + AT_P + N_NUMBERS);
@@ -216,7 +216,7 @@ static void core_indicators(Core *c, double *found) {
 #endif
 }
 
-/* Outputs; where an instant has come in co-simulation, those after it: the host may still change its inputs. */
+/* Outputs; at a sample instant of co-simulation, those after it, because the importer can still change inputs. */
 static void outputs_now(Core *c) {
   double *d = c->d, *p = d + AT_P, *u = inputs_now(c), t = d[AT_OWN + OWN_TIME];
   if (N_TIMERS && !c->is_exchange) {
@@ -227,7 +227,7 @@ static void outputs_now(Core *c) {
   model_outputs(&t, d + AT_X, u, p, c->work + WORK_Y);
 }
 
-/* In model exchange: a stop condition that holds, or -1. */
+/* Model exchange: index of a stop condition that is met, or -1. */
 static int core_ends(Core *c) {
   int k, j;
   c->ending = -1;
@@ -243,7 +243,7 @@ static int core_ends(Core *c) {
   return c->ending;
 }
 
-/* A value; rates and outputs are worked out again only for the first of several. */
+/* A value; rates and outputs are computed only for the first of several. */
 static int core_get_next(Core *c, unsigned reference, double *value, int is_first) {
   double *d = c->d;
   if (is_first) c->has_rates = c->has_outputs = 0;
@@ -274,7 +274,7 @@ static int core_set(Core *c, unsigned reference, double value) {
   double *own = c->d + AT_OWN;
   int runs = own[OWN_RUNNING] != 0.0;
   unsigned k;
-  /* Some states begin with a number of their own. */
+  /* The initial value of some states is a parameter. */
   if (reference >= REF_X && reference < REF_D && STATE_NUMBER[reference - REF_X] >= 0)
     reference = REF_P + (unsigned)STATE_NUMBER[reference - REF_X];
   if (reference == REF_TIME || reference >= REF_X) return reference < REF_END ? REF_CONSTANT : REF_UNKNOWN;
@@ -300,7 +300,7 @@ static int core_set(Core *c, unsigned reference, double value) {
   return REF_OK;
 }
 
-/* Values of several references; `at` is where it ends. */
+/* Values of several references; `at` is the index of the last one. */
 static int core_get_all(Core *c, const unsigned *references, size_t n, double *values, unsigned *at) {
   int refusal = REF_OK;
   size_t k;
@@ -318,7 +318,7 @@ static int core_set_all(Core *c, const unsigned *references, size_t n, const dou
   return refusal;
 }
 
-/* What a host is told of a refusal. */
+/* Message for a rejected value reference. */
 static const char *core_refusal(char *text, int refusal, unsigned reference) {
   static const char *const why[] = {"", "is no variable of this model", "is of another type", "cannot be set",
                                     "is fixed once the run has begun", "is set at events only in model exchange",
@@ -335,7 +335,7 @@ static const char *core_refusal(char *text, int refusal, unsigned reference) {
   return strcat(text, ".");
 }
 
-/* Rates of all states; whether they are finite. */
+/* Rates of all states; returns 1 if they are finite. */
 static int core_derivatives(Core *c, double *found) {
   int k, is_finite = 1;
   core_initialise(c);
@@ -345,7 +345,7 @@ static int core_derivatives(Core *c, double *found) {
   return is_finite;
 }
 
-/* Kept states ----------------------------------------------------------------------------------------------------- */
+/* Stored states --------------------------------------------------------------------------------------------------- */
 
 static void core_keep(const Core *c, void *kept) {
   Head *head = (Head *)kept;
@@ -415,7 +415,7 @@ static int reserve(Core *c, size_t n) {
   return c->room > 0;
 }
 
-/* Segments of a step, each with a set of coefficients of its own; returns how many, 0 without memory. */
+/* Segments of a step with their coefficients; returns their number, 0 if out of memory. */
 static size_t segments(Core *c, double until) {
   double *d = c->d, t = d[AT_OWN + OWN_TIME], span = until - t;
   int follows = d[AT_OWN + OWN_FOLLOWS] != 0.0, k;
@@ -431,7 +431,7 @@ static size_t segments(Core *c, double until) {
       coefficients(c, k, first + (int64_t)i, t, c->rows + (i * ROOM(N_INPUTS) + (size_t)k) * 7);
     if (!N_INPUTS) memset(c->rows + i * 7, 0, 7 * sizeof(double));
   }
-  /* What the host has changed since the last step, or what jumps here by itself. */
+  /* Changes by the importer since the last step, and jumps of signals. */
   c->jumps[0] = (unsigned char)(d[AT_OWN + OWN_MOVED] != 0.0);
   if (follows && t > 0.0 && fabs(SEGMENT_STARTS[first] - t) <= CLOSE(span)) c->jumps[0] |= SEGMENT_JUMPS[first];
   for (k = 0; k < N_INPUTS; k++)
@@ -476,7 +476,7 @@ static int core_step(Core *c, double until) {
   int64_t next;
   size_t n;
   int k;
-  /* The first step finds its tolerances; later ones go on with them. */
+  /* The first step sets the tolerances of the states. */
   next = segment_at(goal, CLOSE(span));
   if (own[OWN_FOLLOWS] != 0.0 && fabs(SEGMENT_STARTS[next] - goal) <= CLOSE(span)) goal = SEGMENT_STARTS[next];
   memcpy(c->before, d, BLOCK * sizeof(double));
@@ -484,7 +484,7 @@ static int core_step(Core *c, double until) {
   if (!n) return CORE_WRONG;
   c->status = integrated(c, n, goal, tolerance);
   for (k = 0; k < 2 && c->status == 2; k++) {
-    /* As in Python: a stall is often a step too long for a contact that opens and closes. */
+    /* As in Python: a run often stalls if the step is too long for a contact that opens and closes. */
     memcpy(d, c->before, BLOCK * sizeof(double));
     n = segments(c, goal);
     c->status = integrated(c, n, goal, own[OWN_TOLERANCE] * (k ? 0.01 : 0.1));
@@ -496,7 +496,7 @@ static int core_step(Core *c, double until) {
   for (k = 0; k < N_INPUTS; k++) {
     coefficients(c, k, (int64_t)own[OWN_SEGMENT], own[OWN_TIME], row);
     if (INPUT_SOURCE[k] == U_PORT || (INPUT_SOURCE[k] == U_DRIVEN && own[OWN_FOLLOWS] == 0.0)) {
-      /* The host's slope has brought its input here. */
+      /* Value of the input after the importer's slope. */
       d[AT_U + k] = value_at(c->rows + ((n - 1) * ROOM(N_INPUTS) + (size_t)k) * 7, own[OWN_TIME]);
       d[AT_S + k] = 0.0;
     }
@@ -508,7 +508,7 @@ static int core_step(Core *c, double until) {
   return c->status == 1 ? CORE_ENDED : CORE_OK;
 }
 
-/* Why a step from a time of the host on cannot be asked for, or NULL. */
+/* Reason for which a step from a time of the importer is invalid, or NULL. */
 static const char *core_no_step(const Core *c, double point, double step) {
   double now = c->d[AT_OWN + OWN_BEGIN] + c->d[AT_OWN + OWN_TIME];
   if (!IS_NUMBER(point) || !IS_NUMBER(step) || !(step > 0.0) || !(fabs(point - now) <= 1e-6 * step + ROUNDING(fabs(now))))

@@ -1,4 +1,4 @@
-/* FMI 2.0, model exchange and co-simulation, over the common core. */
+/* FMI 2.0, model exchange and co-simulation, on the common core. */
 #include "core.c"
 
 #include "fmi2Functions.h"
@@ -309,7 +309,7 @@ fmi2Status fmi2GetNominalsOfContinuousStates(fmi2Component c, fmi2Real x[], size
   OF(c, states, name);            \
   if (i->core.is_exchange) return illegal(i, name)
 
-/* How fast the host moves an input over the next step. */
+/* Slope of an input over the next step. */
 static int set_slope(Core *c, unsigned reference, double slope) {
   if (reference < REF_U || reference >= REF_X) return REF_CONSTANT;
   if (!IS_NUMBER(slope)) return REF_OUTSIDE;

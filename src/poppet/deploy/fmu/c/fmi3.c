@@ -1,4 +1,4 @@
-/* FMI 3.0, model exchange and co-simulation, over the common core. */
+/* FMI 3.0, model exchange and co-simulation, on the common core. */
 #include "core.c"
 
 #include "fmi3Functions.h"
@@ -197,7 +197,7 @@ NONE_OF_TYPE(Int64)
 NONE_OF_TYPE(UInt64)
 NONE_OF_TYPE(String)
 
-/* What this model has none of: binary values, clocks, configuration, adjoint derivatives. */
+/* Not supported: binary values, clocks, configuration, adjoint derivatives. */
 static fmi3Status none(fmi3Instance c, const char *function) {
   OF(c, ALIVE, function);
   return tell(i, fmi3Error, "This model has none of these.");
