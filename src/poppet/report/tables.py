@@ -66,7 +66,7 @@ class ReportTable:
     >>> print(table.text())
     law         time [s]
     isothermal      71.1
-    >>> Table(("", ""), [("a < b", Markup("<b>c</b>"))]).html().splitlines()[1]
+    >>> ReportTable(("", ""), [("a < b", Markup("<b>c</b>"))]).html().splitlines()[1]
     '<tr><td>a &lt; b</td><td><b>c</b></td></tr>'
     """
 
