@@ -81,8 +81,8 @@ class InputError(PoppetError, ValueError):
         return self.hint
 
     def __str__(self) -> str:
-        line = "" if self.line is None else f"{self.line}: "
-        location = "" if self.file is None else f"{self.file}: {line}"
+        line = "" if self.line is None else f":{self.line}"
+        location = "" if self.file is None else f"{self.file}{line}: "
         return f"{location}{self.given} {self.reason} {self.hint}"
 
     # By default, an exception is restored from its `args` and would lose its facts between processes.
