@@ -67,7 +67,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     if kind not in _FIELDS:
         code = "curves.kind" if "kind" in table else "curves.no_kind"
         raise InputError(code, name, value=kind, near=NameSuggestion(str(kind), _FIELDS))
-    reader = _Reader(table, name, str(kind))
+    reader = _CharacteristicReader(table, name, str(kind))
     # From here on, errors are collected, so one pass over the file reports all of them.
     reader.refuse_unknown()
     fields = reader.common()
@@ -80,7 +80,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
         raise problem.within(name) from None
 
 
-class _Reader:
+class _CharacteristicReader:
     """Reader of the fields of one table, with a list of their errors."""
 
     def __init__(self, table: Mapping[str, Any], name: str, kind: str) -> None:
