@@ -94,7 +94,7 @@ class ExportModel:
 
     @cached_property
     def functions(self) -> dict[str, Any]:
-        """CasADi functions of the model, for a printer."""
+        """CasADi functions of the model, the input of a code generator (printer)."""
         return trace_functions(self.model)
 
 
