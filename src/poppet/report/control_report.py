@@ -18,7 +18,7 @@ from poppet.report.tables import ReportTable, numeric
 from poppet.timeseries.plotting.figures import style
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 _STYLE = "pre { overflow-x: auto; background: var(--wash); padding: .6rem .9rem; }\n"
 
@@ -53,12 +53,12 @@ def verification_table(tuning: Tuning) -> ReportTable:
     return ReportTable(("step there and back at", *numeric(*headings, digits=".3g")), rows)
 
 
-def write_tuning(tuning: Tuning, circuit: Circuit, path: str | Path) -> Path:
+def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path) -> Path:
     """Write the report of a tuning as a self-contained page."""
     return write_page(path, lambda: tuning_page(tuning, circuit))
 
 
-def tuning_page(tuning: Tuning, circuit: Circuit) -> str:
+def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
     """Return the report of a tuning as HTML: gains, sensitivities, steps and margins."""
     title = f"{circuit.title or 'A circuit'}: gains of {tuning.controller}"
     step = (

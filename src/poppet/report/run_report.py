@@ -18,11 +18,11 @@ from poppet.timeseries.plotting.plots import plot_recordings
 from poppet.timeseries.recording import Recording
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 
 def write_run(
-    circuit: Circuit, recording: Recording, path: str | Path, *, select: str | Iterable[str] | None = None,
+    circuit: BaseCircuit, recording: Recording, path: str | Path, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, inner: bool = False,
 ) -> Path:  # fmt: skip
     """Write the report of a run as a self-contained page.
@@ -58,7 +58,7 @@ def write_run(
 
 
 def run_page(
-    circuit: Circuit, recording: Recording, *, select: str | Iterable[str] | None = None,
+    circuit: BaseCircuit, recording: Recording, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, inner: bool = False,
 ) -> str:  # fmt: skip
     """Return the report of a run as HTML."""
@@ -93,7 +93,7 @@ def _loads(recording: Recording) -> list[str | ReportTable]:
     return [*content, ReportTable(("", Column("", "s")), energy, caption=ENERGY)]
 
 
-def _parameters(circuit: Circuit) -> str:
+def _parameters(circuit: BaseCircuit) -> str:
     """Return the parameters grouped by their source, the least certain first."""
     text, ambient = "", circuit.surroundings.pressure
     for kind in LEAST_CERTAIN_FIRST:
@@ -127,7 +127,7 @@ def _balance_table(recording: Recording) -> ReportTable:
     return ReportTable(("balance", *numeric("residual", "allowed", "throughput"), ""), rows, caption)
 
 
-def _settings(circuit: Circuit, recording: Recording) -> ReportTable:
+def _settings(circuit: BaseCircuit, recording: Recording) -> ReportTable:
     accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
     rows = [
         ("solver", circuit.run.solver),

@@ -110,7 +110,7 @@ class _CharacteristicReader:
         return None
 
     def numbers(self, field: str, unit: str) -> tuple[Number, ...] | None:
-        """Return the entries of a list, None if an entry is invalid."""
+        """Return the entries of a list as numbers, or None if any entry is invalid."""
         read = [self.number(entry, unit, f"{field}[{i}]") for i, entry in enumerate(self.table[field])]
         numbers = tuple(number for number in read if number is not None)
         return numbers if len(numbers) == len(read) else None

@@ -26,7 +26,7 @@ from poppet.timeseries.recording import Recording
 if TYPE_CHECKING:
     from poppet.bench.iso10094.bench_result import BenchResult
     from poppet.bench.limits.maps import LimitsResult
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.linear_model import LinearModel
     from poppet.ensemble import Ensemble
     from poppet.identify.result import Result
@@ -52,7 +52,7 @@ _SCALE = 1.12
 """Size of a drawing in pixels relative to points."""
 
 
-def circuit_card(circuit: Circuit) -> str:
+def circuit_card(circuit: BaseCircuit) -> str:
     """Return a circuit as HTML: drawing, assumed values and notes."""
     assumed = {address: number for address, number in circuit.numbers().items() if number.source.kind == "assumed"}
     rows = [(code(address), number.display(), number.source.note) for address, number in assumed.items()]
@@ -64,7 +64,7 @@ def circuit_card(circuit: Circuit) -> str:
     return card(circuit.title, lead, _drawing(circuit), values, note_list(circuit.static_notes))
 
 
-def _drawing(circuit: Circuit) -> str:
+def _drawing(circuit: BaseCircuit) -> str:
     from poppet.report.circuit.schematic import draw_circuit
     from poppet.timeseries.plotting.figures import figure_bytes
 
