@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.bench.sine_rig import SineRig
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.linear_model import LinearModel
 from poppet.core.errors import InputError
 from poppet.parts.compound import Compound
@@ -44,7 +44,7 @@ class Agreement:
     differences: tuple[float, ...]  # and found
 
 
-def without_bands(circuit: Circuit) -> Circuit:
+def without_bands(circuit: BaseCircuit) -> BaseCircuit:
     """Return the circuit with averaged solenoids and without bands, delays and quantisation."""
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():

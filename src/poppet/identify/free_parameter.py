@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.tables import Field, read_fields
 from poppet.core.units import Kind
@@ -95,7 +95,7 @@ def with_starts(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[Free
     return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
 
 
-def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
+def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     """Return the declaration of every parameter of the parts by address."""
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
@@ -116,7 +116,7 @@ def _coefficient_spec(key: str, unit: str) -> NumberSpec:
 
 
 def read_free(
-    address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "", where: str = ""
+    address: str, table: Any, circuit: BaseCircuit, *, recording: str = "", name: str = "", where: str = ""
 ) -> FreeParameter:
     """Read a free parameter; `where` is its location in the file, for messages."""
     # Use the circuit, not its instance: the parts declare units and limits.

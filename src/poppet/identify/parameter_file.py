@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.toml_file import TomlFile
 from poppet.identify.result import Result, read_result
@@ -17,7 +17,7 @@ UNTRUSTED = ("not determined", "at bound")
 """Verdicts of unreliable estimates."""
 
 
-def with_numbers(circuit: Circuit, path: str | Path) -> tuple[Circuit, list[str]]:
+def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, list[str]]:
     """Return a circuit with the values of a file, and the unreliable parameters.
 
     Parameters
@@ -50,7 +50,7 @@ def with_numbers(circuit: Circuit, path: str | Path) -> tuple[Circuit, list[str]
     return circuit.with_values(_muscle(circuit, result) or result.values()), doubtful
 
 
-def _muscle(circuit: Circuit, result: Result) -> dict[str, Any]:
+def _muscle(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
     """Return the fields of a fitted muscle, with its law and size."""
     law, values = result.comparison.get("law"), result.values()
     name = next(iter(values), "").partition(".")[0]
@@ -85,7 +85,7 @@ def _muscle(circuit: Circuit, result: Result) -> dict[str, Any]:
     return {f"{name}.{key}": value for key, value in fields.items()}
 
 
-def _with_fields(circuit: Circuit, file: TomlFile) -> Circuit:
+def _with_fields(circuit: BaseCircuit, file: TomlFile) -> BaseCircuit:
     with file.errors() as errors:
         content = file.content
         errors.extend(

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from poppet.bench.iso10094.bench_settings import ROWS, Pace, Trial, held
-from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Curve, Evaluation, Row
+from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Evaluation, PlottedCurve, Row
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
 from poppet.bench.iso10094.sweep import Lag, caught_up, lags_of
@@ -135,7 +135,7 @@ def _one(
         if curve is not None:
             is_known = np.isfinite(curve) & (grid <= end)
             evaluation.curves.append(
-                Curve(f"{side.name} {direction}", case, side.sign * grid[is_known], curve[is_known])
+                PlottedCurve(f"{side.name} {direction}", case, side.sign * grid[is_known], curve[is_known])
             )
     if side.sign > 0.0:
         _falls(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)

@@ -11,7 +11,7 @@ import numpy as np
 from poppet.bench.iso10094.bench_settings import Trial, held
 from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.notes import make_recording
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, SimulationError
@@ -49,7 +49,7 @@ BELOW_SUPPLY = 1e5
 class Rig:
     """Test valve made of a part of a circuit."""
 
-    circuit: Circuit  # the valve with all that the bench has put around it
+    circuit: BaseCircuit  # the valve with all that the bench has put around it
     valve: str
     setpoint: str  # its address
     scale: Scale
@@ -162,7 +162,7 @@ class Rig:
 
 
 def rig_of(
-    circuit: Circuit, valve: str, *, full_scale: tuple[float, float] | None = None, supply: float | None = None
+    circuit: BaseCircuit, valve: str, *, full_scale: tuple[float, float] | None = None, supply: float | None = None
 ) -> Rig:
     """Return the bench for a valve of a circuit."""
     part = circuit.parts[valve_of(circuit, valve)]
@@ -203,7 +203,7 @@ def rig_of(
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, circuit.title or valve, notes)
 
 
-def valve_of(circuit: Circuit, name: str | None = None) -> str:
+def valve_of(circuit: BaseCircuit, name: str | None = None) -> str:
     """Return the name of the test valve in a circuit."""
     candidates = [name for name, part in circuit.parts.items() if _is_valve(part)]
     if name in candidates:
@@ -228,7 +228,7 @@ def _at_start(signal: Signal) -> float:
     return float(signal.evaluate(0.0, 1.0))
 
 
-def _supply_pressure(circuit: Circuit, part: Part, notes: list[Note]) -> float:
+def _supply_pressure(circuit: BaseCircuit, part: Part, notes: list[Note]) -> float:
     """Return the pressure at the supply of the valve."""
     store = part.ports()["supply"]
     if store == "ambient":

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from poppet.bench.iso10094.bench_settings import ROWS, Pace, Trial, held
-from poppet.bench.iso10094.evaluation import AT_MOST, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.evaluation import AT_MOST, BenchTest, Evaluation, PlottedCurve, Row, largest
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches
 from poppet.bench.iso10094.sweep import caught_up, lags_of
@@ -117,7 +117,7 @@ def _one(evaluation: Evaluation, record: Record) -> None:
     for sign, mean in means.items():
         is_known = np.isfinite(mean)
         direction, case = "rising" if sign > 0 else "falling", f"{row['setpoint']:.0f} % FS"
-        evaluation.curves.append(Curve(direction, case, grid[is_known], mean[is_known]))
+        evaluation.curves.append(PlottedCurve(direction, case, grid[is_known], mean[is_known]))
     mean = np.mean(list(means.values()), axis=0)
     is_known = np.isfinite(mean)
     if np.count_nonzero(is_known) < PLACES // 2:

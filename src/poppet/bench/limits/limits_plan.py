@@ -11,7 +11,7 @@ import numpy as np
 
 from poppet.bench.agreement import without_bands
 from poppet.bench.sine_rig import SineRig
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.units import quantity
 from poppet.parts.chamber import Chamber
@@ -42,7 +42,7 @@ IDEAL = 10.0
 class LimitsPlan:
     """A valve in its circuit and the ranges over which its limits are looked for."""
 
-    circuit: Circuit
+    circuit: BaseCircuit
     valve: str
     outlet: str  # name of the chamber at its outlet
     mean: float  # outlet pressure about which it works [Pa]
@@ -93,7 +93,7 @@ class LimitsPlan:
         instance = (case if bands else without_bands(case)).instance
         return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
-    def case(self, volume: float, changes: Changes | None = None) -> Circuit:
+    def case(self, volume: float, changes: Changes | None = None) -> BaseCircuit:
         """Return the circuit at the mean pressure with another outlet volume."""
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
@@ -113,7 +113,7 @@ class LimitsPlan:
 
 
 def limits_plan(
-    circuit: Circuit, valve: str | None = None, *, mean: Any = None, volumes: Sequence[Any] | None = None,
+    circuit: BaseCircuit, valve: str | None = None, *, mean: Any = None, volumes: Sequence[Any] | None = None,
     amplitudes: Sequence[Any] | None = None, springs: Sequence[float] | None = None,
     dampings: Sequence[float] | None = None,
 ) -> LimitsPlan:  # fmt: skip
@@ -145,7 +145,7 @@ def limits_plan(
     )  # fmt: skip
 
 
-def _valve(circuit: Circuit, given: str | None) -> str:
+def _valve(circuit: BaseCircuit, given: str | None) -> str:
     valves = [name for name, part in circuit.parts.items() if isinstance(part, ProportionalValve)]
     if given in valves:
         return str(given)

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSuggestion, relocated
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
@@ -66,7 +66,7 @@ class TestCandidate:
     """Possible test."""
 
     name: str
-    circuit: Circuit
+    circuit: BaseCircuit
     duration: float  # [s]
     sample_time: float  # [s]
     sensors: tuple[DesignSensor, ...]
@@ -176,7 +176,7 @@ def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSe
 
 
 def _read_candidates(
-    errors: ErrorCollector, data: Mapping[str, Any], circuit: Circuit, sensors: Mapping[str, DesignSensor]
+    errors: ErrorCollector, data: Mapping[str, Any], circuit: BaseCircuit, sensors: Mapping[str, DesignSensor]
 ) -> Iterator[TestCandidate]:
     """Yield each test with each combination of the varied values."""
     tests: dict[str, Mapping[str, Any]] = {}
@@ -209,7 +209,7 @@ def _read_candidates(
 
 
 def _read_candidate(
-    label: str, fields: Mapping[str, Any], circuit: Circuit, sensors: Mapping[str, DesignSensor], location: str
+    label: str, fields: Mapping[str, Any], circuit: BaseCircuit, sensors: Mapping[str, DesignSensor], location: str
 ) -> TestCandidate:
     changes = {key: value for key, value in fields.items() if key not in OWN}
     try:

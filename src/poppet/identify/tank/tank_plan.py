@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.options import Ambient
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, relocated
@@ -264,7 +264,7 @@ def _pressure(argument: Any, ambient_pressure: float) -> float:
 # The circuit ------------------------------------------------------------------------------------------------------
 
 
-def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
+def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     volume = _start_value(run.volume, None)
     if volume is None:
         raise InputError("tank.no_start", "volume", value=run.volume)
@@ -301,7 +301,7 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
         common = LEAK * float(valve.sonic_conductance)  # type: ignore[arg-type]
         leak = {"sonic_conductance": _start_value(test.leak_conductance, common), "critical_ratio": COMMON_RATIO}
         parts["leak"] = Orifice(from_="tank", to="ambient", **leak)
-    return Circuit(parts, ambient=ambient, title=test.title)
+    return BaseCircuit(parts, ambient=ambient, title=test.title)
 
 
 def plausible_wall(volume: float) -> float:
@@ -375,7 +375,9 @@ def _with_lag(test: TankTest, channel: Channel) -> Channel:
 # Free parameters --------------------------------------------------------------------------------------------------
 
 
-def _free_parameters(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> tuple[FreeParameter, ...]:
+def _free_parameters(
+    test: TankTest, runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
+) -> tuple[FreeParameter, ...]:
     shared = {
         f"{test.part}.sonic_conductance": test.sonic_conductance,
         f"{test.part}.critical_ratio": test.critical_ratio,
@@ -424,7 +426,7 @@ def _free_offsets(test: TankTest, run: TankRun) -> list[FreeParameter]:
     return [offset_parameter(run.measurement.name, run.pressure, prior)]
 
 
-def _free_walls(argument: Any, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[FreeParameter]:
+def _free_walls(argument: Any, runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]) -> list[FreeParameter]:
     address = "tank.wall_conductance"
     if len({(run.direction, str(run.volume)) for run in runs}) == 1:
         return [_read_free(address, argument, circuits[0])]
@@ -432,7 +434,7 @@ def _free_walls(argument: Any, runs: Sequence[TankRun], circuits: Sequence[Circu
 
 
 def _free_supplies(
-    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
+    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
 ) -> list[FreeParameter]:
     """Return one free supply if all charges share it, else one per charge."""
     if all(run.direction == "charge" for run in runs) and len({str(argument) for argument in arguments}) == 1:
@@ -442,7 +444,7 @@ def _free_supplies(
 
 
 def _free_by_recording(
-    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
+    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
 ) -> list[FreeParameter]:
     """Return a free parameter for each recording; a single one has no prefix."""
     names = [run.measurement.name for run in runs]
@@ -454,7 +456,7 @@ def _free_by_recording(
     return parameters if len(runs) > 1 else [replace(f, name=address) for f in parameters]
 
 
-def _read_free(address: str, argument: Any, circuit: Circuit, *, recording: str = "") -> FreeParameter:
+def _read_free(address: str, argument: Any, circuit: BaseCircuit, *, recording: str = "") -> FreeParameter:
     table = argument if isinstance(argument, Mapping) else {}
     name = f"{recording}.{address}" if recording else ""
     return read_free(address, table, circuit, recording=recording, name=name, where=address.rpartition(".")[2])
