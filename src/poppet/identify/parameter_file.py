@@ -14,7 +14,7 @@ from poppet.parts import Muscle
 from poppet.parts.muscle_law import REQUIRED, MuscleLawPart
 
 UNTRUSTED = ("not determined", "at bound")
-"""Verdicts of an identification that a user of its numbers is reminded of."""
+"""Verdicts of unreliable estimates."""
 
 
 def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, list[str]]:
@@ -23,23 +23,23 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
     Parameters
     ----------
     circuit : Circuit
-        That is changed; this one stays as it is.
+        Circuit before the change.
     path : str or Path
-        A result of an identification (`.toml`, `.json`), that of a muscle with its law, size and limits; or a TOML file
-        with fields of parts as a circuit file has them, `[parts.regulator]`. What cannot stay beside such a field
-        goes: a schedule where a gain comes.
+        Result of an identification (`.toml`, `.json`), or a TOML file with fields of parts as in a circuit file,
+        `[parts.regulator]`. The result of a muscle also sets its law, size and limits. A field removes the fields that
+        conflict with it: a gain removes a schedule.
 
     Returns
     -------
     Circuit
-        A new one.
+        Circuit with the values of the file.
     list of str
-        Address and verdict of numbers that the recordings did not determine.
+        Address and verdict of each unreliable parameter.
 
     Raises
     ------
     InputError
-        If the file is neither, or what it says fits no part of this circuit.
+        If the file is neither of them, or if it does not match the parts of the circuit.
     """
     file = TomlFile.read(path)
     is_of_parts = Path(path).suffix.lower() == ".toml" and "parts" in file.tables

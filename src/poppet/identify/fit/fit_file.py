@@ -45,12 +45,12 @@ def read_fit_file(path: str | Path) -> FitPlan:
     Returns
     -------
     FitPlan
-        Everything read and checked, nothing fitted.
+        Checked plan; nothing is fitted.
 
     Raises
     ------
     InputErrors
-        With all mistakes, each with its line where it can be told.
+        With all errors, each with its line if available.
     """
     file = TomlFile.read(path, "recordings")
     with file.errors():
