@@ -75,7 +75,9 @@ def fit_circuit(
     stages: Stages | None = None,
 ) -> FitResult[CircuitT]:
     """Fit parameters of a circuit to recordings; `Circuit.fit` describes the arguments."""
-    tables = _free_tables(free)
+    if not isinstance(free, Mapping):
+        free = {address: {} for address in ([free] if isinstance(free, str) else free)}
+    tables = {a: dict(value) if isinstance(value, Mapping) else {"start": value} for a, value in free.items()}
     reader = _RecordingReader(circuit, outputs, start or {}, noise or {}, offsets or {}, hold)
     measurements = reader.read_all(_by_name(recordings, circuit))
     names = [measurement.name for measurement in measurements]
@@ -102,15 +104,6 @@ def fit_circuit(
     )
     result = run_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
     return FitResult.of(result, circuit, plan)
-
-
-def _free_tables(free: Sequence[str] | Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Return a table of `start`, `min` and `max` by the address of each free parameter."""
-    if isinstance(free, Mapping):
-        return {
-            address: dict(value) if isinstance(value, Mapping) else {"start": value} for address, value in free.items()
-        }
-    return {address: {} for address in ([free] if isinstance(free, str) else free)}
 
 
 def _add_limits(
@@ -223,17 +216,19 @@ class _RecordingReader:
             *(field.read(v, f"offsets.{channel.address}") for field, v in zip((mean, sd), pair, strict=True))
         )
 
-    def _read(self, name: str, data: Data, names: Iterable[str]) -> Measurement:
+    def _read(self, name: str, data: Data, recordings: Iterable[str]) -> Measurement:
         """Return one recording in SI units."""
         location = f"recordings.{name}"
         if isinstance(data, Recording):
-            table, ambient_pressure = _recording_table(data), data.ambient_pressure
-            internal: Iterable[str] = data.inner
+            names, units = ("time", *data.names), ("s", *data.units)
+            table = Table(names, (data.time, *data.values), units, data.remarks)
+            internal, ambient_pressure = set(data.inner), data.ambient_pressure
         else:
-            table, ambient_pressure, internal = _frame_table(data, location), self.circuit.surroundings.pressure, ()
+            table, internal = _frame_table(data, location), set()
+            ambient_pressure = self.circuit.surroundings.pressure
         if not table.columns[0].size:
             raise InputError("fit.no_rows", location)
-        compared, omitted = self._compared(table, set(internal), location)
+        compared, omitted = self._compared(table, internal, location)
         fields: dict[str, Any] = {"time": {"column": 0, "unit": table.units[0]}}
         with ErrorCollector() as errors:
             for address in compared:
@@ -247,7 +242,7 @@ class _RecordingReader:
                 with errors.collecting():
                     unit = self._unit(table, address, self.inputs[address].unit, location)
                     inputs[address] = {"column": table.names.index(address), "unit": unit, "hold": self.hold}
-        shared = {address: value for address, value in self.start.items() if address not in names}
+        shared = {address: value for address, value in self.start.items() if address not in recordings}
         fields |= {"inputs": inputs, "start": shared | dict(self.start.get(name, {}))}
         measurement = read_measurement(name, fields, Path(), ambient_pressure=ambient_pressure, source=table)
         channels = []
@@ -278,7 +273,8 @@ class _RecordingReader:
                 if address not in valid:
                     errors.add("fit.unknown_series", f"{location}.{address}", near=NameSuggestion(address, valid))
         candidates = [address for address in recorded if address not in self.inputs]
-        varying = [address for address in candidates if address not in internal and _varies(recorded[address])]
+        finite = {address: recorded[address][np.isfinite(recorded[address])] for address in candidates}
+        varying = [a for a in candidates if a not in internal and (finite[a].size == 0 or np.ptp(finite[a]) > 0.0)]
         compared = [a for a in varying if a.rpartition(".")[2].rpartition("_")[2] not in DISCRETE] or candidates
         if not compared:
             raise InputError("fit.no_series", location, near=NameSuggestion("", self.outputs))
@@ -306,20 +302,6 @@ class _RecordingReader:
         except InputError as error:
             raise error.at(f"{location}.{address}") from None
         return written
-
-
-def _varies(column: FloatArray) -> bool:
-    finite = column[np.isfinite(column)]
-    return bool(finite.size == 0 or np.ptp(finite) > 0.0)
-
-
-def _recording_table(recording: Recording) -> Table:
-    return Table(
-        ("time", *recording.names),
-        (recording.time, *recording.values),
-        ("s", *recording.units),
-        recording.remarks,
-    )
 
 
 def _frame_table(frame: DataFrame, location: str) -> Table:
