@@ -1,11 +1,11 @@
-"""Fit of a circuit in one call, with recordings in memory."""
+"""Fit of a circuit in one call, with recordings in memory, and its result."""
 
 from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Protocol, TypeAlias, TypeVar
+from typing import Any, Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -14,12 +14,14 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.tables import Field
 from poppet.core.units import convert
-from poppet.identify.fit.fit_plan import ROLES, offset_parameter, plan_fit, recording_parameters
-from poppet.identify.fit.fit_result import FitResult
+from poppet.identify.fit.experiment import Experiment, start_values
+from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
+from poppet.identify.fit.fit_series import driving_signals
 from poppet.identify.fit.identify_fit import Progress, run_fit
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
+from poppet.identify.result import Result, fitted_number
 from poppet.timeseries.checks import FloatArray, split_heading
 from poppet.timeseries.measurements import Channel, Measurement, read_measurement
 from poppet.timeseries.measurements.mapping import DIFFERENCE_KINDS
@@ -48,6 +50,45 @@ class DataFrame(Protocol):
 
 Data: TypeAlias = Recording | DataFrame
 CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
+
+
+@dataclasses.dataclass(frozen=True)
+class FitResult(Result, Generic[CircuitT]):
+    """Result of a fit of a circuit.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Circuit with the fitted values. After a fit of one recording it also has the inputs and the start values of that
+        recording: `circuit.simulate` then repeats the fitted curves.
+    circuits : mapping
+        Name of each recording to the circuit with its inputs and start values.
+    """
+
+    circuit: CircuitT = dataclasses.field(kw_only=True, repr=False, compare=False)
+    circuits: Mapping[str, CircuitT] = dataclasses.field(kw_only=True, repr=False, compare=False)
+
+    @classmethod
+    def of(cls, result: Result, circuit: CircuitT, plan: FitPlan) -> FitResult[CircuitT]:
+        """Return a result with the fitted circuits.
+
+        Parameters
+        ----------
+        result : Result
+            Result of the fit.
+        circuit : Circuit
+            Circuit before the fit.
+        plan : FitPlan
+            Plan of the fit.
+
+        Returns
+        -------
+        FitResult
+        """
+        circuits = {e.name: _circuit_of(circuit, e, result) for e in (*plan.experiments, *plan.validation)}
+        fitted = circuits[plan.experiments[0].name] if len(circuits) == 1 else circuit.with_values(result.values())
+        content = {item.name: getattr(result, item.name) for item in dataclasses.fields(Result)}
+        return FitResult(**content, circuit=fitted, circuits=circuits)
 
 
 def fit_circuit(
@@ -136,6 +177,25 @@ def _by_name(recordings: Data | Mapping[str, Data], circuit: BaseCircuit) -> dic
         if not isinstance(name, str) or name in circuit.parts or "." in name:
             raise InputError("fit.recording_name", f"recordings.{name}", name=name)
     return dict(recordings)
+
+
+def _circuit_of(circuit: CircuitT, experiment: Experiment, result: Result) -> CircuitT:
+    """Return a circuit with the fitted values, the inputs and the start values of a recording."""
+    measurement = experiment.measurement
+    values: dict[str, Any] = {a: n for a, n in result.values().items() if a in circuit.numbers()}
+    values |= start_values(measurement, experiment.instance)
+    shifts: dict[str, dict[str, float]] = {"delay": {}, "input_lag": {}}
+    for parameter in experiment.free:
+        estimate = result.parameters[parameter.name]
+        if parameter.role in shifts:
+            shifts[parameter.role][parameter.address] = estimate.value
+        elif parameter.role == "start":
+            values[parameter.address] = fitted_number(estimate, result.title)
+    fitted = circuit.with_values(values)
+    if fitted.run.duration is None:
+        fitted = fitted.with_values({"run.duration": float(experiment.grid[-1])})
+    driven = driving_signals(measurement, shifts["delay"], shifts["input_lag"])
+    return dataclasses.replace(fitted, signals={**fitted.signals, **driven}, like=fitted) if driven else fitted
 
 
 class _RecordingReader:

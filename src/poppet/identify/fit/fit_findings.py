@@ -10,10 +10,9 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.identify.fit.experiment import Experiment, FittedChannel, channels_of
-from poppet.identify.fit.rounding import staircase
+from poppet.identify.fit.residuals import correlation_time, is_white, staircase
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import ChannelFit, ErrorModel, SensorLimits, channel_fits
-from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free_parameter import FreeParameter, by_name, with_starts
 from poppet.identify.result import Estimate, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from poppet.core.errors import InputError, NameSuggestion, collect
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
-from poppet.identify.fit.losses import LOSSES, costs_of, curvatures_of, weights_of
-from poppet.identify.fit.whiteness import whiteness
+from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of, whiteness
 from poppet.identify.free_parameter import FreeParameter, by_name
 from poppet.identify.least_squares import LocalModel, condense, search
 from poppet.timeseries.checks import FloatArray

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.clusters import ClusterCovariance, clustered
-from poppet.identify.fit.whiteness import correlation_time
+from poppet.identify.fit.residuals import correlation_time
 from poppet.identify.friction.motion import STEADY, SlidingRows
 from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import coverage_factor

@@ -13,9 +13,9 @@ from poppet.identify.fit.experiment import channels_of
 from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import CLEAR, STRONG
+from poppet.identify.fit.residuals import correlation_time, is_white
 from poppet.identify.fit.search import FitObjective, Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
-from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free_parameter import FreeParameter, with_starts
 from poppet.identify.result import Estimate, Result
 from poppet.identify.tank.tank_plan import TankRun, is_free, plan_tank_fit, plausible_wall
