@@ -8,9 +8,9 @@ from pathlib import Path
 
 from poppet.core.codes import Note
 from poppet.core.toml_file import TomlFile
-from poppet.identify.ambient import SPREAD, widened
 from poppet.identify.fit.identify_fit import Progress, run_fit
 from poppet.identify.fit.intervals import Stages
+from poppet.identify.gum import SPREAD, widened
 from poppet.identify.result import Result
 from poppet.identify.tank.alternatives import compare_laws
 from poppet.identify.tank.caps import apply_caps
