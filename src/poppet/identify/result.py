@@ -137,9 +137,9 @@ class Result(HtmlMixin):
         at conductances `x`, (n_rows, n_columns), and wall conductances `y`, (n_rows,). `profile.ADDRESS` has it at
         values `x` of a parameter, (n,), with the `limit` of 95 % and the equivalent optima `answers`.
     optima : tuple of mappings
-        Of a fit, every place that the data cannot tell from the best, which comes first: `values`, `low`, `high` (the
-        interval there) and `start` by address, `cost` (half the sum of squares, in sigmas), `excess` (by how much it
-        speaks against this place), `rms` of each channel, `name` of where its search began.
+        Equivalent optima of a fit, the best one first: `values`, `low` and `high` (interval) and `start` by address,
+        `cost` (half the sum of squares, in sigmas), `excess` (evidence against the optimum: a difference of cost),
+        `rms` of each channel, `name` of the start point.
     """
 
     method: str
