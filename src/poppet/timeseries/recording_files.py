@@ -40,21 +40,17 @@ def write(recording: Columns, path: Path) -> Path:
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
     """Read a recording; for CSV, `time` names the time column and `time_unit` its unit."""
     # Imported here: writing a file does not need the readers.
-    from poppet.timeseries.tables import mat, parquet, text
-    from poppet.timeseries.tables.reading import read_with
+    from poppet.timeseries.tables.reading import read_mat, read_parquet, read_with
+    from poppet.timeseries.tables.text import read_exact
 
-    readers: dict[str, Callable[[Path], Table]] = {
-        ".csv": text.read_exact,
-        ".parquet": parquet.read,
-        ".mat": mat.read,
-    }
+    readers: dict[str, Callable[[Path], Table]] = {".csv": read_exact, ".parquet": read_parquet, ".mat": read_mat}
     reader = by_suffix(path, readers)
-    if reader is not text.read_exact and (time, time_unit) != ("time", ""):
+    if reader is not read_exact and (time, time_unit) != ("time", ""):
         raise InputError("files.time_is_fixed", path=str(path))
 
     def recording(path: Path) -> Columns:
         table = reader(path)
-        if reader is text.read_exact:
+        if reader is read_exact:
             return _of_headings(table, path.stem, time, time_unit)
         return _of_metadata(table, path.suffix)
 
@@ -138,7 +134,7 @@ def _write_csv(recording: Columns, stream: IO[bytes]) -> None:
 
 
 def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
-    from poppet.timeseries.tables.parquet import arrow
+    from poppet.timeseries.tables.reading import arrow
 
     pa = arrow()
     variables = _apart(recording.names)

@@ -6,17 +6,32 @@ import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
-from poppet.bench.iso10094.evaluation import CharacteristicValue, Curve
+from poppet.bench.iso10094.characteristic import CHARACTERISTIC
+from poppet.bench.iso10094.evaluation import BenchTest, CharacteristicValue, Curve, Definition
+from poppet.bench.iso10094.flow import FLOW
+from poppet.bench.iso10094.frequency import FREQUENCY
+from poppet.bench.iso10094.resolution import RESOLUTION
+from poppet.bench.iso10094.step import STEP
+from poppet.bench.iso10094.supply import LEAKAGE, SUPPLY
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError
 from poppet.core.files import by_suffix, write_whole
 from poppet.core.notebook import HtmlMixin
 from poppet.core.toml import from_json, json_text, toml_text
+
+_ALL = (CHARACTERISTIC, RESOLUTION, FLOW, SUPPLY, LEAKAGE, STEP, FREQUENCY)
+TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _ALL})
+"""Tests by name, as in `--tests`."""
+DEFINITIONS: Mapping[str, Definition] = MappingProxyType(
+    {name: definition for test in _ALL for name, definition in test.definitions.items()}
+)
+"""All figures by name, in the order of the tests."""
+
 
 METHOD = "iso10094"
 MOST_POINTS = 240

@@ -8,11 +8,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import ROWS, Trial
-from poppet.bench.iso10094.evaluation import BenchTest, Curve, Evaluation
+from poppet.bench.iso10094.evaluation import ROWS, BenchTest, Curve, Evaluation, Trial
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
-from poppet.bench.iso10094.shapes import Branch, at_places, branches, rested, scatter_of, stairs
-from poppet.bench.iso10094.sweep import CHOSEN, caught_up, lags_of, moved_by
+from poppet.bench.iso10094.shapes import (
+    CHOSEN,
+    Branch,
+    at_places,
+    branches,
+    caught_up,
+    lags_of,
+    moved_by,
+    rested,
+    scatter_of,
+    stairs,
+)
 from poppet.bench.iso10094.uncertainty import (
     NORMAL,
     Uncertainty,

@@ -8,13 +8,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import ROWS, Pace, Trial, held
-from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Curve, Evaluation, Row
+from poppet.bench.iso10094.evaluation import AT_LEAST, ROWS, BenchTest, Curve, Evaluation, Pace, Row, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
-from poppet.bench.iso10094.shapes import at_places, branches
-from poppet.bench.iso10094.sweep import Lag, caught_up, lags_of
+from poppet.bench.iso10094.shapes import Lag, at_places, branches, caught_up, lags_of
 from poppet.bench.iso10094.uncertainty import Uncertainty, greatest, noise_about, roughness, smooth, unbiased
-from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
 DROOP = 10.0

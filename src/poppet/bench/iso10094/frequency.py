@@ -10,8 +10,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.iso10094.bench_settings import Trial
-from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Curve, Evaluation, Row
+from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Curve, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest, noise_about
 from poppet.laws.curves.pchip import pchip_slopes

@@ -8,8 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import Trial
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row, Trial, largest
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import Trial, held
-from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
-from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+from poppet.bench.iso10094.evaluation import Trial, held
+from poppet.bench.iso10094.scale import ELECTRIC, FloatArray, Record, Scale, setpoint_scale
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.notes import make_recording
 from poppet.core.codes import Note

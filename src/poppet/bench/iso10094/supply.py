@@ -7,13 +7,22 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import ROWS, Pace, Trial, held
-from poppet.bench.iso10094.evaluation import AT_MOST, BenchTest, Curve, Evaluation, Row, largest
+from poppet.bench.iso10094.evaluation import (
+    AT_MOST,
+    ROWS,
+    BenchTest,
+    Curve,
+    Evaluation,
+    Pace,
+    Row,
+    Trial,
+    held,
+    largest,
+)
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.shapes import at_places, branches
-from poppet.bench.iso10094.sweep import caught_up, lags_of
+from poppet.bench.iso10094.shapes import at_places, branches, caught_up, lags_of
 from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest, noise_about, roughness, smooth, unbiased
-from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
 ABOVE, SPAN = 0.15, 0.4

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray
-from poppet.timeseries.measurements.noise import quantum_of
+from poppet.timeseries.measurements.measurement import quantum_of
 
 COVERAGE = 0.95
 NORMAL = 1.959964

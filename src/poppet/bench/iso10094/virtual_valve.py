@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import Trial
+from poppet.bench.iso10094.evaluation import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 
 _MOST = 3_000_000

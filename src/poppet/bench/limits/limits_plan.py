@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.agreement import without_bands
-from poppet.bench.sine_rig import SineRig
+from poppet.bench.sine_rig import SineRig, without_bands
 from poppet.circuit.circuit import Circuit
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.units import quantity

@@ -10,8 +10,7 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.timeseries.checks import FloatArray
-from poppet.timeseries.measurements.measurement import Channel, InputChannel
-from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.measurements.measurement import Channel, InputChannel, noise_of
 
 _WINDOW = 50  # steps of a compared change: long compared with noise, short compared with heating of the wall
 _MAX_SAMPLES = 2000  # limit of compared samples; longer recordings are averaged to show delays of seconds

@@ -14,9 +14,16 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError, collect
 from poppet.core.units import Kind, check_unit, convert, quantity, same_dimension, sizes_of, with_state
 from poppet.timeseries.checks import FloatArray, split_heading
-from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, Samples, from_first, ordered
-from poppet.timeseries.measurements.measurement import Channel, InputChannel, Measurement
-from poppet.timeseries.measurements.noise import quantum_of
+from poppet.timeseries.measurements.measurement import (
+    LEAST_SAMPLES,
+    Channel,
+    InputChannel,
+    Measurement,
+    Samples,
+    from_first,
+    ordered,
+    quantum_of,
+)
 from poppet.timeseries.measurements.verdicts import heading_verdicts, verdicts
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.reading import Table, read_table

@@ -10,8 +10,7 @@ from poppet.core.codes import Note
 from poppet.core.units import convert, same_dimension
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements.delays import late_input, slow_sensor
-from poppet.timeseries.measurements.measurement import Channel, InputChannel
-from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.measurements.measurement import Channel, InputChannel, noise_of
 
 # Limits relative to the ambient pressure: _LOW, _NEAR, _ZERO.
 _LOW = 0.3  # compressed-air circuits are rarely in steady state below this pressure
