@@ -89,18 +89,7 @@ def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[Inp
 
 def not_finite(**fields: float) -> list[InputError]:
     """Return an error for each field that is not a finite number."""
-    return [
-        InputError("numbers.not_finite", name, value=value) for name, value in fields.items() if not _is_finite(value)
-    ]
-
-
-def not_positive(unit: str, **fields: float) -> list[InputError]:
-    """Return an error for each field that is not above zero."""
-    return [
-        InputError("numbers.not_positive", name, value=value, unit=unit)
-        for name, value in fields.items()
-        if not (_is_finite(value) and value > 0.0)
-    ]
+    return [InputError("numbers.not_finite", name, value=v) for name, v in fields.items() if not _is_finite(v)]
 
 
 def _is_finite(value: float) -> bool:

@@ -148,20 +148,12 @@ def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
 def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
     from scipy.io import savemat
 
-    variables = _matlab_names(recording.names)
+    # Names for MATLAB have letters, digits and underscores, and at most 63 characters: 58 leave space for a counter.
+    stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in recording.names)
+    variables = _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
     content: dict[str, Any] = {"time": recording.time, METADATA: _metadata(recording, variables)}
     content.update(zip(variables, recording.values, strict=True))
     savemat(stream, content, oned_as="column")
-
-
-def _matlab_names(names: Sequence[str]) -> list[str]:
-    """Return unique names for MATLAB: letters, digits and underscores, at most 63 characters.
-
-    A dot becomes two underscores.
-    """
-    # At most 58 characters leave space for a counter.
-    stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in names)
-    return _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
 
 
 def _apart(names: Iterable[str]) -> list[str]:

@@ -80,11 +80,6 @@ class SetpointSweep:
     parts: list[Branch]
     cut: Mask  # samples of setpoint or outlet that are clipped
 
-    @property
-    def is_judged(self) -> bool:
-        """False if the evaluated range contains clipped samples."""
-        return not bool(np.any(self.cut & (self.x >= RANGE[0]) & (self.x <= RANGE[1])))
-
 
 @dataclass(frozen=True, eq=False)
 class Branches:
@@ -97,20 +92,19 @@ class Branches:
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
-    all_sweeps = [_swept(evaluation.scale, record) for record in records]
+    all_sweeps = []
+    for record in records:
+        x, y = evaluation.scale.percents(record)
+        cut = np.zeros(x.size, dtype=bool)
+        for name in ("setpoint", "outlet"):
+            cut |= record.clipped.get(name, False)
+        all_sweeps.append(SetpointSweep(record.time, x, x, y, branches(x, SWING), cut))
     # One lag for all: the same valve at the same rate, and not every sweep stops for long enough to show it.
-    complete = [
-        sweep_record for sweep_record in all_sweeps if not np.any(sweep_record.cut & (sweep_record.x > STOPPING))
-    ]
-    lags = [
-        lag
-        for sweep_record in complete
-        for lag in lags_of(sweep_record.time, sweep_record.x, sweep_record.y, sweep_record.parts)
-    ]
-    all_sweeps = [
-        replace(sweep_record, late=caught_up(sweep_record.time, sweep_record.x, lags)) for sweep_record in all_sweeps
-    ]
-    evaluated = [sweep_record for sweep_record in all_sweeps if sweep_record.is_judged]
+    complete = [item for item in all_sweeps if not np.any(item.cut & (item.x > STOPPING))]
+    lags = [lag for item in complete for lag in lags_of(item.time, item.x, item.y, item.parts)]
+    all_sweeps = [replace(item, late=caught_up(item.time, item.x, lags)) for item in all_sweeps]
+    # The evaluated range must not contain clipped samples.
+    evaluated = [s for s in all_sweeps if not np.any(s.cut & (s.x >= RANGE[0]) & (s.x <= RANGE[1]))]
     sweep = _on_grid(evaluated)
     up, down = (rows.mean(axis=0) if rows.size else np.full(GRID.size, np.nan) for rows in (sweep.up, sweep.down))
     evaluation.conditions |= {
@@ -123,9 +117,8 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     _repeatability(evaluation, sweep)
     _ends(evaluation, all_sweeps, lag_change, uncertainty.standard)
     if lags:
-        evaluation.add(
-            "sweep_lag", max(0.0, lag_change), uncertainty, time=max(0.0, float(np.mean([lag.time for lag in lags])))
-        )
+        delay = max(0.0, float(np.mean([lag.time for lag in lags])))
+        evaluation.add("sweep_lag", max(0.0, lag_change), uncertainty, time=delay)
     else:
         evaluation.note_absence("no_stop" if len(complete) == len(all_sweeps) else "clipped_stop", "sweep_lag")
     _curves(evaluation, sweep, up, down)
@@ -133,23 +126,14 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         evaluation.limit_to_bounds("linearity", "hysteresis", "repeatability", "accuracy")
 
 
-def _swept(scale: Scale, record: Record) -> SetpointSweep:
-    x, y = scale.percents(record)
-    cut = np.zeros(x.size, dtype=bool)
-    for name in ("setpoint", "outlet"):
-        cut |= record.clipped.get(name, False)
-    return SetpointSweep(record.time, x, x, y, branches(x, SWING), cut)
-
-
 def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares = [1]
-    for sweep in swept:
-        for branch in sweep.parts:
-            value, share = _branch(sweep, branch)
-            if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
-                rows[branch.sign].append(value)
-                shares.append(share)
+    for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
+        value, share = _branch(sweep, branch)
+        if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
+            rows[branch.sign].append(value)
+            shares.append(share)
     up, down = (np.array(rows[sign]).reshape(-1, GRID.size) for sign in (1, -1))
     share = max(shares)
     return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share)
@@ -195,7 +179,9 @@ def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down:
 
 
 def _accuracy(evaluation: Evaluation, sweep: Branches, lag: float) -> None:
-    rows = [(row[is_known], GRID[is_known]) for row, is_known in _known(np.concatenate([sweep.up, sweep.down]))]
+    # The known points of each branch in the evaluated range.
+    parts = [(row, INSIDE & np.isfinite(row)) for row in np.concatenate([sweep.up, sweep.down])]
+    rows = [(row[is_known], GRID[is_known]) for row, is_known in parts]
     if not rows:
         evaluation.note_absence("no_sweep", "accuracy")
         return
@@ -204,11 +190,6 @@ def _accuracy(evaluation: Evaluation, sweep: Branches, lag: float) -> None:
     worst = max(range(len(rows)), key=lambda k: float(np.max(np.abs(curves[k].values))))
     index = int(np.argmax(np.abs(curves[worst].values)))
     evaluation.add_nonnegative("accuracy", value, uncertainty.wider(lag), at=float(rows[worst][1][index]))
-
-
-def _known(rows: FloatArray) -> list[tuple[FloatArray, Mask]]:
-    """Return rows with their known points in the evaluated range."""
-    return [(row, INSIDE & np.isfinite(row)) for row in rows]
 
 
 def _repeatability(evaluation: Evaluation, sweep: Branches) -> None:
@@ -277,9 +258,6 @@ def _held_at(x: FloatArray, index: int) -> slice:
     return slice(middle, max(middle + 1, end - (end - begin) // 8))
 
 
-NOWHERE = (math.nan, Uncertainty(math.nan))
-
-
 def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
     """Return the setpoint at which the outlet leaves its pressure at setpoint zero.
 
@@ -289,7 +267,7 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     """
     scatter = 5.0 * scatter_of(x)
     if x.size < FEWEST_STAIRS or x[0] > max(ZERO_STEP, scatter):
-        return NOWHERE
+        return math.nan, Uncertainty(math.nan)
     begin = max(3, int(np.argmax(x > max(x[0] + 0.5 * ZERO_STEP, scatter))))
     zero = float(np.median(y[:begin])) if begin < 8 else float(np.mean(y[:begin]))
     noise = noise_about([y[(x > RANGE[0]) & (x < 2.5 * RANGE[0])]], 3)
@@ -299,7 +277,7 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     rise = max(ZERO_STEP, 5.0 * noise.mean(size))
     risen = np.flatnonzero(blocks[1] > rise)
     if not risen.size:
-        return NOWHERE
+        return math.nan, Uncertainty(math.nan)
     left = float(blocks[0][risen[0]])
     start = left + STARTED * max(lag, 0.0)
     is_near = (x > start) & (x <= start + ZERO_SPAN)
@@ -315,9 +293,8 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     # A characteristic that bends: where the rise begins it is as much steeper or flatter as further up.
     is_further = (x > left + 2.0 * RANGE[0]) & (x <= left + 3.0 * RANGE[0])
     if np.count_nonzero(is_further) > np.count_nonzero(is_near):
-        bend = (float(np.polyfit(x[is_further], y[is_further], 1)[0]) - slope) / float(
-            np.mean(x[is_further]) - np.mean(x[is_near])
-        )
+        further_slope = float(np.polyfit(x[is_further], y[is_further], 1)[0])
+        bend = (further_slope - slope) / float(np.mean(x[is_further]) - np.mean(x[is_near]))
         ahead, width = float(np.mean(x[is_near])) - left + distance, float(np.ptp(x[is_near]))
         distance += 0.5 * bend * (ahead**2 - width**2 / 12.0) / slope
     # The choice of the samples by a noisy start adds to it.
@@ -328,13 +305,12 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
 def _rate(swept: Sequence[SetpointSweep]) -> float:
     """Return the median rate of the sweep [% FS/s]."""
     rates = []
-    for sweep in swept:
-        for branch in sweep.parts:
-            x, time = sweep.x[branch.samples], sweep.time[branch.samples]
-            indices = np.flatnonzero((x >= RANGE[0]) & (x <= RANGE[1]))
-            if indices.size > 1:
-                first, last = indices[0], indices[-1]
-                rates.append(abs(x[last] - x[first]) / (time[last] - time[first]))
+    for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
+        x, time = sweep.x[branch.samples], sweep.time[branch.samples]
+        indices = np.flatnonzero((x >= RANGE[0]) & (x <= RANGE[1]))
+        if indices.size > 1:
+            first, last = indices[0], indices[-1]
+            rates.append(abs(x[last] - x[first]) / (time[last] - time[first]))
     return float(np.median(rates)) if rates else math.nan
 
 
@@ -353,9 +329,6 @@ def _curves(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: Float
 
 _FIGURES = "linearity", "hysteresis", "repeatability", "accuracy", "zero_suppression", "zero_offset", "sweep_lag"
 CHARACTERISTIC = BenchTest(
-    "characteristic",
-    _evaluate,
-    dict.fromkeys(_FIGURES, "% FS"),
-    {"low": RANGE[0], "high": RANGE[1]},
+    "characteristic", _evaluate, dict.fromkeys(_FIGURES, "% FS"), {"low": RANGE[0], "high": RANGE[1]},
     trials=lambda pace: [characteristic_trial(pace.specimen.scale, pace.volume, pace.sweep(), pace.hold)],
-)
+)  # fmt: skip

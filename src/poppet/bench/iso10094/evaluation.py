@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, Protocol
 
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty
+from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest
 from poppet.core.codes import Note
 from poppet.core.message_format import sentence
 from poppet.timeseries.segments import Signal
@@ -250,9 +250,8 @@ class Evaluation:
         definition = self.test.definitions[name]
         figure = CharacteristicValue(float(value), definition.unit, definition.full, bound, conditions)
         if not bound and uncertainty is not None and math.isfinite(uncertainty.standard):
-            figure = replace(
-                figure, uncertainty=uncertainty.standard, interval=_floats(uncertainty.interval(float(value)))
-            )
+            low, high = uncertainty.interval(float(value))
+            figure = replace(figure, uncertainty=uncertainty.standard, interval=(float(low), float(high)))
         elif not bound:
             self.note("doubtful", name)
         self.figures[name] = figure
@@ -272,25 +271,23 @@ class Evaluation:
         half = NORMAL * uncertainty.standard
         self.add_or_bound(name, value, 0.0 if value > half else max(value, 0.0) + half, uncertainty, **conditions)
 
-    def add_largest(
-        self, name: str, key: str, reason: str, *, rows: Sequence[Row] | None = None, **conditions: str
-    ) -> None:
-        """Add the largest value of a key, with its bound, or the reason why there is none.
+    def add_greatest(
+        self, name: str, key: str, reason: str = "", *, rows: Sequence[Row] | None = None,
+        conditions: Sequence[str] = (), is_nonnegative: bool = False, **facts: Any,
+    ) -> Row | None:  # fmt: skip
+        """Add the largest value of a key in the rows and return its row.
 
-        Each condition names the key of its value in the row. Absent keys are omitted.
-
-        A condition is given by the key under which the row has it, and left out where it has none.
+        `conditions` are the keys of the row that state the conditions of the value. Without a row, the result is None,
+        and a note states the reason if there is one.
         """
-        row = largest(self.rows if rows is None else rows, key)
-        if row is None:
-            self.note_absence(reason, name)
-            return
-        row_conditions = {condition: row[source] for condition, source in conditions.items() if source in row}
-        self.add(name, row[key], bound=row.get(f"{key}_bound", ""), **row_conditions)
-
-
-def _floats(ends: tuple[float, float]) -> tuple[float, float]:
-    return float(ends[0]), float(ends[1])
+        rows = [row for row in (self.rows if rows is None else rows) if key in row]
+        if not rows:
+            self.note_absence(reason, *[name] * bool(reason))
+            return None
+        value, uncertainty, k = greatest(*self.pairs(rows, key))
+        case = {condition: rows[k][condition] for condition in conditions if condition in rows[k]} | facts
+        (self.add_nonnegative if is_nonnegative else self.add)(name, value, uncertainty, **case)
+        return rows[k]
 
 
 def largest(rows: Sequence[Row], key: str) -> Row | None:

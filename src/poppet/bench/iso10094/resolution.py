@@ -77,7 +77,11 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         row |= {name: change, f"{name}_bound": AT_MOST if is_bound else ""}
         # A motion by one stair must be visible; otherwise the reversal is detected late.
         if least + (3.0 * blur if is_reversal else 0.0) <= stair:
-            evaluation.set_value(row, name, change, _within(change, stair, least if is_reversal else 0.0, blur))
+            # The change is between the last stair without motion and the first one with motion. A reversal is visible
+            # only after a motion of `least`.
+            middle = change - (least if is_reversal else 0.0) - 0.5 * stair
+            low, high = Uncertainty(blur, 0.5 * stair).interval(middle)
+            evaluation.set_value(row, name, change, Uncertainty(blur, 0.5 * stair, (max(low, 0.0), high)))
         if is_bound and least <= stair:
             evaluation.note("resolution.every_stair", name, stair=stair)
     turned = _turns(level)
@@ -86,16 +90,6 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         row |= {"reversal_threshold": changed, "reversal_threshold_bound": AT_LEAST}
         evaluation.note("resolution.no_turn", record.name, changed=changed)
     evaluation.curves += [Curve("setpoint", record.name, record.time, x), Curve("outlet", record.name, record.time, y)]
-
-
-def _within(change: float, stair: float, unseen: float, blur: float) -> Uncertainty:
-    """Return the uncertainty of a change between the last stair without motion and the first one with motion.
-
-    A reversal is visible only after a motion of `unseen`.
-    """
-    even = Uncertainty(blur, 0.5 * stair)
-    low, high = even.interval(change - unseen - 0.5 * stair)
-    return Uncertainty(blur, 0.5 * stair, (max(low, 0.0), high))
 
 
 class Move(NamedTuple):
@@ -133,9 +127,7 @@ def _turns(level: FloatArray) -> list[tuple[int, int]]:
 
 
 RESOLUTION = BenchTest(
-    "resolution",
-    _evaluate,
-    {"resolution": "% FS", "reversal_threshold": "% FS"},
+    "resolution", _evaluate, {"resolution": "% FS", "reversal_threshold": "% FS"},
     trials=lambda pace: [resolution_trial(pace.specimen.scale, pace.volume, STAIR, pace.hold, MIDDLE)],
     whole=("setpoint", "outlet"),
-)
+)  # fmt: skip

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from poppet.bench.iso10094.evaluation import Trial, held
-from poppet.bench.iso10094.scale import ELECTRIC, FloatArray, Record, Scale, setpoint_scale
+from poppet.bench.iso10094.scale import ELECTRIC, Record, Scale, setpoint_scale
 from poppet.circuit.circuit import Circuit
 from poppet.circuit.notes import make_recording
 from poppet.core.codes import Note
@@ -61,18 +61,15 @@ class Rig:
         """Run a trial."""
         trial = replace(trial, step=self._row_time(trial))
         part = self._run(trial, *self._flows(trial)).between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
+        total = np.zeros(part.time.size)  # flow out of the supply
+        for flow in self.circuit.model.flows:
+            if SUPPLY in (flow.source, flow.target) and flow.name in part:
+                total += part[flow.name] * (1.0 if flow.source == SUPPLY else -1.0)
         return Record(
-            trial.name,
-            trial.kind,
-            part.time - part.time[0],
-            trial.setpoint.evaluate(part.time, trial.duration),
-            part[f"{OUTLET}.pressure"],
-            part[f"{SUPPLY}.pressure"],
-            part[f"{BLEED}.mass_flow_rate"] - part[f"{FEED}.mass_flow_rate"],
-            self._consumption(part),
-            trial.volume,
-            is_exact=True,
-        )
+            trial.name, trial.kind, part.time - part.time[0], trial.setpoint.evaluate(part.time, trial.duration),
+            part[f"{OUTLET}.pressure"], part[f"{SUPPLY}.pressure"],
+            part[f"{BLEED}.mass_flow_rate"] - part[f"{FEED}.mass_flow_rate"], total, trial.volume, is_exact=True,
+        )  # fmt: skip
 
     def _run(self, trial: Trial, bleed: tuple[float, Signal], feed: Signal, stops: Sequence[str] = ()) -> Recording:
         """Run a trial with a bleed (size and opening) and a feed as its load."""
@@ -114,14 +111,6 @@ class Rig:
             self.notes += [] if note in self.notes else [note]
             return trial.step
         return fastest
-
-    def _consumption(self, recording: Recording) -> FloatArray:
-        """Return the total flow out of the supply."""
-        total = np.zeros(recording.time.size)
-        for flow in self.circuit.model.flows:
-            if SUPPLY in (flow.source, flow.target) and flow.name in recording:
-                total += recording[flow.name] * (1.0 if flow.source == SUPPLY else -1.0)
-        return total
 
     # Flow --------------------------------------------------------------------------------------------------------
 
@@ -171,7 +160,13 @@ def rig_of(
     ambient = circuit.surroundings.pressure
     smallest, largest = (circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high"))
     scaling = None if smallest is None or largest is None else (float(smallest), float(largest))
-    ends = full_scale or scaling or _full_scale(pressure, ambient, notes)
+    ends = full_scale or scaling
+    if ends is None:  # 1 bar below the supply, in whole bars above ambient
+        bars = math.floor((pressure - ambient - BELOW_SUPPLY) / 1e5 + 1e-9)
+        if bars < 1:
+            raise InputError("rig.low_supply", supply=pressure)
+        notes.append(Note("rig.full_scale", bars=bars))
+        ends = ambient, ambient + 1e5 * bars
     if scaling is not None:
         slack = 1e-9 * ends[1]
         # A setpoint knows no pressure beyond the scaling of its valve.
@@ -204,7 +199,11 @@ def rig_of(
 
 def valve_of(circuit: Circuit, name: str | None = None) -> str:
     """Return the name of the test valve in a circuit."""
-    candidates = [name for name, part in circuit.parts.items() if _is_valve(part)]
+    candidates = [
+        name
+        for name, part in circuit.parts.items()
+        if {*NEEDED} <= {*part.ports()} and any(item.name in SETPOINTS for item in part.inputs())
+    ]
     if name in candidates:
         return str(name)
     if name is None and len(candidates) == 1:
@@ -217,10 +216,6 @@ def valve_of(circuit: Circuit, name: str | None = None) -> str:
     if name not in circuit.parts:
         raise InputError("rig.unknown", given=name, near=NameSuggestion(name, candidates))
     raise InputError("rig.unfit", given=name, kind=circuit.parts[name].kind, valves=tuple(candidates))
-
-
-def _is_valve(part: Part) -> bool:
-    return {*NEEDED} <= {*part.ports()} and any(item.name in SETPOINTS for item in part.inputs())
 
 
 def _at_start(signal: Signal) -> float:
@@ -239,12 +234,3 @@ def _supply_pressure(circuit: Circuit, part: Part, notes: list[Note]) -> float:
     parameters = circuit.parameters
     name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in parameters)
     return float(parameters[name])
-
-
-def _full_scale(supply: float, ambient: float, notes: list[Note]) -> tuple[float, float]:
-    """Return a default full scale: 1 bar below the supply, in whole bars above ambient."""
-    bars = math.floor((supply - ambient - BELOW_SUPPLY) / 1e5 + 1e-9)
-    if bars < 1:
-        raise InputError("rig.low_supply", supply=supply)
-    notes.append(Note("rig.full_scale", bars=bars))
-    return ambient, ambient + 1e5 * bars

@@ -115,7 +115,9 @@ class Bench:
         # Three to a decade tell where the bandwidths are; between them it is filled up.
         for frequency in ladder[::3]:
             sines[frequency] = self._sine(frequency)
-            n_beyond = n_beyond + 1 if _is_beyond(self._bode(sines).rows) else 0
+            rows = self._bode(sines).rows
+            is_beyond = len(rows) > 1 and rows[-1]["gain_db"] < GAIN_DB and rows[-1]["phase"] < PHASE_DEG
+            n_beyond = n_beyond + 1 if is_beyond else 0
             if n_beyond >= AFTER:
                 break
         for frequency in dict.fromkeys(ladder):
@@ -153,11 +155,6 @@ def _needed(rows: list[Row]) -> float:
     return HOLD_PER_SETTLING * float(max(row["settling_time"] for row in rows))
 
 
-def _is_beyond(rows: list[Row]) -> bool:
-    """Return True if the last frequency is above both bandwidths."""
-    return len(rows) > 1 and bool(rows[-1]["gain_db"] < GAIN_DB and rows[-1]["phase"] < PHASE_DEG)
-
-
 def preferred(frequency: float) -> float:
     """Return the nearest of ten preferred frequencies per decade.
 
@@ -171,10 +168,6 @@ def preferred(frequency: float) -> float:
     return float(f"{series[index % 10] * 10.0 ** (index // 10):.6g}")
 
 
-FIRST = ("step",)
-"""Tests that come first: the others take their times from them."""
-
-
 def run_bench(
     specimen: Specimen, settings: BenchSettings | None = None, tests: Sequence[str] = tuple(TESTS), *,
     source: str = "circuit", notes: Sequence[Note | str] = (), conditions: Mapping[str, Any] | None = None,
@@ -186,7 +179,8 @@ def run_bench(
     bench = Bench(specimen, settings, say or (lambda _: None))
     evaluations: dict[str, Evaluation] = {}
     outcome = "done"
-    for name in sorted(tests, key=lambda test: (test not in FIRST, list(TESTS).index(test))):
+    # The steps come first, because the other tests take their times from them.
+    for name in sorted(tests, key=lambda test: (test != "step", list(TESTS).index(test))):
         try:
             evaluations[name] = TESTS[name].evaluated(bench.records(name), specimen.scale, settings.rated_flow)
         except SimulationError as error:
@@ -229,10 +223,9 @@ def _assembled(
     tests = {name: evaluations[name] for name in TESTS if name in evaluations}
     figures = {name: figure for evaluation in tests.values() for name, figure in evaluation.figures.items()}
     ranges = {
-        "setpoint_range": [scale.setpoint_low, scale.setpoint_high],
-        "setpoint_unit": scale.setpoint_unit,
+        "setpoint_range": [scale.setpoint_low, scale.setpoint_high], "setpoint_unit": scale.setpoint_unit,
         "full_scale": [scale.pressure_low, scale.pressure_high],
-    }
+    }  # fmt: skip
     test_conditions = {name: evaluation.conditions for name, evaluation in tests.items() if evaluation.conditions}
     return BenchResult(
         title,

@@ -38,20 +38,17 @@ COARSE = 0.02
 POINTS = 400
 MOST_ROWS = 40_000
 """Maximum number of rows of a hold."""
-CASE = {key: key for key in ("from", "to", "volume", "sampling")}
+CASE = ("from", "to", "volume", "sampling")
 """Conditions of a step for its characteristic values."""
 
 
 def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
     """Return a step up and a step down about the middle of the range."""
     low, high = (float(scale.setpoint(50.0 + side * amplitude / 2.0)) for side in (-1.0, 1.0))
-    settling = hold
     # The steps coincide with rows: both are multiples of a quarter of the hold.
-    times = (0.0, settling + 0.25 * hold, settling + 1.25 * hold)
+    signal = Steps((0.0, hold + 0.25 * hold, hold + 1.25 * hold), (low, high, low))
     name = f"step of {amplitude:g} % FS, {1e3 * volume:.4g} l"
-    return Trial(
-        "step", name, Steps(times, (low, high, low)), settling + 2.25 * hold, settling, hold / MOST_ROWS, volume
-    )
+    return Trial("step", name, signal, hold + 2.25 * hold, hold, hold / MOST_ROWS, volume)
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
@@ -187,23 +184,19 @@ class _Answer:
 
 
 def _figures(evaluation: Evaluation) -> None:
+    """Add the characteristic values; with clipped steps, the largest of the other values is a bound."""
     _of_judged(evaluation)
-    if any("is_clipped" in row for row in evaluation.rows):
-        _lack(evaluation)
-
-
-def _lack(evaluation: Evaluation) -> None:
-    """Convert values of clipped steps: the largest of the other values is a bound, others are removed."""
     sizes = [row["amplitude"] for row in evaluation.rows if "is_clipped" in row]
+    if not sizes:
+        return
     names = {"settling_time", "overshoot"}
     for name, figure in list(evaluation.figures.items()):
         step = abs(figure.conditions.get("to", math.nan) - figure.conditions.get("from", math.nan))
         if name not in names and not name.startswith("hum") and not step > 0.98 * max(sizes):
             del evaluation.figures[name]
             names.add(name)
-    evaluation.limit_to_bounds(
-        *names, *(name for name in _FIGURES if name not in evaluation.figures and not name.startswith("hum"))
-    )
+    absent = (name for name in _FIGURES if name not in evaluation.figures and not name.startswith("hum"))
+    evaluation.limit_to_bounds(*names, *absent)
     if "hum_amplitude" not in evaluation.figures:
         evaluation.notes = [note for note in evaluation.notes if note.code != "bench.step.rests"]
         evaluation.note_absence("clipped", "hum_amplitude", "hum_frequency")
@@ -216,9 +209,7 @@ def _of_judged(evaluation: Evaluation) -> None:
     first = [row for row in evaluated if row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0])]
     size = max((row["amplitude"] for row in first), default=0.0)
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
-    rows_by_direction = {
-        direction: [row for row in reference if row["direction"] == direction] for direction in ("up", "down")
-    }
+    rows_by_direction = {way: [row for row in reference if row["direction"] == way] for way in ("up", "down")}
     if reference:
         means = [mean_of(*evaluation.pairs(rows, "delay")) for rows in rows_by_direction.values() if rows]
         value, uncertainty, _ = greatest(*zip(*means, strict=True))
@@ -231,23 +222,15 @@ def _of_judged(evaluation: Evaluation) -> None:
                 evaluation.add(f"{key}_{direction}", *mean_of(*evaluation.pairs(rows, key)), **_case(rows[0]))
             else:
                 evaluation.note_absence(f"unsettled_{direction}", f"{key}_{direction}")
-    settled = [row for row in first if "settling_time" in row]
-    if settled:
-        value, uncertainty, k = greatest(*evaluation.pairs(settled, "settling_time"))
-        evaluation.add("settling_time", value, uncertainty, **_case(settled[k]))
-    else:
-        evaluation.note_absence("noisy" if first else "unsettled", "settling_time")
+    reason = "noisy" if first else "unsettled"
+    evaluation.add_greatest("settling_time", "settling_time", reason, rows=first, conditions=CASE)
     _overshoot(evaluation, first)
-    humming = [row for row in evaluation.rows if "hum_amplitude" in row]
-    if not humming:
+    row = evaluation.add_greatest("hum_amplitude", "hum_amplitude", conditions=CASE)
+    if row is None:
         evaluation.note("step.rests")
-        return
-    value, uncertainty, k = greatest(*evaluation.pairs(humming, "hum_amplitude"))
-    evaluation.add("hum_amplitude", value, uncertainty, **_case(humming[k]))
-    row = humming[k]
-    evaluation.add(
-        "hum_frequency", row["hum_frequency"], evaluation.uncertainties[id(row), "hum_frequency"], **_case(row)
-    )
+    else:
+        uncertainty = evaluation.uncertainties[id(row), "hum_frequency"]
+        evaluation.add("hum_frequency", row["hum_frequency"], uncertainty, **_case(row))
 
 
 def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
@@ -262,10 +245,8 @@ def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
         evaluation.add_nonnegative("overshoot", value, uncertainty, **_case(visible[k]))
     else:
         least = max(row["overshoot_known_to"] for row in rows)
-        is_bound = least > 1e-4
-        evaluation.add(
-            "overshoot", least if is_bound else 0.0, uncertainty, bound=AT_MOST if is_bound else "", **_case(visible[k])
-        )
+        least, bound = (least, AT_MOST) if least > 1e-4 else (0.0, "")
+        evaluation.add("overshoot", least, uncertainty, bound=bound, **_case(visible[k]))
 
 
 def _case(row: Row) -> Row:
@@ -289,14 +270,8 @@ _FIGURES = {
     "delay": "s", "rise_time_up": "s", "response_time_up": "s", "rise_time_down": "s", "response_time_down": "s",
     "settling_time": "s", "overshoot": "%", "hum_amplitude": "% FS", "hum_frequency": "Hz",
 }  # fmt: skip
-STEP = BenchTest(
-    "step",
-    _evaluate,
-    _FIGURES,
-    {"low": 100.0 * LOW, "high": 100.0 * HIGH, "band": 100.0 * BAND},
-    table="steps",
-    part=DYNAMIC,
-)
+_LEVELS = {"low": 100.0 * LOW, "high": 100.0 * HIGH, "band": 100.0 * BAND}
+STEP = BenchTest("step", _evaluate, _FIGURES, _LEVELS, table="steps", part=DYNAMIC)
 
 
 WIDER = 1.15
@@ -355,7 +330,14 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     if line < min(0.9, 3.0 * min(1.0, math.log(lines / CHANCE) / lines)) * total:
         return None
     index += FIRST
-    frequency = _refined(even, values, index / (even[-1] - even[0]))
+    # The frequency of the best fitting sine near the line.
+    frequency, width = index / (even[-1] - even[0]), 1.0 / (even[-1] - even[0])
+    for _ in range(5):
+        trial = frequency + width * np.linspace(-1.0, 1.0, 21)
+        phases = (2.0 * math.pi * f * (even - even[0]) for f in trial)
+        powers = [float((values @ np.cos(phase)) ** 2 + (values @ np.sin(phase)) ** 2) for phase in phases]
+        frequency = float(trial[np.argmax(powers)])
+        width *= 0.1
     amplitude, residual = _half_swing(even, values, frequency, noise_of(values))
     if not amplitude > LEAST:
         return None
@@ -364,21 +346,6 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     noise = noise_about([residual], 0).at(2.0 * math.pi * frequency * span / even.size)
     error = WIDER * noise / math.sqrt(even.size)
     return Hum(amplitude, frequency, math.sqrt(2.0) * error, math.sqrt(6.0) * error / (math.pi * amplitude * span))
-
-
-def _refined(time: FloatArray, values: FloatArray, frequency: float) -> float:
-    """Return the frequency of the best fitting sine near a spectral line."""
-    width = 1.0 / (time[-1] - time[0])
-    for _ in range(5):
-        trial = frequency + width * np.linspace(-1.0, 1.0, 21)
-        frequency = float(trial[np.argmax([_power(time, values, f) for f in trial])])
-        width *= 0.1
-    return frequency
-
-
-def _power(time: FloatArray, values: FloatArray, frequency: float) -> float:
-    phase = 2.0 * math.pi * frequency * (time - time[0])
-    return float((values @ np.cos(phase)) ** 2 + (values @ np.sin(phase)) ** 2)
 
 
 def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: float) -> tuple[float, FloatArray]:

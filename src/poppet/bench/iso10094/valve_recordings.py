@@ -28,12 +28,10 @@ TOP_LEVEL = {
     **dict.fromkeys(("setpoint_range", "ambient_pressure", "supply_pressure"), Field()),
     "rated_flow": Field(unit="kg/s", kind="mass_flow", default=math.nan),
     "recordings": Field(
-        type="table",
-        is_required=True,
-        meaning="list of recordings",
+        type="table", is_required=True, meaning="list of recordings",
         example="[recordings.NAME] with test, file and channels",
     ),
-}
+}  # fmt: skip
 _TEST = Field(choices=tuple(TESTS), meaning="test", example=f'test = "{next(iter(TESTS))}"')
 OF_RECORDING = ("test", "volume", "setpoint")
 """Fields of a recording in addition to those of a fit file."""
@@ -77,7 +75,11 @@ def recorded(
     with ErrorCollector() as errors:
         optional = {"full_scale": Field()} if full_scale is not None else {}
         data = read_fields(errors, data, TOP_LEVEL | optional, table="file of recordings")
-    ambient = _ambient(data)
+    raw = data.get("ambient_pressure", DEFAULT_AMBIENT)
+    read = quantity(raw, "Pa", kind="pressure", name="ambient_pressure")
+    if read.reference == "gauge" or read.value <= 0.0:
+        raise InputError("recordings.ambient", "ambient_pressure", given=raw)
+    ambient = read.value
     ends = pressure_range(full_scale if full_scale is not None else data["full_scale"], ambient)
     scale = setpoint_scale(data.get("setpoint_range"), ends, ambient)
     if not math.isfinite(rated_flow):
@@ -96,24 +98,14 @@ def recorded(
     collect(problems)
     conditions: dict[str, Any] = {
         "ambient_pressure": ambient,
-        "recordings": {
-            test: [record.name for record in found_notes] for test, found_notes in records.items() if found_notes
-        },
+        "recordings": {test: [record.name for record in group] for test, group in records.items() if group},
     }
     if "supply_pressure" in data:
         conditions["supply_pressure"] = pressure(data["supply_pressure"], ambient, "supply_pressure")
-    volumes = sorted({r.volume for found_notes in records.values() for r in found_notes if math.isfinite(r.volume)})
+    volumes = sorted({r.volume for group in records.values() for r in group if math.isfinite(r.volume)})
     if volumes:
         conditions["volumes"] = volumes
     return ValveRecordings(str(data.get("title", path.stem)), scale, records, rated_flow, tuple(notes), conditions)
-
-
-def _ambient(data: Mapping[str, Any]) -> float:
-    raw = data.get("ambient_pressure", DEFAULT_AMBIENT)
-    read = quantity(raw, "Pa", kind="pressure", name="ambient_pressure")
-    if read.reference == "gauge" or read.value <= 0.0:
-        raise InputError("recordings.ambient", "ambient_pressure", given=raw)
-    return read.value
 
 
 def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
@@ -129,9 +121,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     # A bench knows more of its channels: a command rests at its ends, an outlet follows its setpoint.
     findings = [finding for finding in measurement.findings if finding.code != "suspicion.clipped"]
     if _is_staircase(record, scale):
-        findings = [
-            finding for finding in findings if (finding.code, finding.address) != ("suspicion.coarse", SETPOINT)
-        ]
+        findings = [note for note in findings if (note.code, note.address) != ("suspicion.coarse", SETPOINT)]
     notes = [note.within(name) for note in (*measurement.notes, *findings)]
     for series, mask in record.clipped.items():
         notes.append(Note("recordings.clipped", f"{name}.{SERIES[series]}", samples=int(mask.sum())))
@@ -154,15 +144,12 @@ def _is_staircase(record: Record, scale: Scale) -> bool:
     """
     x, y = scale.percents(record)
     held = stairs(x)
-    ends = np.array([[np.mean(y[part][-third:]), np.mean(y[part][third:-third])] for part, third in _thirds(held)])
+    thirds = [(part, max(1, (part.stop - part.start) // 3)) for part in held]
+    ends = np.array([[np.mean(y[part][-third:]), np.mean(y[part][third:-third])] for part, third in thirds])
     if len(held) < 2 or not ends.size:
         return False
     inside, between = np.abs(ends[:, 0] - ends[:, 1]), np.abs(np.diff(ends[:, 0]))
     return bool(np.median(inside) < AT_REST * np.median(between))
-
-
-def _thirds(held: list[slice]) -> list[tuple[slice, int]]:
-    return [(part, max(1, (part.stop - part.start) // 3)) for part in held]
 
 
 def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> list[InputError]:
@@ -212,17 +199,14 @@ def _joined(
     if unit != scale.setpoint_unit:
         raise InputError("recordings.unit", f"{where}.{SETPOINT}", unit=unit, wanted=scale.setpoint_unit)
     if "setpoint" in own:
-        series["setpoint"] = np.full(clock.size, _held(own["setpoint"], f"{where}.setpoint", ambient, scale))
+        raw, address = own["setpoint"], f"{where}.setpoint"
+        is_pressure = scale.setpoint_unit == "Pa"
+        level = pressure(raw, ambient, address) if is_pressure else quantity(raw, unit, name=address).value
+        series["setpoint"] = np.full(clock.size, level)
     volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value if "volume" in own else math.nan
     percent = {"setpoint": scale.setpoint_percent(series["setpoint"]), "outlet": scale.percent(series["outlet"])}
     cut = clipped({**series, **percent})
     return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
-
-
-def _held(given: Any, name: str, ambient: float, scale: Scale) -> float:
-    if scale.setpoint_unit == "Pa":
-        return pressure(given, ambient, name)
-    return quantity(given, scale.setpoint_unit, name=name).value
 
 
 SHORTEST = 5
@@ -260,24 +244,20 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
             continue
         mask = np.zeros(values.size, dtype=bool)
         for level, sign in ((float(np.max(values)), 1.0), (float(np.min(values)), -1.0)):
-            if _is_cut(name, series, level, sign):
+            runs = _runs(values == level)
+            if not runs or (name == "outlet" and sign < 0.0 and level <= FLOOR):
+                continue
+            # A digital setpoint has no noise to test.
+            is_cut = name != "setpoint" and stays_in_noise(values, level, quantum_of(values))
+            if not is_cut and name in ("setpoint", "flow"):
+                is_cut = any(_goes_on(sign * values, series["outlet"], run) for run in runs)
+            elif not is_cut and name == "outlet":
+                is_cut = any(_is_stuck(series, sign, run) for run in runs)
+            if is_cut:
                 mask |= values == level
         if mask.any():
             masks[name] = mask
     return masks
-
-
-def _is_cut(name: str, series: Mapping[str, FloatArray], level: float, sign: float) -> bool:
-    values = series[name]
-    runs = _runs(values == level)
-    if not runs or (name == "outlet" and sign < 0.0 and level <= FLOOR):
-        return False
-    # A digital setpoint has no noise to test.
-    if name != "setpoint" and stays_in_noise(values, level, quantum_of(values)):
-        return True
-    if name in ("setpoint", "flow"):
-        return any(_goes_on(sign * values, series["outlet"], run) for run in runs)
-    return name == "outlet" and any(_is_stuck(series, sign, run) for run in runs)
 
 
 def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool:
@@ -299,13 +279,9 @@ def _step(values: FloatArray) -> float:
     return max(quantum_of(values), 1e-6 * float(np.ptp(values)))
 
 
-def _before(run: slice) -> slice:
-    return slice(max(0, run.start - min(run.stop - run.start, MOST_LOOKED_AT)), run.start + 1)
-
-
 def _is_ramp(x: FloatArray, run: slice) -> bool:
     """Return True if a series approaches a run in steps and not with a jump."""
-    approach = x[_before(run)]
+    approach = x[max(0, run.start - min(run.stop - run.start, MOST_LOOKED_AT)) : run.start + 1]
     change = approach[-1] - approach[0]
     return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
 

@@ -69,17 +69,10 @@ class StandIn:
         rows_shown = rows_shown[time[rows_shown] >= trial.lead - 1e-9 * trial.step]
         clock = time[rows_shown]
         return Record(
-            trial.name,
-            trial.kind,
-            clock - clock[0],
-            trial.setpoint.evaluate(clock),
-            self.scale.pressure(y[rows_shown]),
-            supply[rows_shown],
-            self.full_flow * load[rows_shown],
-            np.full(clock.size, self.leak),
-            trial.volume,
-            is_exact=True,
-        )
+            trial.name, trial.kind, clock - clock[0], trial.setpoint.evaluate(clock),
+            self.scale.pressure(y[rows_shown]), supply[rows_shown], self.full_flow * load[rows_shown],
+            np.full(clock.size, self.leak), trial.volume, is_exact=True,
+        )  # fmt: skip
 
     def static(self, setpoint: FloatArray) -> FloatArray:
         """Return the steady outlet for consecutive setpoints."""

@@ -115,7 +115,12 @@ def bandwidth_point(
     start = end if plan.lowest < end < plan.highest else begin
     lag = crossing(lambda f: -sweep.lag(f), -LAG, start, plan.lowest, plan.highest)
     up, down = (_rise(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
-    gains = _gains(plan, volume, amplitude, end, parts) if 0.0 < end < math.inf else {}
+    gains = {}  # the bandwidth with each part ideal, relative to the unchanged bandwidth
+    for part in parts if 0.0 < end < math.inf else ():
+        changes = ideal(plan, part) if part in PARTS else None
+        changed = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
+        if changed is not None:
+            gains[part] = min(_bandwidth(plan, changed, end), plan.highest) / end
     best = max(gains, key=lambda part: gains[part], default="")
     limiting = (best if gains[best] >= WORTH else CONTROLLER) if gains else ""
     return Point(end, lag, up, down, sweep.loudest, gains, limiting)
@@ -131,18 +136,6 @@ def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes |
         return Sweep(plan.rig(volume, changes), amplitude, plan.per_pascal)
     except SimulationError:
         return None
-
-
-def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float, parts: Sequence[str]) -> dict[str, float]:
-    """Return the bandwidth with each part ideal, relative to the unchanged bandwidth."""
-    gains = {}
-    for part in parts:
-        changes = ideal(plan, part) if part in PARTS else None
-        sweep = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
-        if sweep is not None:
-            end = _bandwidth(plan, sweep, base)
-            gains[part] = min(end, plan.highest) / base
-    return gains
 
 
 def _rise(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:

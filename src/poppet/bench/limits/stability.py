@@ -82,12 +82,16 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
         v, note = None, error.note
     if v is None:
         return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, note)
-    pole, is_stable = _leading(model_at(rig.point, v).poles())
+    poles = model_at(rig.point, v).poles()
+    pole = poles[np.argmax(poles.real)]
+    is_stable = not pole.real > 0.0
+    moving = poles[poles.imag > 0.0]
+    if is_stable and moving.size:
+        pole = moving[np.argmax(moving.real)]
     smooth, amplitude, frequency = _pushed(rig, v)
     agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
-    return Stability(
-        pole, is_stable, smooth, amplitude, frequency, *rough, agrees, _note(is_stable, smooth, agrees, rough)
-    )
+    finding = _note(is_stable, smooth, agrees, rough)
+    return Stability(complex(pole), is_stable, smooth, amplitude, frequency, *rough, agrees, finding)
 
 
 def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
@@ -106,15 +110,6 @@ def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume:
     return None
 
 
-def _leading(poles: NDArray[np.complex128]) -> tuple[complex, bool]:
-    """Return the dominant pole, and True if all poles are stable."""
-    right = poles[np.argmax(poles.real)]
-    if right.real > 0.0:
-        return complex(right), False
-    moving = poles[poles.imag > 0.0]
-    return complex(moving[np.argmax(moving.real)] if moving.size else right), True
-
-
 def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
     """Return the motion of the full model after a push at the outlet."""
     pushed = v.copy()
@@ -128,11 +123,8 @@ def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
     late_amplitude, frequency = _motion(time, y, LATE)
     if late_amplitude > LOUD * PUSH or late_amplitude > GROWN * early_amplitude > QUIET * PUSH:
         return OSCILLATES, late_amplitude, frequency
-    return (
-        (DECAYS if late_amplitude < DECAYED * early_amplitude or late_amplitude < QUIET * PUSH else MARGINAL),
-        late_amplitude,
-        frequency,
-    )
+    is_decaying = late_amplitude < DECAYED * early_amplitude or late_amplitude < QUIET * PUSH
+    return DECAYS if is_decaying else MARGINAL, late_amplitude, frequency
 
 
 def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:

@@ -6,11 +6,5 @@ from poppet.timeseries.measurements.mapping import read_measurement, read_record
 from poppet.timeseries.measurements.measurement import Channel, InputChannel, Measurement, noise_of, quantum_of
 
 __all__ = [
-    "Channel",
-    "InputChannel",
-    "Measurement",
-    "noise_of",
-    "quantum_of",
-    "read_measurement",
-    "read_recording",
-]
+    "Channel", "InputChannel", "Measurement", "noise_of", "quantum_of", "read_measurement", "read_recording",
+]  # fmt: skip

@@ -104,12 +104,16 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
 
 
 def shown_series(
-    recordings: Sequence[Columns],
-    names: tuple[str, ...] | None,
-    units: Mapping[str, str] | Sequence[str] | str | None,
+    recordings: Sequence[Columns], names: tuple[str, ...] | None, units: Mapping[str, str] | Sequence[str] | str | None
 ) -> list[Series]:
     """Return the series of several recordings in usual or requested units."""
-    requests = _wanted(units)
+    # Pairs of a pattern and its requested unit; an empty pattern matches the whole quantity.
+    if isinstance(units, Mapping):
+        requests = list(units.items())
+    else:
+        requests = [("", unit) for unit in ([units] if isinstance(units, str) else units or ())]
+    for _, unit in requests:
+        check_unit(unit)
     applied: set[int] = set()
     series = []
     for source, recording in enumerate(recordings):
@@ -118,20 +122,15 @@ def shown_series(
     for index, (pattern, unit) in enumerate(requests):
         if index not in applied:
             candidates = {item.name if pattern else item.unit for item in series}
-            raise InputError(
-                "drawing.unused_unit", name=pattern or unit, near=NameSuggestion(pattern or unit, candidates)
-            )
+            near = NameSuggestion(pattern or unit, candidates)
+            raise InputError("drawing.unused_unit", name=pattern or unit, near=near)
     return series
 
 
 def bodies_of(recordings: Sequence[Columns]) -> set[str]:
     """Return the names of the moving bodies in recordings."""
-    bodies = {
-        name.rpartition(".")[0]
-        for recording in recordings
-        for name in recording.names
-        if name.endswith(".acceleration")
-    }
+    names = (name for recording in recordings for name in recording.names)
+    bodies = {name.rpartition(".")[0] for name in names if name.endswith(".acceleration")}
     return {body for body in bodies if any(f"{body}.position" in recording for recording in recordings)}
 
 
@@ -226,24 +225,14 @@ def _title(quantity: str, members: Sequence[Series]) -> str:
     return phrases.pop() if len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", "") else quantity
 
 
-def _wanted(units: Mapping[str, str] | Sequence[str] | str | None) -> list[tuple[str, str]]:
-    """Return pairs of a pattern and its requested unit; an empty pattern matches the whole quantity."""
-    if units is None:
-        return []
-    if isinstance(units, Mapping):
-        pairs = list(units.items())
-    else:
-        pairs = [("", unit) for unit in ([units] if isinstance(units, str) else units)]
-    for _, unit in pairs:
-        check_unit(unit)
-    return pairs
-
-
 def _series(
     recording: Columns, source: int, name: str, requests: Sequence[tuple[str, str]], applied: set[int]
 ) -> Series:
     recorded_unit = recording.unit(name) or "1"
-    rank, quantity, unit = _usual(recorded_unit)
+    dimensions = enumerate(_QUANTITIES)
+    rank = next((k for k, (si, _, _) in dimensions if same_dimension(recorded_unit, si)), len(_QUANTITIES))
+    reference, quantity, _ = (*_QUANTITIES, (recorded_unit, "", 0.0))[rank]
+    unit = USUAL.get(reference, reference) if rank < len(_QUANTITIES) else recorded_unit
     for index, (pattern, requested) in enumerate(requests):
         if pattern and (pattern == name or fnmatchcase(name, pattern)):
             if not same_dimension(recorded_unit, requested):
@@ -256,14 +245,6 @@ def _series(
     if unit != recorded_unit:
         values = convert(values, recorded_unit, unit, ambient_pressure=recording.ambient_pressure)
     return Series(name, source, recording.time, values, unit, quantity, rank)
-
-
-def _usual(unit: str) -> tuple[int, str, str]:
-    """Return rank, name and usual unit of a quantity."""
-    for rank, (reference, quantity, _) in enumerate(_QUANTITIES):
-        if same_dimension(unit, reference):
-            return rank, quantity, USUAL.get(reference, reference)
-    return len(_QUANTITIES), "", unit
 
 
 _USUAL_FLOW = 1e-3  # [kg/s]
@@ -387,12 +368,8 @@ def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[S
         values = _most_frequent(time, values, edges)
     first = np.flatnonzero(np.diff(values, prepend=np.nan) != 0.0)
     ends = np.append(edges[first[1:]], edges[-1])
-    spans = (
-        Span(float(edges[k]), float(end - edges[k]), int(values[k]))
-        for k, end in zip(first, ends, strict=True)
-        if np.isfinite(values[k])
-    )
-    return tuple(spans), is_thinned
+    known = [(k, end) for k, end in zip(first, ends, strict=True) if np.isfinite(values[k])]
+    return tuple(Span(float(edges[k]), float(end - edges[k]), int(values[k])) for k, end in known), is_thinned
 
 
 def _most_frequent(time: FloatArray, codes: FloatArray, edges: FloatArray) -> FloatArray:

@@ -48,14 +48,9 @@ MOST_RECORDINGS = 8
 
 
 def plot_recordings(
-    recordings: Mapping[str, Columns],
-    path: str | Path | None = None,
-    *,
-    select: str | Iterable[str] | None = None,
-    units: Mapping[str, str] | Sequence[str] | str | None = None,
-    title: str = "",
-    inner: bool = False,
-) -> Figure:
+    recordings: Mapping[str, Columns], path: str | Path | None = None, *, select: str | Iterable[str] | None = None,
+    units: Mapping[str, str] | Sequence[str] | str | None = None, title: str = "", inner: bool = False,
+) -> Figure:  # fmt: skip
     """Draw recordings over one time axis: one panel per quantity, and a timeline of regimes.
 
     Notes
@@ -103,12 +98,8 @@ _WIDTH, _LEFT, _GAP, _BAND, _ROW, _NOTE_ROW = 10.0, 1.0, 0.16, 0.2, 0.17, 0.15
 _LABEL, _TIME_AXIS, _SECOND_AXIS, _NARROWEST, _KEY, _KEY_ROW = 0.54, 0.5, 0.6, 5.5, 0.65, 0.22
 _TEXT, _SMALL_TEXT, _NOTE_LENGTH = 8.5, 7.5, 150
 _LEGEND: dict[str, Any] = {
-    "loc": "upper left",
-    "borderpad": 0.0,
-    "borderaxespad": 0.0,
-    "handletextpad": 0.5,
-    "fontsize": _TEXT,
-}
+    "loc": "upper left", "borderpad": 0.0, "borderaxespad": 0.0, "handletextpad": 0.5, "fontsize": _TEXT,
+}  # fmt: skip
 _TIME_UNITS = ((1.0, "ms", 1e-3), (1800.0, "s", 1.0), (14400.0, "min", 60.0), (float("inf"), "h", 3600.0))
 
 
@@ -119,13 +110,9 @@ class Sheet:
     """
 
     def __init__(
-        self,
-        recordings: Mapping[str, Columns],
-        select: str | Iterable[str] | None,
-        units: Mapping[str, str] | Sequence[str] | str | None,
-        title: str,
-        inner: bool = False,
-    ) -> None:
+        self, recordings: Mapping[str, Columns], select: str | Iterable[str] | None,
+        units: Mapping[str, str] | Sequence[str] | str | None, title: str, inner: bool = False,
+    ) -> None:  # fmt: skip
         self.keys, items = list(recordings), list(recordings.values())
         self.title = title or (items[0].title if len(items) == 1 else "")
         names = chosen_names(items, select)
@@ -133,13 +120,10 @@ class Sheet:
         coded = {band.name for band in self.bands}
         series = [item for item in shown_series(items, names, units) if item.name not in coded]
         # Internal outputs are hidden unless they are selected or nothing else remains.
-        hidden = (
-            set()
-            if inner or names is not None
-            else {n for recording in items for n in recording.inner if n in recording}
-        )
+        is_complete = inner or names is not None
+        hidden = {n for recording in items for n in recording.inner if n in recording and not is_complete}
         bodies = bodies_of(items)
-        if bodies and not inner and names is None:
+        if bodies and not is_complete:
             hidden |= {item.name for item in series if any(same_dimension(item.unit, unit) for unit in AFTER_LOADS)}
         self.bands = [band for band in self.bands if band.name not in hidden]
         hidden = hidden if self.bands or any(item.name not in hidden for item in series) else set()
@@ -155,9 +139,13 @@ class Sheet:
 
     def draw(self) -> Figure:
         """Draw the figure."""
-        heights = [self._height(panel) for panel in self.panels] + [_BAND * len(self.bands)] * bool(self.bands)
+        usual = 1.6 if len(self.panels) <= 4 else 1.25
+        heights = [max(usual, _ROW * len(panel.names) + 0.1) for panel in self.panels]
+        heights += [_BAND * len(self.bands)] * bool(self.bands)
         notes, keys = self._notes(), self._keys()
-        margin = self._margin()
+        # The right margin contains the second axis of flows and the longest label.
+        labels = [label for panel in self.panels for label in panel.labels.values()]
+        margin = self._legend_gap() + 0.45 + widest(labels + self._band_labels(), _TEXT)
         self.across = max(_WIDTH, _LEFT + _NARROWEST + margin)
         self.width = self.across - _LEFT - margin
         rows = self._recording_rows()
@@ -187,15 +175,6 @@ class Sheet:
         return len(self.keys) > 1
 
     # Sizes --------------------------------------------------------------------------------------------------
-
-    def _height(self, panel: Panel) -> float:
-        usual = 1.6 if len(self.panels) <= 4 else 1.25
-        return max(usual, _ROW * len(panel.names) + 0.1)
-
-    def _margin(self) -> float:
-        """Return the width of the right margin, for the second axis of flows and the longest label."""
-        labels = [label for panel in self.panels for label in panel.labels.values()]
-        return self._legend_gap() + 0.45 + widest(labels + self._band_labels(), _TEXT)
 
     def _legend_gap(self) -> float:
         return 0.12 + _SECOND_AXIS * any(self._has_second_axis(panel) for panel in self.panels)
@@ -277,12 +256,8 @@ class Sheet:
         panel, colours = self.panels[index], self.colours[index]
         for series in panel.series:
             label = panel.labels[series.name]
-            self._line(
-                axes,
-                series,
-                colours[series.name],
-                f"{label} ({self.keys[series.source]})" if self._is_overlay else label,
-            )
+            label = f"{label} ({self.keys[series.source]})" if self._is_overlay else label
+            self._line(axes, series, colours[series.name], label)
         axes.set_ylabel(f"{panel.quantity}\n{axis_unit(panel)}", linespacing=1.3, parse_math=False)
         axes.yaxis.set_label_coords(-_LABEL / self.width, 0.5)
         axes.margins(y=0.06)

@@ -89,7 +89,9 @@ def _mdf_groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, 
         name = str(getattr(file.groups[k].channel_group, "acq_name", "") or "")
         name = name if name and name not in groups else f"group {k}"
         columns: dict[str, FloatArray] = {}
-        for signal in _signals(file, k):
+        # Without the master channel, which is the time.
+        indices = [i for i in range(len(file.groups[k].channels)) if i != file.masters_db.get(k)]
+        for signal in file.select([(None, k, i) for i in indices]) if indices else ():
             if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
                 notes.append(Note("table.channel_without_numbers", channel=signal.name, group=name))
                 continue
@@ -100,13 +102,6 @@ def _mdf_groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, 
         if columns.get("time", np.empty(0)).size:
             groups[name] = columns
     return groups, units, notes
-
-
-def _signals(file: Any, group: int) -> list[Any]:
-    """Return the channels of a group without its master channel, the time."""
-    master = file.masters_db.get(group)
-    channels = [(None, group, k) for k in range(len(file.groups[group].channels)) if k != master]
-    return list(file.select(channels)) if channels else []
 
 
 def known(metadata: Any) -> dict[str, Any]:
@@ -127,20 +122,16 @@ def read_mat(path: Path) -> Table:
         is_hdf5 = matfile_version(stream)[0] == 2  # format -v7.3, which SciPy cannot read_mat
         content = {} if is_hdf5 else loadmat(stream, squeeze_me=True, simplify_cells=True)
     if is_hdf5:
-        content = _hdf5(path)
+        with needed("h5py", "A MAT file of version 7.3", "measured"):
+            import h5py
+        with h5py.File(path, "r") as file:
+            content = {name: _hdf5_item(item) for name, item in file.items() if not name.startswith("#")}
     meta = known(content.pop(METADATA, ""))
     columns = dict(_vectors(content))
     if any(values.size > 1 for values in columns.values()):
         # Single numbers in a file with vectors are settings.
         columns = {name: values for name, values in columns.items() if values.size > 1}
     return table_of(columns, {}, meta=meta)
-
-
-def _hdf5(path: Path) -> dict[str, Any]:
-    with needed("h5py", "A MAT file of version 7.3", "measured"):
-        import h5py
-    with h5py.File(path, "r") as file:
-        return {name: _hdf5_item(item) for name, item in file.items() if not name.startswith("#")}
 
 
 def _hdf5_item(item: Any) -> Any:
@@ -223,13 +214,9 @@ READERS: Registry[Callable[..., Table]] = Registry(
 
 
 def read_table(
-    path: Path,
-    *,
-    separator: str | None = None,
-    decimal: str | None = None,
-    header_rows: int | None = None,
+    path: Path, *, separator: str | None = None, decimal: str | None = None, header_rows: int | None = None,
     group: str | int | None = None,
-) -> Table:
+) -> Table:  # fmt: skip
     r"""Read the columns of a measured file.
 
     Examples

@@ -56,6 +56,9 @@ class _Layout:
     def is_number(self, cell: str) -> bool:
         return _NUMBER[self.decimal].fullmatch(cell) is not None
 
+    def has_number(self, text: str) -> bool:
+        return any(map(self.is_number, self.cells(text)))
+
     def is_sample(self, text: str) -> bool:
         """Return True for a line with a number first, or with numbers in all numeric columns.
 
@@ -84,7 +87,9 @@ def read(
     rest_lines = [line for line in lines if not line[1].lstrip().startswith("#")]
     if not rest_lines:
         raise InputError("table.empty")
-    layout = _guess(rest_lines, _separators(separator), _decimals(decimal))
+    if decimal not in (None, ".", ","):
+        raise InputError("table.decimal", "decimal", value=decimal)
+    layout = _guess(rest_lines, _separators(separator), (".", ",") if decimal is None else (decimal,))
     head, body = _parted(rest_lines, layout, header_rows)
     names, units, heading_notes = _headings(head, comments, layout, body)
     if separator is None or decimal is None:
@@ -161,12 +166,6 @@ def _separators(separator: str | None) -> Sequence[str]:
     return (character,)
 
 
-def _decimals(decimal: str | None) -> Sequence[str]:
-    if decimal not in (None, ".", ","):
-        raise InputError("table.decimal", "decimal", value=decimal)
-    return (".", ",") if decimal is None else (decimal,)
-
-
 def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _Layout:
     """Return the layout that reads most lines as numbers; on a tie, the one with more columns."""
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
@@ -205,9 +204,7 @@ def _parted(lines: list[Line], layout: _Layout, header_rows: int | None) -> tupl
         first = next((k for k, (_, text) in enumerate(lines) if layout.is_sample(text)), None)
     else:
         first = next((k for k, (number, _) in enumerate(lines) if number > header_rows), None)
-        while (
-            first is not None and first < len(lines) and not any(map(layout.is_number, layout.cells(lines[first][1])))
-        ):
+        while first is not None and first < len(lines) and not layout.has_number(lines[first][1]):
             first += 1
     if first is None or first == len(lines):
         raise InputError("table.no_samples")
