@@ -22,19 +22,16 @@ from poppet.parts.compound import Compound
 
 Array = NDArray[np.float64]
 
-ROWS = 64
-"""Rows per period."""
+ROWS = 64  # rows per period
+# Periods over which a wave is fitted, or as many as hold this number of samples of the controller: its sidebands must
+# stay apart from the wave.
 PERIODS, SAMPLES = 4, 20
-"""Periods over which a wave is fitted, or as many as hold this number of samples of the controller: its sidebands must
-stay apart from the wave."""
-SAME = 5e-3
-"""Change of the gain from one stretch of periods to the next at which the transient counts as over."""
-ATTEMPTS = 3
-"""Runs, each twice as long as the one before, that are given to a transient."""
+SAME = 5e-3  # change of the gain from one stretch of periods to the next at which the transient counts as over
+ATTEMPTS = 3  # runs, each twice as long as the one before, that are given to a transient
+# What is beside the fundamental, over it, from which a circuit moves by itself: more time would not settle it.
 LOUD = 0.3
-"""What is beside the fundamental, over it, from which a circuit moves by itself: more time would not settle it."""
+# Step attempts of a run: a minute and a half of a circuit that hums, or half an hour of a controller at 1 kHz.
 MOST_ATTEMPTS = 1_500_000
-"""Step attempts of a run: a minute and a half of a circuit that hums, or half an hour of a controller at 1 kHz."""
 
 
 @dataclass(frozen=True)
@@ -173,8 +170,7 @@ def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, 
     return wave, float(coefficients[0]), left * np.sqrt(2.0) / abs(wave) if wave else np.inf
 
 
-SCANNED = 13
-"""Amplitudes that are tried first."""
+SCANNED = 13  # amplitudes that are tried first
 BISECTIONS = 6
 
 _BANDS = {

@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from poppet.core.errors import InputError, NameSuggestion
 
 FloatArray = NDArray[np.float64]
-METADATA = "poppet"
-"""Name of the variable or key for the metadata of a recording (title, notes, units), in JSON."""
+METADATA = "poppet"  # name of the variable or key for the metadata of a recording (title, notes, units), in JSON
 
 _HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 

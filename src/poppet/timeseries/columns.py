@@ -19,8 +19,7 @@ _SAME_NAME = (
     "time", "names", "units", "values", "title", "statistics", "residuals", "ambient_pressure", "inner", "figures",
 )  # fmt: skip
 """Arguments of the constructor that have an attribute with the same name."""
-_NO_NAMES = ("time", "slice", "list", "int")
-"""Invalid keys of a recording; the error of each one has its own hint."""
+_NO_NAMES = ("time", "slice", "list", "int")  # invalid keys of a recording; the error of each one has its own hint
 
 
 class Columns(HtmlMixin):

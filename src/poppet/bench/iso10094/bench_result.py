@@ -26,8 +26,7 @@ from poppet.core.notebook import HtmlMixin
 from poppet.core.toml import from_json, json_text, toml_text
 
 _ALL = (CHARACTERISTIC, RESOLUTION, FLOW, SUPPLY, LEAKAGE, STEP, FREQUENCY)
-TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _ALL})
-"""Tests by name, as in `--tests`."""
+TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _ALL})  # tests by name, as in `--tests`
 DEFINITIONS: Mapping[str, Definition] = MappingProxyType(
     {name: definition for test in _ALL for name, definition in test.definitions.items()}
 )

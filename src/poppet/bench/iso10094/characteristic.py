@@ -35,26 +35,22 @@ from poppet.bench.iso10094.uncertainty import (
 from poppet.timeseries.signals import Points
 
 CYCLES = 3
+# Part of the setpoint's range in which the characteristic is judged [% FS]; dead zone and ends are outside.
 RANGE = (10.0, 90.0)
-"""Part of the setpoint's range in which the characteristic is judged [% FS]; dead zone and ends are outside."""
-SWING = 5.0
-"""Smallest turn of the setpoint that ends a branch [% FS]."""
+SWING = 5.0  # smallest turn of the setpoint that ends a branch [% FS]
 GRID = np.linspace(0.0, 100.0, 101)
 INSIDE = (RANGE[0] <= GRID) & (RANGE[1] >= GRID)
+# Samples this near to a place of the grid count there: each to one place, so that these share no noise [% FS].
 HALF = 0.5
-"""Samples this near to a place of the grid count there: each to one place, so that these share no noise [% FS]."""
-COVERED = 0.75
-"""Part of the judged range that a branch must cover."""
+COVERED = 0.75  # part of the judged range that a branch must cover
 FEWEST_STAIRS = 8
+# Rise of the outlet that leaves zero, and the range above it from which it is continued back [% FS]; a rise this much
+# steeper than nominal is a jump.
 ZERO_STEP, ZERO_SPAN, JUMP = 0.5, 3.5, 5.0
-"""Rise of the outlet that leaves zero, and the range above it from which it is continued back [% FS]; a rise this much
-steeper than nominal is a jump."""
+# Lags of the sweep, as parts of the range, behind which its start is over, and what is left of it then.
 STARTED, UNDER_WAY = 3.0, 0.04
-"""Lags of the sweep, as parts of the range, behind which its start is over, and what is left of it then."""
-SHORT = 5.0
-"""Distance from the setpoint at which it counts as not reached [% FS]."""
-STOPPING = 70.0
-"""Setpoint above which a sweep shows its lag: no sample there may be clipped [% FS]."""
+SHORT = 5.0  # distance from the setpoint at which it counts as not reached [% FS]
+STOPPING = 70.0  # setpoint above which a sweep shows its lag: no sample there may be clipped [% FS]
 
 
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:

@@ -14,8 +14,7 @@ from poppet.core.message_format import sentence
 from poppet.timeseries.segments import Signal
 from poppet.timeseries.signals import Constant
 
-ROWS = 4000
-"""Rows of a sweep over the full range."""
+ROWS = 4000  # rows of a sweep over the full range
 
 
 @dataclass(frozen=True)
@@ -89,8 +88,7 @@ def held(scale: Scale, setpoint: float) -> Constant:
 
 AT_MOST, AT_LEAST = "at most", "at least"
 STATIC, DYNAMIC = "ISO 10094-1, -2: static tests", "ISO 10094-1, -2: dynamic tests"
-VERIFY = "verify against the standard"
-"""The text of the standard was not available for the definitions."""
+VERIFY = "verify against the standard"  # the text of the standard was not available for the definitions
 Row = dict[str, Any]
 
 

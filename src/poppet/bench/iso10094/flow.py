@@ -15,26 +15,19 @@ from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about, roughnes
 from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
-DROOP = 10.0
-"""Fall of the outlet that defines the flow capacity [% FS]."""
+DROOP = 10.0  # fall of the outlet that defines the flow capacity [% FS]
 PLACES = 81
-TURN = 0.15
-"""Reversal of the flow that ends a branch, as a fraction of the largest flow."""
-FOLD = 0.99
-"""Fraction of the largest flow above which a valve can be at its limit."""
+TURN = 0.15  # reversal of the flow that ends a branch, as a fraction of the largest flow
+FOLD = 0.99  # fraction of the largest flow above which a valve can be at its limit
+# Distance of the outlet below its smallest value at increasing flow, at which a valve is at its limit [% FS].
 FALLEN = 2.0
-"""Distance of the outlet below its smallest value at increasing flow, at which a valve is at its limit [% FS]."""
-STILL = 0.01
-"""Fraction of the largest flow at which a sweep begins."""
-NONE = 1e-3
-"""Fraction of the largest flow that counts as no flow."""
-TOP, TOP_ERROR = 400, 5e-4
-"""Number of averaged samples for the largest flow, and its relative uncertainty."""
+STILL = 0.01  # fraction of the largest flow at which a sweep begins
+NONE = 1e-3  # fraction of the largest flow that counts as no flow
+TOP, TOP_ERROR = 400, 5e-4  # number of averaged samples for the largest flow, and its relative uncertainty
+# Grid points on each side for the outlet at a flow, smallest number of points of a curve, and change of the outlet
+# around its capacity [% FS].
 NEIGHBOURS, FEWEST, AROUND = 5, 10, 2.0
-"""Grid points on each side for the outlet at a flow, smallest number of points of a curve, and change of the outlet
-around its capacity [% FS]."""
-LEAST_FLOW = 1e-9
-"""Flow below which there is no flow [kg/s]."""
+LEAST_FLOW = 1e-9  # flow below which there is no flow [kg/s]
 
 
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:

@@ -16,38 +16,23 @@ from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest, noise
 from poppet.laws.curves.pchip import pchip_slopes
 from poppet.timeseries.signals import Sine
 
-GAIN_DB, PHASE_DEG = -3.0, -90.0
-"""Gain and phase that define the two bandwidths."""
-PERIODS, PER_PERIOD = 6, 200
-"""Recorded whole periods of a sine, and rows per period."""
-HIGHEST = 5
-"""Highest harmonic of the distortion."""
-FEWEST = 3
-"""Smallest number of whole periods for an evaluation."""
-ASTRAY = 0.05
-"""Deviation from a sine, relative to its amplitude, at which another signal begins."""
-ALIKE = 0.04
-"""Relative difference of periods within one sine."""
-STEADY = 0.01
-"""Relative change of the fundamental between periods, below which the transient has ended."""
-UNSEEN = 1.15
-"""Standard deviation of coloured noise relative to its estimate from a few periods."""
-UNLIKE = 5.0
-"""Limit of the noise of a period, in standard errors."""
-SAME = 1.15
-"""Largest ratio of amplitudes in one Bode plot."""
+GAIN_DB, PHASE_DEG = -3.0, -90.0  # gain and phase that define the two bandwidths
+PERIODS, PER_PERIOD = 6, 200  # recorded whole periods of a sine, and rows per period
+HIGHEST = 5  # highest harmonic of the distortion
+FEWEST = 3  # smallest number of whole periods for an evaluation
+ASTRAY = 0.05  # deviation from a sine, relative to its amplitude, at which another signal begins
+ALIKE = 0.04  # relative difference of periods within one sine
+STEADY = 0.01  # relative change of the fundamental between periods, below which the transient has ended
+UNSEEN = 1.15  # standard deviation of coloured noise relative to its estimate from a few periods
+UNLIKE = 5.0  # limit of the noise of a period, in standard errors
+SAME = 1.15  # largest ratio of amplitudes in one Bode plot
 CLIPPED = ("bench.frequency.clipped", "bench.frequency.impure")
-PURE = 0.03
-"""Relative harmonics of the setpoint above which it is not a sine."""
-LONG = 2000
-"""Number of samples from which the normal equations are accurate, because the columns are nearly orthogonal."""
-SINE_DRAWS = 100
-"""Number of noise draws for the scatter of a bandwidth."""
-BETWEEN = 0.15
-"""Interpolation error of the monotone cubic, relative to that of a straight line."""
+PURE = 0.03  # relative harmonics of the setpoint above which it is not a sine
+LONG = 2000  # number of samples from which the normal equations are accurate, because the columns are nearly orthogonal
+SINE_DRAWS = 100  # number of noise draws for the scatter of a bandwidth
+BETWEEN = 0.15  # interpolation error of the monotone cubic, relative to that of a straight line
 IN_DB = 20.0 / math.log(10.0)
-FAINT = 4.0
-"""Detection limit of a fundamental, in standard errors."""
+FAINT = 4.0  # detection limit of a fundamental, in standard errors
 
 
 def frequency_trial(

@@ -14,14 +14,11 @@ from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about
 from poppet.timeseries.signals import Steps
 
+# Height of the stairs [% FS], their number from the turn on, and about what they stand [% FS].
 STAIR, STAIRS, MIDDLE = 0.05, 60, 50.0
-"""Height of the stairs [% FS], their number from the turn on, and about what they stand [% FS]."""
-TAIL = 0.3
-"""Last part of a stair, in which the outlet rests."""
-MOVED = 0.25
-"""Part of a stair that the outlet must move by to count as moved."""
-CLEAR = 5.0
-"""Standard errors of two means that no chance exceeds."""
+TAIL = 0.3  # last part of a stair, in which the outlet rests
+MOVED = 0.25  # part of a stair that the outlet must move by to count as moved
+CLEAR = 5.0  # standard errors of two means that no chance exceeds
 FEWEST = 5
 
 

@@ -22,26 +22,20 @@ from poppet.timeseries.segments import Signal
 from poppet.timeseries.signals import Constant, Points
 
 SUPPLY, OUTLET, BLEED, FEED = "bench_supply", "bench_outlet", "bench_bleed", "bench_feed"
-SETPOINTS = ("setpoint", "pilot_pressure")
-"""Inputs that may be the setpoint of a valve, the first one that it has."""
+SETPOINTS = ("setpoint", "pilot_pressure")  # inputs that may be the setpoint of a valve, the first one that it has
 NEEDED = ("supply", "outlet", "exhaust")
-SCALING = "electronics.scaling"
-"""Where a complete valve says which pressures belong to the ends of its setpoint."""
-MOST_SAMPLES = 400_000
-"""Rows of a record that has one for every sample."""
-WALL = 120.0
-"""Wall conductance per V^(2/3) [W/(K m^2)]: a cylinder as high as wide, with 22 W/(m^2 K)."""
-PROBED = 30.0
-"""Change of the outlet to which the largest flow of the bench is chosen [% FS]."""
+SCALING = "electronics.scaling"  # where a complete valve says which pressures belong to the ends of its setpoint
+MOST_SAMPLES = 400_000  # rows of a record that has one for every sample
+WALL = 120.0  # wall conductance per V^(2/3) [W/(K m^2)]: a cylinder as high as wide, with 22 W/(m^2 K)
+PROBED = 30.0  # change of the outlet to which the largest flow of the bench is chosen [% FS]
 PROBE_SETPOINT = 50.0
 SMALLEST, DECADES = 1e-4, 5
+# Probes begin at this part of a dm^3/(s bar) [m^3/(s Pa)], and of a g/s [kg/s], and grow by so many decades.
 BLEED_UNIT, FEED_UNIT = 1e-8, 1e-3
-"""Probes begin at this part of a dm^3/(s bar) [m^3/(s Pa)], and of a g/s [kg/s], and grow by so many decades."""
 # A conductance of zero is none: a bleed of the smallest size that stays closed.
 NOT_DRAWN: tuple[float, Signal] = (SMALLEST * BLEED_UNIT, Constant(0.0))
 NOT_FED: Signal = Constant(0.0)
-BELOW_SUPPLY = 1e5
-"""Distance of an unknown full scale from the supply [Pa]."""
+BELOW_SUPPLY = 1e5  # distance of an unknown full scale from the supply [Pa]
 
 
 @dataclass

@@ -17,17 +17,15 @@ from poppet.bench.iso10094.step import step_trial
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion, SimulationError
 
+# Time for which a level is held at first [s], and the factor by which it grows until the outlet rests.
 FIRST_HOLD, LONGER = 0.4, 4.0
-"""Time for which a level is held at first [s], and the factor by which it grows until the outlet rests."""
 HOLD_PER_SETTLING, HOLD_PER_HUM = 8.0, 40.0
+# Time of a sweep of the setpoint per response time, and its limits [s].
 SWEEP_PER_RESPONSE, SHORTEST_SWEEP, LONGEST_SWEEP = 200.0, 10.0, 60.0
-"""Time of a sweep of the setpoint per response time, and its limits [s]."""
+# Lowest and highest frequency that is tried, about 0.35 / response time, in tenths of a decade.
 DECADE_BELOW, DECADE_ABOVE = -15, 31
-"""Lowest and highest frequency that is tried, about 0.35 / response time, in tenths of a decade."""
-AFTER = 2
-"""Frequencies that are tried beyond both bandwidths."""
-REFINED = 2
-"""Frequencies that are added about each bandwidth."""
+AFTER = 2  # frequencies that are tried beyond both bandwidths
+REFINED = 2  # frequencies that are added about each bandwidth
 Say = Callable[[str], object]
 
 

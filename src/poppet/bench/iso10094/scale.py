@@ -98,8 +98,8 @@ class Record:
         return float(np.median(np.diff(self.time)))
 
 
+# Usual ranges of setpoints that are no pressures, by their SI unit.
 ELECTRIC = {"V": (0.0, 10.0), "A": (0.004, 0.020), "1": (0.0, 1.0)}
-"""Usual ranges of setpoints that are no pressures, by their SI unit."""
 
 
 def pressure(raw: Any, ambient: float, name: str) -> float:

@@ -13,12 +13,9 @@ from poppet.bench.iso10094.scale import FloatArray
 from poppet.bench.iso10094.uncertainty import Uncertainty, mean_of, noise_about
 from poppet.timeseries.measurements.measurement import noise_of
 
-_CLEAR = 6.0
-"""Limit of the noise in a recording, in standard deviations."""
-_FLAT = 0.3
-"""Change within stairs relative to the change between them, above which a series is not a staircase."""
-_STILL = 1e-6
-"""Setpoint change between samples that counts as constant [% FS]."""
+_CLEAR = 6.0  # limit of the noise in a recording, in standard deviations
+_FLAT = 0.3  # change within stairs relative to the change between them, above which a series is not a staircase
+_STILL = 1e-6  # setpoint change between samples that counts as constant [% FS]
 
 
 @dataclass(frozen=True)
@@ -172,17 +169,12 @@ def rested(time: FloatArray, part: slice, fraction: float) -> slice:
     return slice(min(part.start + int(np.searchsorted(times, begin)), part.stop - 1), part.stop)
 
 
-NEAR, FAR = 0.05, 0.6
-"""Section of a sweep for a line fit in time, as relative distances from its end."""
-COMING = (0.005, 0.25)
-"""Section for the outlet shortly before the end of the sweep."""
+NEAR, FAR = 0.05, 0.6  # section of a sweep for a line fit in time, as relative distances from its end
+COMING = (0.005, 0.25)  # section for the outlet shortly before the end of the sweep
 FEWEST = 6
-EXTENDED = 1.6
-"""Uncertainty of a line at the end of a sweep, relative to that of the mean of the last quarter."""
-CHOSEN = 1.3
-"""Factor for the selection of the samples by a noisy sweep."""
-MOST = 0.1
-"""Largest lag, relative to the duration of the sweep."""
+EXTENDED = 1.6  # uncertainty of a line at the end of a sweep, relative to that of the mean of the last quarter
+CHOSEN = 1.3  # factor for the selection of the samples by a noisy sweep
+MOST = 0.1  # largest lag, relative to the duration of the sweep
 
 
 @dataclass(frozen=True)

@@ -17,29 +17,18 @@ from poppet.bench.iso10094.uncertainty import NORMAL, Noise, Uncertainty, greate
 from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Steps
 
-LOW, HIGH = 0.1, 0.9
-"""Fractions of a step at the start and end of the rise time."""
-BAND = 0.05
-"""Half width of the settling band, as a fraction of the step."""
-SEEN = 5.0
-"""Limit of the noise of the largest smoothed sample, in standard deviations."""
-LEAST_STEP = 2.0
-"""Smallest change of the setpoint that counts as a step [% FS]."""
-TAIL = 0.2
-"""Last fraction of a hold, in which the outlet is in steady state."""
-FOLLOWS = 0.2
-"""Smallest change of the outlet, as a fraction of the setpoint step."""
-DRIFT = 0.01
-"""Change between the halves of the tail, as a fraction of the step, above which the outlet has not settled."""
-SHORT = 5.0
-"""Deviation from the setpoint above which the setpoint is not reached [% FS]."""
-COARSE = 0.02
-"""Duration of a recorded setpoint step relative to the delay, above which a note is given."""
+LOW, HIGH = 0.1, 0.9  # fractions of a step at the start and end of the rise time
+BAND = 0.05  # half width of the settling band, as a fraction of the step
+SEEN = 5.0  # limit of the noise of the largest smoothed sample, in standard deviations
+LEAST_STEP = 2.0  # smallest change of the setpoint that counts as a step [% FS]
+TAIL = 0.2  # last fraction of a hold, in which the outlet is in steady state
+FOLLOWS = 0.2  # smallest change of the outlet, as a fraction of the setpoint step
+DRIFT = 0.01  # change between the halves of the tail, as a fraction of the step, above which the outlet has not settled
+SHORT = 5.0  # deviation from the setpoint above which the setpoint is not reached [% FS]
+COARSE = 0.02  # duration of a recorded setpoint step relative to the delay, above which a note is given
 POINTS = 400
-MOST_ROWS = 40_000
-"""Maximum number of rows of a hold."""
-CASE = ("from", "to", "volume", "sampling")
-"""Conditions of a step for its characteristic values."""
+MOST_ROWS = 40_000  # maximum number of rows of a hold
+CASE = ("from", "to", "volume", "sampling")  # conditions of a step for its characteristic values
 
 
 def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
@@ -274,15 +263,11 @@ _LEVELS = {"low": 100.0 * LOW, "high": 100.0 * HIGH, "band": 100.0 * BAND}
 STEP = BenchTest("step", _evaluate, _FIGURES, _LEVELS, table="steps", part=DYNAMIC)
 
 
-WIDER = 1.15
-"""Standard deviation of the noise over what is left of it beside a sine."""
-CHANCE = 1e-4
-"""Probability that noise alone makes a line of a spectrum that is taken for a hum."""
+WIDER = 1.15  # standard deviation of the noise over what is left of it beside a sine
+CHANCE = 1e-4  # probability that noise alone makes a line of a spectrum that is taken for a hum
 FEWEST = 32
-LEAST = 1e-2
-"""A hum of a smaller amplitude is none: nobody would see it [% FS]."""
-FIRST = 3
-"""Fewer periods than these in a hold are a drift, no hum."""
+LEAST = 1e-2  # a hum of a smaller amplitude is none: nobody would see it [% FS]
+FIRST = 3  # fewer periods than these in a hold are a drift, no hum
 
 
 @dataclass(frozen=True)

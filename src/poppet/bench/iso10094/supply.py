@@ -25,21 +25,14 @@ from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest, noi
 from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
-ABOVE, SPAN = 0.15, 0.4
-"""Lowest supply of the sweep above the outlet and its extent, in FS."""
-LOAD = 0.05
-"""Load while the supply is swept: a closed outlet would hold its pressure whatever the supply does."""
-MARGIN = 10.0
-"""Supply above the outlet below which the outlet is not judged [% FS]."""
+ABOVE, SPAN = 0.15, 0.4  # lowest supply of the sweep above the outlet and its extent, in FS
+LOAD = 0.05  # load while the supply is swept: a closed outlet would hold its pressure whatever the supply does
+MARGIN = 10.0  # supply above the outlet below which the outlet is not judged [% FS]
 PLACES = 81
-TURN = 0.3
-"""Part of the supply's range by which it must turn to end a branch."""
-UNSEEN = 1e-7
-"""Change of a leakage that no flow meter sees [kg/s]."""
-HOLD = 0.5
-"""Last part of a hold over which a leakage is averaged."""
-DRIFT = 0.05
-"""Change of a leakage between the halves of that part at which it is not at rest."""
+TURN = 0.3  # part of the supply's range by which it must turn to end a branch
+UNSEEN = 1e-7  # change of a leakage that no flow meter sees [kg/s]
+HOLD = 0.5  # last part of a hold over which a leakage is averaged
+DRIFT = 0.05  # change of a leakage between the halves of that part at which it is not at rest
 
 
 def supply_trial(

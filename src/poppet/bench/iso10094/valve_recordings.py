@@ -33,15 +33,11 @@ TOP_LEVEL = {
     ),
 }  # fmt: skip
 _TEST = Field(choices=tuple(TESTS), meaning="test", example=f'test = "{next(iter(TESTS))}"')
-OF_RECORDING = ("test", "volume", "setpoint")
-"""Fields of a recording in addition to those of a fit file."""
+OF_RECORDING = ("test", "volume", "setpoint")  # fields of a recording in addition to those of a fit file
 UNUSED = ("inputs", "start")
-BEYOND = 2.0
-"""How far a setpoint may leave its range before a word is said [% FS]."""
-OVERSHOT = 30.0
-"""How far the outlet may leave its full scale before a word is said [% FS]."""
-AT_REST = 0.2
-"""Change of the outlet within a hold of the setpoint, per change between holds, at which it rests."""
+BEYOND = 2.0  # how far a setpoint may leave its range before a word is said [% FS]
+OVERSHOT = 30.0  # how far the outlet may leave its full scale before a word is said [% FS]
+AT_REST = 0.2  # change of the outlet within a hold of the setpoint, per change between holds, at which it rests
 SERIES: Mapping[str, str] = {
     "setpoint": "valve.setpoint",
     "outlet": "outlet.pressure",
@@ -51,8 +47,8 @@ SERIES: Mapping[str, str] = {
 }
 """Series of a record to the channel that it comes from."""
 SETPOINT, OUTLET = SERIES["setpoint"], SERIES["outlet"]
+# Channels of a recording and what they are.
 CHANNELS: Mapping[str, str] = {channel: sentence(f"recordings.channel.{key}", {}) for key, channel in SERIES.items()}
-"""Channels of a recording and what they are."""
 DEFAULT_AMBIENT = 101325.0
 
 
@@ -209,23 +205,17 @@ def _joined(
     return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
 
 
-SHORTEST = 5
-"""Smallest number of equal samples at an extreme value."""
+SHORTEST = 5  # smallest number of equal samples at an extreme value
+# Change per sample before clipping, in resolution steps, and its smallest ratio to the change before; a settling
+# series slows down.
 STEEP, SLOWER = 4.0, 0.3
-"""Change per sample before clipping, in resolution steps, and its smallest ratio to the change before; a settling
-series slows down."""
+# Deviation from the setpoint at which an outlet cannot stop suddenly, and further change of the setpoint [% FS].
 BELOW, ONWARD = 0.3, 1.0
-"""Deviation from the setpoint at which an outlet cannot stop suddenly, and further change of the setpoint [% FS]."""
-RETURNED = 0.003
-"""Excursion of the outlet while its driver seems constant, relative to the range of the outlet."""
-LOADED = 0.02
-"""Change of the flow while the outlet is constant, relative to the range of the flow."""
-CLEAR, RAMP = 6.0, 12.0
-"""Smallest change of a ramp, in standard deviations of the noise and in resolution steps."""
-FLOOR = 1.0
-"""Outlet near its lower limit, where a constant outlet is normal [% FS]."""
-MOST_LOOKED_AT = 200
-"""Maximum number of samples before a run that are examined."""
+RETURNED = 0.003  # excursion of the outlet while its driver seems constant, relative to the range of the outlet
+LOADED = 0.02  # change of the flow while the outlet is constant, relative to the range of the flow
+CLEAR, RAMP = 6.0, 12.0  # smallest change of a ramp, in standard deviations of the noise and in resolution steps
+FLOOR = 1.0  # outlet near its lower limit, where a constant outlet is normal [% FS]
+MOST_LOOKED_AT = 200  # maximum number of samples before a run that are examined
 
 
 def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:

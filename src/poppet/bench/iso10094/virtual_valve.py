@@ -17,8 +17,7 @@ from poppet.bench.iso10094.evaluation import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 
 _MOST = 3_000_000
-_FINE = 1500.0
-"""Steps per time constant."""
+_FINE = 1500.0  # steps per time constant
 
 
 _SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)

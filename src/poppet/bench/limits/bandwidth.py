@@ -12,24 +12,16 @@ from poppet.bench.limits.limits_plan import CONTROLLER, IDEAL, LOAD, PARTS, Chan
 from poppet.bench.sine_rig import SineRig
 from poppet.core.errors import SimulationError
 
-GAIN = 10.0 ** (-3.0 / 20.0)
-"""Gain at the end of the bandwidth, -3 dB."""
-LAG = 90.0
-"""Phase lag at the end of the other [deg]."""
-FACTOR = 1.6
-"""Ratio of neighbouring frequencies of the search."""
-REFINED = 2
-"""Steps of the secant method within such a pair."""
-RISEN = 0.9
-"""Part of a step after which it counts as done."""
-LONGEST = 20.0
-"""Time for which a step is watched [s]."""
-ATTEMPTS = 2
-"""Runs that a sine is given to settle: a map bears the hunting of the bands within its gains."""
+GAIN = 10.0 ** (-3.0 / 20.0)  # gain at the end of the bandwidth, -3 dB
+LAG = 90.0  # phase lag at the end of the other [deg]
+FACTOR = 1.6  # ratio of neighbouring frequencies of the search
+REFINED = 2  # steps of the secant method within such a pair
+RISEN = 0.9  # part of a step after which it counts as done
+LONGEST = 20.0  # time for which a step is watched [s]
+ATTEMPTS = 2  # runs that a sine is given to settle: a map bears the hunting of the bands within its gains
+# The search starts at the guess divided by this factor, because bands can cause a local minimum of the gain.
 BELOW = 2.5
-"""The search starts at the guess divided by this factor, because bands can cause a local minimum of the gain."""
-WORTH = 1.05
-"""Bandwidth ratio from which a part counts as limiting."""
+WORTH = 1.05  # bandwidth ratio from which a part counts as limiting
 
 
 @dataclass

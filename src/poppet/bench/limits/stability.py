@@ -17,23 +17,15 @@ from poppet.core.errors import SimulationError
 
 Array = NDArray[np.float64]
 
-PUSH = 5.0
-"""Size of the push at the outlet [Pa]."""
-WATCHED = 2.0
-"""Time for which it is watched [s]."""
+PUSH = 5.0  # size of the push at the outlet [Pa]
+WATCHED = 2.0  # time for which it is watched [s]
 ROWS_PER_SECOND = 4000
-EARLY, LATE = (0.1, 0.5), (1.6, 2.0)
-"""Parts of that time in which the motion is measured [s]."""
-GROWN, DECAYED = 2.0, 0.8
-"""Late motion per early one that counts as growth and as decay."""
-LOUD, QUIET = 5.0, 0.05
-"""Motion per push that is a limit cycle, and one that is none."""
-HUM = 25.0
-"""Frequency from which a motion is one of the poppet, not of the controller's bands [Hz]."""
-CALM = (1.0, 4.0, 16.0, 64.0)
-"""Factors on the damping with which a rest is looked for, one after the other."""
-ROUGH = 3.0
-"""Time for which the valve with its bands runs [s]; its last two thirds count."""
+EARLY, LATE = (0.1, 0.5), (1.6, 2.0)  # parts of that time in which the motion is measured [s]
+GROWN, DECAYED = 2.0, 0.8  # late motion per early one that counts as growth and as decay
+LOUD, QUIET = 5.0, 0.05  # motion per push that is a limit cycle, and one that is none
+HUM = 25.0  # frequency from which a motion is one of the poppet, not of the controller's bands [Hz]
+CALM = (1.0, 4.0, 16.0, 64.0)  # factors on the damping with which a rest is looked for, one after the other
+ROUGH = 3.0  # time for which the valve with its bands runs [s]; its last two thirds count
 UNKNOWN = complex(math.nan, math.nan)
 
 OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"

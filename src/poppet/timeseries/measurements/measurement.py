@@ -124,8 +124,7 @@ def noise_of(values: FloatArray, time: FloatArray | None = None) -> float:
     return sigma
 
 
-LEAST_SAMPLES = 8
-"""With fewer samples, noise and curvature cannot be distinguished."""
+LEAST_SAMPLES = 8  # with fewer samples, noise and curvature cannot be distinguished
 
 
 @dataclass(frozen=True, eq=False)

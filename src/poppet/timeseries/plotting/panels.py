@@ -34,12 +34,10 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("kg", "mass", 1.0),
     ("m^3", "volume", 1.0),
 )
+# Units of the panels after position and velocity in figures with moving loads, in this order.
 _OF_LOADS = ("Pa", "N", "N m")
-"""Units of the panels after position and velocity in figures with moving loads, in this order."""
-AFTER_LOADS = ("K", "W", "kg")
-"""Units of the series that such figures omit by default."""
-STILL = 1e-6
-"""Range of a series, relative to its own or usual size, below which the series is solver noise."""
+AFTER_LOADS = ("K", "W", "kg")  # units of the series that such figures omit by default
+STILL = 1e-6  # range of a series, relative to its own or usual size, below which the series is solver noise
 
 
 @dataclass(frozen=True)
@@ -280,8 +278,8 @@ FRICTION_LOOKS = {
     0: CodeStyle("sticks", "#cbb8a2"),
     -1: CodeStyle("slips back", "#3d9a5f", True),
 }
+# Rows of a timeline, from top to bottom.
 BANDS = (("friction", FRICTION_LOOKS), ("flow\nregime", REGIME_LOOKS), ("contact", CONTACT_LOOKS))
-"""Rows of a timeline, from top to bottom."""
 
 
 @dataclass(frozen=True)

@@ -43,8 +43,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-MOST_RECORDINGS = 8
-"""Number of distinguishable line styles."""
+MOST_RECORDINGS = 8  # number of distinguishable line styles
 
 
 def plot_recordings(
@@ -90,8 +89,7 @@ LINE_STYLES: tuple[Any, ...] = (
     *("-", (0, (5, 2)), (0, (1.2, 1.4)), (0, (6, 1.5, 1.2, 1.5)), (0, (9, 2))),
     *((0, (3, 1, 1, 1, 1, 1)), (0, (2, 3)), (0, (8, 2, 2, 2, 2, 2))),
 )
-COLUMNS = 1400
-"""Pixel columns of a panel; each column shows the range of its samples."""
+COLUMNS = 1400  # pixel columns of a panel; each column shows the range of its samples
 
 # Sizes in inches, text in points.
 _WIDTH, _LEFT, _GAP, _BAND, _ROW, _NOTE_ROW = 10.0, 1.0, 0.16, 0.2, 0.17, 0.15
@@ -366,8 +364,7 @@ def axis_unit(panel: Panel) -> str:
     return f"[{panel.unit}, absolute]" if is_pressure else f"[{pretty(panel.unit)}]"
 
 
-WIDTH, HEIGHT = 7.0, 2.2
-"""Width of the figure and height of a panel [in]."""
+WIDTH, HEIGHT = 7.0, 2.2  # width of the figure and height of a panel [in]
 
 
 def plot_fitted_series(

@@ -34,11 +34,9 @@ _SAID = {"\t": "tabs", " ": "spaces", ",": "commas", ";": "semicolons"}
 # Numbers of lines for guessing the layout: the last ones, which contain samples, and some before them.
 _LAST, _BETWEEN = 60, 200
 
-LARGEST_TEXT = 256 * 2**20
-"""Limit of the size of a text file [bytes]; reading needs ten times as much memory."""
+LARGEST_TEXT = 256 * 2**20  # limit of the size of a text file [bytes]; reading needs ten times as much memory
 
-Line = tuple[int, str]
-"""Line number in the file, counted from 1, and text of the line."""
+Line = tuple[int, str]  # line number in the file, counted from 1, and text of the line
 
 
 @dataclass(frozen=True)
