@@ -91,5 +91,14 @@ def not_finite(**fields: float) -> list[InputError]:
     return [InputError("numbers.not_finite", name, value=v) for name, v in fields.items() if not _is_finite(v)]
 
 
+def not_positive(unit: str, **fields: float) -> list[InputError]:
+    """Return an error for each field that is not above zero."""
+    return [
+        InputError("numbers.not_positive", name, value=value, unit=unit)
+        for name, value in fields.items()
+        if not (_is_finite(value) and value > 0.0)
+    ]
+
+
 def _is_finite(value: float) -> bool:
     return isinstance(value, Real) and math.isfinite(value)

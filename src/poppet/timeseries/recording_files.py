@@ -49,10 +49,9 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
         raise InputError("files.time_is_fixed", path=str(path))
 
     def recording(path: Path) -> Columns:
+        is_csv = reader is read_exact
         table = reader(path)
-        if reader is read_exact:
-            return _of_headings(table, path.stem, time, time_unit)
-        return _of_metadata(table, path.suffix)
+        return _of_headings(table, path.stem, time, time_unit) if is_csv else _of_metadata(table, path.suffix)
 
     return read_with(recording, path)
 

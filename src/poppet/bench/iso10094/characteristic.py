@@ -126,26 +126,22 @@ def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares = [1]
     for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
-        value, share = _branch(sweep, branch)
+        x, y = sweep.late[branch.samples], sweep.y[branch.samples]
+        holds = stairs(x)
+        if len(holds) >= FEWEST_STAIRS and sum(s.stop - s.start for s in holds) > 0.8 * (branch.end - branch.first):
+            ends = [rested(sweep.time[branch.samples], s, 0.2) for s in holds]
+            setpoints, levels = (np.array([float(np.mean(series[s])) for s in ends]) for series in (x, y))
+            order = np.argsort(setpoints)
+            value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
+            share = max(1, round(float(np.median(np.diff(setpoints[order])))))  # grid points per stair
+        else:
+            value, share = at_places(x, y, GRID, HALF)[0], 1
         if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
             rows[branch.sign].append(value)
             shares.append(share)
     up, down = (np.array(rows[sign]).reshape(-1, GRID.size) for sign in (1, -1))
     share = max(shares)
     return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share)
-
-
-def _branch(swept: SetpointSweep, branch: Branch) -> tuple[FloatArray, int]:
-    """Return the outlet on the grid and the number of grid points per stair, 1 without stairs."""
-    x, y = swept.late[branch.samples], swept.y[branch.samples]
-    holds = stairs(x)
-    if len(holds) >= FEWEST_STAIRS and sum(s.stop - s.start for s in holds) > 0.8 * (branch.end - branch.first):
-        ends = [rested(swept.time[branch.samples], s, 0.2) for s in holds]
-        setpoints, levels = (np.array([float(np.mean(series[s])) for s in ends]) for series in (x, y))
-        order = np.argsort(setpoints)
-        value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
-        return value, max(1, round(float(np.median(np.diff(setpoints[order])))))
-    return at_places(x, y, GRID, HALF)[0], 1
 
 
 def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:

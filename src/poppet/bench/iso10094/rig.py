@@ -54,7 +54,14 @@ class Rig:
     def respond(self, trial: Trial) -> Record:
         """Run a trial."""
         trial = replace(trial, step=self._row_time(trial))
-        part = self._run(trial, *self._flows(trial)).between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
+        bleed, feed = NOT_DRAWN, NOT_FED
+        if trial.load is not None:
+            assert isinstance(trial.load, Points)
+            times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
+            outflow, inflow = np.maximum(load, 0.0), np.maximum(-load, 0.0)
+            bleed = self._size(1.0, trial.volume) if outflow.any() else NOT_DRAWN[0], Points(times, outflow)
+            feed = Points(times, (self._size(-1.0, trial.volume) if inflow.any() else 0.0) * inflow)
+        part = self._run(trial, bleed, feed).between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
         total = np.zeros(part.time.size)  # flow out of the supply
         for flow in self.circuit.model.flows:
             if SUPPLY in (flow.source, flow.target) and flow.name in part:
@@ -108,17 +115,6 @@ class Rig:
 
     # Flow --------------------------------------------------------------------------------------------------------
 
-    def _flows(self, trial: Trial) -> tuple[tuple[float, Signal], Signal]:
-        """Return size and opening of the bleed, and the feed, for the load of a trial."""
-        if trial.load is None:
-            return NOT_DRAWN, NOT_FED
-        assert isinstance(trial.load, Points)
-        times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
-        outflow, inflow = np.maximum(load, 0.0), np.maximum(-load, 0.0)
-        size = self._size(1.0, trial.volume) if outflow.any() else NOT_DRAWN[0]
-        flow = self._size(-1.0, trial.volume) if inflow.any() else 0.0
-        return (size, Points(times, outflow)), Points(times, flow * inflow)
-
     def _size(self, sign: float, volume: float) -> float:
         """Return the bleed conductance or feed flow that moves the outlet by a large fraction of full scale."""
         if sign not in self._sizes:  # one for all trials: their flows are to be compared
@@ -150,7 +146,17 @@ def rig_of(
     part = circuit.parts[valve_of(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
     notes: list[Note] = []
-    pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
+    pressure = supply
+    if pressure is None:
+        store = part.ports()["supply"]
+        if store == "ambient":
+            raise InputError("rig.open_supply")
+        if f"{store}.pressure" in circuit.signals:
+            pressure = _at_start(circuit.signals[f"{store}.pressure"])
+            notes.append(Note("rig.supply_at_start", supply=pressure))
+        else:
+            candidates = (f"{store}.pressure", f"{store}.initial_pressure")
+            pressure = float(next(circuit.parameters[key] for key in candidates if key in circuit.parameters))
     ambient = circuit.surroundings.pressure
     smallest, largest = (circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high"))
     scaling = None if smallest is None or largest is None else (float(smallest), float(largest))
@@ -214,17 +220,3 @@ def valve_of(circuit: Circuit, name: str | None = None) -> str:
 
 def _at_start(signal: Signal) -> float:
     return float(signal.evaluate(0.0, 1.0))
-
-
-def _supply_pressure(circuit: Circuit, part: Part, notes: list[Note]) -> float:
-    """Return the pressure at the supply of the valve."""
-    store = part.ports()["supply"]
-    if store == "ambient":
-        raise InputError("rig.open_supply")
-    if f"{store}.pressure" in circuit.signals:
-        value = _at_start(circuit.signals[f"{store}.pressure"])
-        notes.append(Note("rig.supply_at_start", supply=value))
-        return value
-    parameters = circuit.parameters
-    name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in parameters)
-    return float(parameters[name])

@@ -140,13 +140,24 @@ class Sheet:
         usual = 1.6 if len(self.panels) <= 4 else 1.25
         heights = [max(usual, _ROW * len(panel.names) + 0.1) for panel in self.panels]
         heights += [_BAND * len(self.bands)] * bool(self.bands)
-        notes, keys = self._notes(), self._keys()
+        notes, keys = self._notes(), []  # keys: the colours of the timeline, one row per kind
+        for _, styles in BANDS:
+            codes = {span.code for band in self.bands if band.looks is styles for span in band.spans}
+            keys += [[style for code, style in styles.items() if code in codes]] * bool(codes & styles.keys())
         # The right margin contains the second axis of flows and the longest label.
         labels = [label for panel in self.panels for label in panel.labels.values()]
         margin = self._legend_gap() + 0.45 + widest(labels + self._band_labels(), _TEXT)
         self.across = max(_WIDTH, _LEFT + _NARROWEST + margin)
         self.width = self.across - _LEFT - margin
-        rows = self._recording_rows()
+        rows: list[list[int]] = []  # the recordings of an overlay, in rows that fit the width
+        free_width = 0.0
+        for source, key in enumerate(self.keys if self._is_overlay else []):
+            width = _KEY + widest([key], _TEXT)
+            if not rows or free_width < width:
+                rows.append([])
+                free_width = self.across - _LEFT
+            rows[-1].append(source)
+            free_width -= width
         head = 0.16 + 0.3 * bool(self.title) + _KEY_ROW * len(rows)
         foot = _TIME_AXIS + _KEY_ROW * len(keys) + _NOTE_ROW * len(notes) + 0.06
         self.figure = new_figure(self.across, head + sum(heights) + _GAP * (len(heights) - 1) + foot)
@@ -182,19 +193,6 @@ class Sheet:
 
     # Head and foot ------------------------------------------------------------------------------------------
 
-    def _recording_rows(self) -> list[list[int]]:
-        """Return the recordings of an overlay in rows that fit the width."""
-        rows: list[list[int]] = []
-        free_width = 0.0
-        for source, key in enumerate(self.keys if self._is_overlay else []):
-            width = _KEY + widest([key], _TEXT)
-            if not rows or free_width < width:
-                rows.append([])
-                free_width = self.across - _LEFT
-            rows[-1].append(source)
-            free_width -= width
-        return rows
-
     def _head(self, rows: Sequence[Sequence[int]]) -> None:
         from matplotlib.lines import Line2D
 
@@ -226,14 +224,6 @@ class Sheet:
             options = {"x": _LEFT / self.across, "y": 1.0 - top / height, "va": "top"}
             self.figure.text(**options, s=note, fontsize=_SMALL_TEXT, color=GREY, parse_math=False)
             top += _NOTE_ROW
-
-    def _keys(self) -> list[list[CodeStyle]]:
-        """Return the colour keys of the timeline, one row per kind."""
-        rows = []
-        for _, styles in BANDS:
-            codes = {span.code for band in self.bands if band.looks is styles for span in band.spans}
-            rows.append([style for code, style in styles.items() if code in codes])
-        return [row for row in rows if row]
 
     def _notes(self) -> list[str]:
         notes = []
