@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.instance import Instance
 from poppet.circuit.linear_model import LinearModel, SteadyState, index_of
 from poppet.circuit.sampled.point import SampledPoint
@@ -45,7 +45,7 @@ class SineResponse:
 
 
 class SineRig:
-    """Circuit with sampled parts that starts settled, for responses to sines and steps.
+    """BaseCircuit with sampled parts that starts settled, for responses to sines and steps.
 
     The start is `rest`, or the end of a run of `settling` [s] with constant inputs. `input` and `output` are
     addresses.
@@ -198,7 +198,7 @@ class Agreement:
     differences: tuple[float, ...]  # and found
 
 
-def without_bands(circuit: Circuit) -> Circuit:
+def without_bands(circuit: BaseCircuit) -> BaseCircuit:
     """Return the circuit with averaged solenoids and without bands, delays and quantisation."""
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():

@@ -20,7 +20,7 @@ from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of
 from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.instance import Instance
     from poppet.circuit.options import Run
 
@@ -135,7 +135,7 @@ def _random_runs(values: Array) -> Array:
 
 
 def compare(
-    circuits: Mapping[str, Circuit], controller: str | None = None, *, vary: Mapping[str, float] | None = None,
+    circuits: Mapping[str, BaseCircuit], controller: str | None = None, *, vary: Mapping[str, float] | None = None,
     draws: int = 50, seed: int = 0, progress: Callable[[int, int], Any] | None = None,
 ) -> Comparison:  # fmt: skip
     """Run several controllers on one plant with nominal and with random parameters.
@@ -234,7 +234,11 @@ class _Contender:
 
 
 def _check_fair(
-    errors: ErrorCollector, name: str, case: tuple[Circuit, Any], reference_case: tuple[Circuit, Any], controller: str
+    errors: ErrorCollector,
+    name: str,
+    case: tuple[BaseCircuit, Any],
+    reference_case: tuple[BaseCircuit, Any],
+    controller: str,
 ) -> None:
     """Collect errors of differences between two circuits other than the controller."""
     values, reference_values = ({**circuit.parameters, **shape} for circuit, shape in (case, reference_case))
@@ -247,7 +251,7 @@ def _check_fair(
         errors.add("control.no_staircase", f"{controller}.setpoint", circuit=name)
 
 
-def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
+def _shape(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
     """Return the properties, other than parameters, that must be equal in all circuits."""
     return {
         "parts": [part.structure() for name, part in circuit.parts.items() if name != plant.controller],
@@ -265,7 +269,7 @@ def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _check_varied(errors: ErrorCollector, circuit: Circuit, controller: str, ranges: Mapping[str, float]) -> None:
+def _check_varied(errors: ErrorCollector, circuit: BaseCircuit, controller: str, ranges: Mapping[str, float]) -> None:
     numbers = circuit.numbers()
     sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
     for address, size in ranges.items():

@@ -28,7 +28,7 @@ from poppet.parts.quantities import COMMANDS, command_of
 from poppet.timeseries.signals import Constant, Sine
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
 ProgressCallback = Callable[[str], None]
@@ -161,7 +161,7 @@ class MeasuredPlant(LoopPlant):
 class SettledPlant:
     """Plant in a steady state with a weak controller."""
 
-    circuit: Circuit  # starts at the steady state
+    circuit: BaseCircuit  # starts at the steady state
     rest: Recording
     value: float  # mean of the measurement there, SI
     command: float
@@ -241,7 +241,7 @@ class MeasuredLoop(Plant):
         return OperatingPoint(settled.value, settled.command, models, {name: {} for name in models})
 
     def verify(
-        self, circuit: Circuit, value: float, gains: Gains, margins: Mapping[str, Margins]
+        self, circuit: BaseCircuit, value: float, gains: Gains, margins: Mapping[str, Margins]
     ) -> Iterator[Verification]:
         """Yield the verification of a tuned loop for each size of sine."""
         for size in self.amplitudes:
@@ -275,7 +275,7 @@ class MeasuredLoop(Plant):
         driven = driven.resumed(steady_run).with_values({f"{name}.initial_integral": 0.0})
         return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop)
 
-    def _run_to_steady_state(self, circuit: Circuit, target: float) -> tuple[Recording, float, float]:
+    def _run_to_steady_state(self, circuit: BaseCircuit, target: float) -> tuple[Recording, float, float]:
         """Return a run to a steady state, with the means of measurement and command there."""
         duration = max(float(circuit.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
         previous, start = np.inf, None
@@ -339,7 +339,7 @@ class MeasuredLoop(Plant):
 
 
 def make_measured_loop(
-    circuit: Circuit, controller: str | None, amplitudes: Sequence[Any], progress: ProgressCallback | None
+    circuit: BaseCircuit, controller: str | None, amplitudes: Sequence[Any], progress: ProgressCallback | None
 ) -> MeasuredLoop:
     """Return the plant of a controller for sines of some sizes.
 

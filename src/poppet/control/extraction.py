@@ -15,10 +15,10 @@ from poppet.parts.part import Body, Controller
 from poppet.parts.sampled_loop import SampledLoop
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 
-def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
+def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     """Return the plant of a controller in a circuit.
 
     Parameters
@@ -60,7 +60,7 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
 class Loop(NamedTuple):
     """Controller in its circuit, without outer loops."""
 
-    circuit: Circuit
+    circuit: BaseCircuit
     controller: str
     part: SampledLoop
     measurement: str
@@ -83,7 +83,7 @@ class Loop(NamedTuple):
         return f"{self.controller}.sensor_{self.part.controls}"
 
 
-def loop_of(circuit: Circuit, controller: str | None = None) -> Loop:
+def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
     """Return the loop of a controller; without a name, of the only one."""
     controllers = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
     if controller is None and len(controllers) == 1:
@@ -108,7 +108,7 @@ def loop_of(circuit: Circuit, controller: str | None = None) -> Loop:
     )
 
 
-def release_command(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
+def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> BaseCircuit:
     """Return a circuit in which the command of a controller is free.
 
     Parameters
@@ -141,7 +141,7 @@ def release_command(circuit: Circuit, controller: str, *, keeps: bool) -> Circui
     )
 
 
-def _remove_outer_loops(circuit: Circuit, controller: str) -> Circuit:
+def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
     """Return a circuit without outer loops, whose controllers command only this one."""
     outer: set[str] = set()
     while True:
@@ -169,7 +169,7 @@ def _remove_outer_loops(circuit: Circuit, controller: str) -> Circuit:
     )
 
 
-def _without_stiction(circuit: Circuit) -> tuple[Circuit, tuple[Note, ...]]:
+def _without_stiction(circuit: BaseCircuit) -> tuple[BaseCircuit, tuple[Note, ...]]:
     """Return a circuit with viscous friction in place of stiction, and notes on the changes."""
     changed: dict[str, Any] = {}
     notes = []

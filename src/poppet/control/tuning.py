@@ -32,7 +32,7 @@ from poppet.parts.rows import GainSchedule, as_numbers
 from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 FORMS = ("pi", "pid", "p")
 _SIDES = {"fill": "filling", "vent": "venting", "command": "by one command", "back": "back"}
@@ -192,7 +192,7 @@ class Tuning:
             common | dict.fromkeys(columns) | {"schedule": GainSchedule(table, (self.quantity, self.command_quantity))}
         )
 
-    def applied(self, circuit: Circuit) -> Circuit:
+    def applied(self, circuit: BaseCircuit) -> BaseCircuit:
         """Return the circuit with the tuned controller.
 
         Parameters
@@ -235,7 +235,7 @@ def _value_text(number: Number) -> str:
 
 
 def tune(
-    circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
+    circuit: BaseCircuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
     sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: ProgressCallback | None = None,
 ) -> Tuning:  # fmt: skip
     """Return one set of gains that keeps the bound at all operating points.
@@ -281,7 +281,7 @@ def tune(
 
 
 def schedule(
-    circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
+    circuit: BaseCircuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
     sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: ProgressCallback | None = None,
 ) -> Tuning:  # fmt: skip
     """Return gains for each operating point, for a controller with a schedule.
@@ -336,7 +336,7 @@ def _make_tuning(plant: Plant, points: tuple[TunedPoint, ...], bound: float, for
 
 
 def _prepare(
-    circuit: Circuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float,
+    circuit: BaseCircuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float,
     amplitudes: Sequence[Any], progress: ProgressCallback | None,
 ) -> tuple[Plant, list[OperatingPoint]]:  # fmt: skip
     if form not in FORMS:

@@ -14,7 +14,7 @@ from poppet.core.errors import SimulationError
 from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
 _LENGTHS, _MOST = 20.0, 20_000
@@ -80,8 +80,8 @@ class Verification:
 
 
 def verify_step(
-    circuit: Circuit, controller: str, steady_run: Recording, value: float, size: float, gains: Gains, crossover: float,
-    label: str,
+    circuit: BaseCircuit, controller: str, steady_run: Recording, value: float, size: float, gains: Gains,
+    crossover: float, label: str,
 ) -> Verification:  # fmt: skip
     """Run a tuned loop from a steady state through a setpoint step and its reverse."""
     part = circuit.parts[controller]

@@ -173,8 +173,8 @@ class Result(HtmlMixin):
         Returns
         -------
         dict
-            Numbers whose source is `fitted`. Nuisance numbers of recordings (lags, delays) are left out, and
-            numbers of which the data say nothing (not-a-number).
+            Numbers with the source `fitted`, without the nuisance parameters of recordings (lags, delays) and without
+            estimates that are not-a-number.
         """
         names = self.conditions.get("recordings", [])
         return {

@@ -241,7 +241,7 @@ class Orifice(FlowPath):
 
     Examples
     --------
-    >>> bleed = Orifice(from_="tank", to="room", sonic_conductance="1.2 dm^3/(s bar)", critical_ratio=0.3)
+    >>> bleed = Orifice(from_="tank", to="ambient", sonic_conductance="1.2 dm^3/(s bar)", critical_ratio=0.3)
     >>> float(bleed.sonic_conductance)
     1.2e-08
     """

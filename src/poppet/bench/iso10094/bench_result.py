@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from poppet.bench.iso10094.characteristic import CHARACTERISTIC
-from poppet.bench.iso10094.evaluation import BenchTest, CharacteristicValue, Curve, Definition
+from poppet.bench.iso10094.evaluation import BenchTest, CharacteristicValue, Definition, PlottedCurve
 from poppet.bench.iso10094.flow import FLOW
 from poppet.bench.iso10094.frequency import FREQUENCY
 from poppet.bench.iso10094.resolution import RESOLUTION
@@ -45,7 +45,7 @@ class BenchResult(HtmlMixin):
     source: str  # `circuit`, `recordings` or `stand-in`
     figures: Mapping[str, CharacteristicValue]
     rows: Mapping[str, list[dict[str, Any]]] = field(default_factory=dict)  # test to its cases
-    curves: Mapping[str, list[Curve]] = field(default_factory=dict)  # test to its curves
+    curves: Mapping[str, list[PlottedCurve]] = field(default_factory=dict)  # test to its curves
     notes: Mapping[str, tuple[Note, ...]] = field(default_factory=dict)  # by test; of the whole bench under `bench`
     conditions: Mapping[str, Any] = field(default_factory=dict)  # those of a test stand under its name
     comparison: Mapping[str, Any] = field(default_factory=dict)  # as `compared` makes it
@@ -117,12 +117,12 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
     unknown = [name for name in figures if name not in DEFINITIONS]
     if unknown:
         raise ValueError(f"unknown figures: {', '.join(unknown)}")
-    curves: dict[str, list[Curve]] = {}
+    curves: dict[str, list[PlottedCurve]] = {}
     for test, test_curves in data.get("curves", {}).items():
         for heading, points in test_curves.items():
             case, _, name = heading.rpartition(" / ")
             x, y = (np.array(points[key], dtype=float) for key in ("x", "y"))
-            curves.setdefault(test, []).append(Curve(name, case, x, y))
+            curves.setdefault(test, []).append(PlottedCurve(name, case, x, y))
     return BenchResult(
         data["title"],
         data["source"],

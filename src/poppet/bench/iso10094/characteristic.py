@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import ROWS, BenchTest, Curve, Evaluation, Trial
+from poppet.bench.iso10094.evaluation import ROWS, BenchTest, Evaluation, PlottedCurve, Trial
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import (
     CHOSEN,
@@ -311,7 +311,7 @@ def _curves(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: Float
         curves = [(name, "characteristic", mean), *((f"{name} {k + 1}", "cycles", row) for k, row in enumerate(rows))]
         for label, case, values in curves:
             is_known = np.isfinite(values)
-            evaluation.curves.append(Curve(label, case, GRID[is_known], values[is_known]))
+            evaluation.curves.append(PlottedCurve(label, case, GRID[is_known], values[is_known]))
     evaluation.rows = [
         {"setpoint": float(x), "up": float(u), "down": float(d)}
         for x, u, d in zip(GRID[::5], up[::5], down[::5], strict=True)

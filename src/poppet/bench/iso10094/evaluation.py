@@ -181,7 +181,7 @@ class CharacteristicValue:
 
 
 @dataclass(frozen=True, eq=False)
-class Curve:
+class PlottedCurve:
     """Line of a figure, `x` and `y` in the units of the axes; curves of one `case` share axes."""
 
     name: str
@@ -199,7 +199,7 @@ class Evaluation:
     rated_flow: float = math.nan  # flow for droop and rise; NaN if not specified [kg/s]
     figures: dict[str, CharacteristicValue] = field(default_factory=dict)
     rows: list[Row] = field(default_factory=list)  # one per case
-    curves: list[Curve] = field(default_factory=list)  # for pictures
+    curves: list[PlottedCurve] = field(default_factory=list)  # for pictures
     notes: list[Note] = field(default_factory=list)  # findings, and the reason of each absent value
     conditions: dict[str, Any] = field(default_factory=dict)
     uncertainties: dict[tuple[int, str], Uncertainty] = field(default_factory=dict)  # by the id of a row and its key

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, ROWS, BenchTest, Curve, Evaluation, Pace, Row, Trial, held
+from poppet.bench.iso10094.evaluation import AT_LEAST, ROWS, BenchTest, Evaluation, Pace, PlottedCurve, Row, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import Lag, at_places, branches, caught_up, lags_of
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about, roughness, smooth, unbiased
@@ -123,7 +123,7 @@ def _one(
         if curve is not None:
             is_known = np.isfinite(curve) & (grid <= end)
             name = f"{side.name} {direction}"
-            evaluation.curves.append(Curve(name, case, side.sign * grid[is_known], curve[is_known]))
+            evaluation.curves.append(PlottedCurve(name, case, side.sign * grid[is_known], curve[is_known]))
     if side.sign > 0.0:
         _falls(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)
         if "capacity" in row:

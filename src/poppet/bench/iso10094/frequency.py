@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Curve, Evaluation, Row, Trial
+from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest, noise_about
 from poppet.laws.curves.pchip import pchip_slopes
@@ -86,7 +86,7 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
         ordered = _ordered(group)
         frequency = np.array([row["frequency"] for row in ordered])
         for curve, key in (("gain", "gain_db"), ("phase", "phase")):
-            evaluation.curves.append(Curve(curve, name, frequency, np.array([row[key] for row in ordered])))
+            evaluation.curves.append(PlottedCurve(curve, name, frequency, np.array([row[key] for row in ordered])))
         if not evaluation.rows:  # the first series is the one that counts
             _bandwidths(evaluation, ordered, frequency)
         evaluation.rows += ordered

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Curve, Evaluation, Row, Trial, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Evaluation, PlottedCurve, Row, Trial, largest
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about
@@ -86,7 +86,10 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         changed = max(float(np.ptp(level[a : b + 1])) for a, b in turned)
         row |= {"reversal_threshold": changed, "reversal_threshold_bound": AT_LEAST}
         evaluation.note("resolution.no_turn", record.name, changed=changed)
-    evaluation.curves += [Curve("setpoint", record.name, record.time, x), Curve("outlet", record.name, record.time, y)]
+    evaluation.curves += [
+        PlottedCurve("setpoint", record.name, record.time, x),
+        PlottedCurve("outlet", record.name, record.time, y),
+    ]
 
 
 class Move(NamedTuple):

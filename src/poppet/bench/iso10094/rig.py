@@ -10,7 +10,7 @@ import numpy as np
 
 from poppet.bench.iso10094.evaluation import Trial, held
 from poppet.bench.iso10094.scale import ELECTRIC, Record, Scale, setpoint_scale
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.notes import make_recording
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, SimulationError
@@ -42,7 +42,7 @@ BELOW_SUPPLY = 1e5  # distance of an unknown full scale from the supply [Pa]
 class Rig:
     """Test valve made of a part of a circuit."""
 
-    circuit: Circuit  # the valve with all that the bench has put around it
+    circuit: BaseCircuit  # the valve with all that the bench has put around it
     valve: str
     setpoint: str  # its address
     scale: Scale
@@ -140,7 +140,7 @@ class Rig:
 
 
 def rig_of(
-    circuit: Circuit, valve: str, *, full_scale: tuple[float, float] | None = None, supply: float | None = None
+    circuit: BaseCircuit, valve: str, *, full_scale: tuple[float, float] | None = None, supply: float | None = None
 ) -> Rig:
     """Return the bench for a valve of a circuit."""
     part = circuit.parts[valve_of(circuit, valve)]
@@ -197,7 +197,7 @@ def rig_of(
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, circuit.title or valve, notes)
 
 
-def valve_of(circuit: Circuit, name: str | None = None) -> str:
+def valve_of(circuit: BaseCircuit, name: str | None = None) -> str:
     """Return the name of the test valve in a circuit."""
     candidates = [
         name

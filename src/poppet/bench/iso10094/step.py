@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Curve, Evaluation, Row, Trial
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Jump, jumps, rested
 from poppet.bench.iso10094.smoothing import SmoothedSeries, smoothed
@@ -252,7 +252,7 @@ def _curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump
     part = 100.0 * (y[indices] - row["outlet_from"]) / (row["outlet_to"] - row["outlet_from"])
     volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
     case = f"{row['to'] - row['from']:+.3g} % FS{volume}"
-    evaluation.curves.append(Curve("outlet", case, record.time[indices] - jump.time, part))
+    evaluation.curves.append(PlottedCurve("outlet", case, record.time[indices] - jump.time, part))
 
 
 _FIGURES = {

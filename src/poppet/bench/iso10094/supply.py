@@ -11,9 +11,9 @@ from poppet.bench.iso10094.evaluation import (
     AT_MOST,
     ROWS,
     BenchTest,
-    Curve,
     Evaluation,
     Pace,
+    PlottedCurve,
     Row,
     Trial,
     held,
@@ -113,7 +113,7 @@ def _one(evaluation: Evaluation, record: Record) -> None:
     for sign, mean in means.items():
         is_known = np.isfinite(mean)
         direction, case = "rising" if sign > 0 else "falling", f"{row['setpoint']:.0f} % FS"
-        evaluation.curves.append(Curve(direction, case, grid[is_known], mean[is_known]))
+        evaluation.curves.append(PlottedCurve(direction, case, grid[is_known], mean[is_known]))
     mean = np.mean(list(means.values()), axis=0)
     is_known = np.isfinite(mean)
     if np.count_nonzero(is_known) < PLACES // 2:

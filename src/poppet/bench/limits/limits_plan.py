@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from poppet.bench.sine_rig import SineRig, without_bands
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.units import quantity
 from poppet.parts.chamber import Chamber
@@ -33,7 +33,7 @@ IDEAL = 10.0  # factor by which a part is made ideal
 class LimitsPlan:
     """A valve in its circuit and the ranges over which its limits are looked for."""
 
-    circuit: Circuit
+    circuit: BaseCircuit
     valve: str
     outlet: str  # name of the chamber at its outlet
     mean: float  # outlet pressure about which it works [Pa]
@@ -84,7 +84,7 @@ class LimitsPlan:
         instance = (case if bands else without_bands(case)).instance
         return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
-    def case(self, volume: float, changes: Changes | None = None) -> Circuit:
+    def case(self, volume: float, changes: Changes | None = None) -> BaseCircuit:
         """Return the circuit at the mean pressure with another outlet volume."""
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
@@ -104,7 +104,7 @@ class LimitsPlan:
 
 
 def limits_plan(
-    circuit: Circuit, valve: str | None = None, *, mean: Any = None, volumes: Sequence[Any] | None = None,
+    circuit: BaseCircuit, valve: str | None = None, *, mean: Any = None, volumes: Sequence[Any] | None = None,
     amplitudes: Sequence[Any] | None = None, springs: Sequence[float] | None = None,
     dampings: Sequence[float] | None = None,
 ) -> LimitsPlan:  # fmt: skip
@@ -136,7 +136,7 @@ def limits_plan(
     )  # fmt: skip
 
 
-def _valve(circuit: Circuit, given: str | None) -> str:
+def _valve(circuit: BaseCircuit, given: str | None) -> str:
     valves = [name for name, part in circuit.parts.items() if isinstance(part, ProportionalValve)]
     if given in valves:
         return str(given)

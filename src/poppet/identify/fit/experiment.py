@@ -1,7 +1,7 @@
 """Model of one recording: from parameter values to modelled channels and their derivatives.
 
-A run of the model is a compiled kernel on plain arrays. Derivatives with respect to the numbers come from runs that
-share the step sequence of the base run: they differ smoothly, so that forward differences are good to 1e-6.
+A run of the model is a compiled kernel on plain arrays. Derivatives with respect to the parameters are differences of
+runs with the step sequence of the base run. The outputs are then smooth, and forward differences are accurate to 1e-6.
 """
 
 from __future__ import annotations
@@ -31,32 +31,32 @@ from poppet.timeseries.measurements import Channel, Measurement
 DIFFERENCE = 1e-6
 """Relative step of the forward differences over a shared step sequence."""
 SAMPLED_DIFFERENCE = 0.1
-"""Relative step of the central differences of whole runs where a program samples: decisions at instants make
-a run smooth in its numbers on the whole only. A search tries other widths; the statistics take this one."""
+"""Relative step of the central differences of whole runs for sampled circuits, whose outputs are not smooth at small
+scale. A search also uses other widths; the statistics use this one."""
 DELAY_STEP = 1e-3
-"""Step of the central differences in a delay, as a fraction of the recording, for it moves the breakpoints."""
+"""Step of the central differences in a delay, as a fraction of the recording; a delay moves the breakpoints."""
 FINE = 1000
-"""Least number of rows where a sensor's lag is modelled between sparse samples."""
+"""Minimum number of rows for the model of a sensor lag between sparse samples."""
 SCRIPT_LENGTH = 50_000
 FAILED = 1e6
-"""Residual, in sigmas, of samples that a failed run did not reach."""
+"""Residual of samples that a failed run did not reach, in sigmas."""
 
 
 class ChannelSensor(NamedTuple):
     """Sensor between an output of the circuit and a channel."""
 
-    places: slice | NDArray[np.int64]  # rows of the grid at which there are samples
+    places: slice | NDArray[np.int64]  # rows of the grid with samples
     lag: float  # known time constant [s]
-    free_lag: str  # names of the free numbers of the sensor; empty for none
+    free_lag: str  # names of the free parameters of the sensor; empty for none
     free_offset: str
 
 
 class _LastRun(NamedTuple):
     """Result of the most recent run."""
 
-    repeated: RepeatedCall | None  # what made it, where it is alone
-    tables: FloatArray  # (n_runs, n_outputs, n_times), those with a number moved behind it where it went in lanes
-    steps: FloatArray  # by which these were moved
+    repeated: RepeatedCall | None  # call of the run; None for runs in lanes
+    tables: FloatArray  # (n_runs, n_outputs, n_times); in lanes, runs with one shifted parameter follow
+    steps: FloatArray  # shifts of these parameters
 
 
 class Experiment:
@@ -93,7 +93,7 @@ class Experiment:
         self.base = self._problem_of(self.instance)
         self.slots = _slots(self.instance, [f for f in self.free if f.role in ("number", "start")])
         self._sensors = [_sensor(channel, self.grid, self.free) for channel in measurement.channels]
-        # What only numbers of p and inputs held at them change is run in the same arrays again and again.
+        # If parameters change only p and constant inputs, all runs use the same arrays.
         self._rebuilds = None in self.slots.values() or any(
             f.role in ("delay", "dead_time", "input_lag") for f in self.free
         )
@@ -109,7 +109,7 @@ class Experiment:
         measurement = dataclasses.replace(self.measurement, channels=resampled)
         if self._lanes is None or "first" in measurement.start.values():
             return Experiment(self.instance, measurement, free, relative_tolerance=self.run.tolerance)
-        # What runs does not depend on the samples, and no later run writes over the last one.
+        # The run does not depend on the samples, and a later run does not overwrite the last one.
         experiment, parameters = copy.copy(self), {f.name: f for f in free}
         experiment.measurement, experiment.free = measurement, tuple(parameters[f.name] for f in self.free)
         return experiment
@@ -188,14 +188,10 @@ class Experiment:
 
         The last run is stored, because the derivatives at the same point follow. A run that stalls is not repeated with
         a slower solver.
-
-        The last one is kept, for slopes follow at the same place.
-
-        Where it stalls, that place is a bad one, and not worth a slower method.
         """
         key = tuple([values[f.name] for f in self.free])
         if self._last is None or self._last[0] != key:
-            # Whatever ends this run early, the arrays of the last one are written over.
+            # If this run ends early, the arrays of the last run are already overwritten.
             self._last = None
             if self._lanes is None:
                 repeated = self._prepare_call(values)
@@ -225,10 +221,10 @@ class Experiment:
     def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
         """Return the derivatives of the modelled channels, (n_samples, n_free) each.
 
-        `width` is that of the differences where a program samples, relative to the numbers.
+        `width` is the relative width of the differences for sampled circuits.
         """
         repeated, tables, steps = self._run_at(values)
-        # By columns: each is written whole.
+        # Column order, because each column is written as a whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
         remaining = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
         if len(tables) > 1:
@@ -275,8 +271,6 @@ class Experiment:
         """Return the ends of a central difference of whole runs, or None if unnecessary.
 
         A parameter stays within its bounds. An input can be recorded early or late.
-
-        A number stays within its bounds, a record may be early as well as late.
         """
         value = values[f.name]
         if f.role in ("delay", "dead_time", "input_lag"):
@@ -295,7 +289,7 @@ class Experiment:
         if not pairs:
             return {}
         trials = [{**values, name: value} for name, pair in pairs.items() for value in pair]
-        # In arrays of their own: nothing is written over where an interruption leaves a thread behind.
+        # Separate arrays: after an interruption, a remaining thread cannot overwrite the results.
         runs = [RepeatedCall(self.problem(trial), np.empty(0)) for trial in trials]
         with ThreadPoolExecutor(min(usable_cores(), len(runs))) as threads:
             channels = [
@@ -414,12 +408,10 @@ def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple
     """Return the index in p and the driven inputs of each free parameter.
 
     The result is None for a parameter on which others depend.
-
-    The result is None for a parameter on which others depend.
     """
     inputs, values = instance.model.inputs, instance.parameters
     tied = instance.tied({f.address: _probe(f, values[f.address]) for f in free if f.address in values})
-    # A delay moves breakpoints: the segments of its input are made anew.
+    # A delay moves breakpoints: the segments of its input must be computed again.
     tied |= {item.delay for item in inputs}
     slots: dict[str, tuple[int, list[int]] | None] = {}
     for f in free:

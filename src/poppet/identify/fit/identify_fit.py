@@ -36,10 +36,10 @@ from poppet.identify.free_parameter import by_name
 from poppet.identify.result import Result
 
 Progress = Callable[[int, float], Any]
-"""Told the number of evaluations and the least cost so far."""
+"""Called with the number of evaluations and the least cost so far."""
 
 CLEAR, STRONG = 2.0, 10.0
-"""Differences of AICc below which two models are alike, and above which one is clearly better."""
+"""Differences of AICc below which two models are equivalent, and above which one is clearly better."""
 
 
 def identify_fit(
@@ -57,19 +57,19 @@ def identify_fit(
     Parameters
     ----------
     plan : FitPlan, str or Path
-        What to fit, or a fit file.
+        Plan of the fit, or a fit file.
     compare : FitPlan, str or Path, optional
-        Another one over the same recordings, to be judged against this one.
+        Another plan for the same recordings, which is compared with this one.
     profile : sequence of str, optional
-        Free numbers whose interval is to be found by profile likelihood.
+        Free parameters whose intervals are computed from the profile likelihood.
     repeats : int, optional
         Number of bootstrap fits; 0 for none.
     contour : bool, optional
-        Whether the misfit is wanted over conductance and wall heat: `contour` of the series, and findings.
+        If True, add the chi-square contour over conductance and wall conductance to the series, and its findings.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
     stages : callable, optional
-        Called with what follows the fit (profiles, bootstrap), how much of it is done, and of how much.
+        Called with the stage after the fit (profiles, contour, bootstrap), the completed steps and their total number.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = Tru
         correlation=correlation(plan.free, optimum),
         comparison={
             "aicc": criterion,
-            "AICc": criterion,  # as it is written in the literature
+            "AICc": criterion,  # spelling of the literature
             "free_numbers": len(plan.free),
             "samples": sum(piece.size for piece in residuals),
         },

@@ -21,15 +21,15 @@ from poppet.identify.result import CONFIDENCE, Result
 from poppet.timeseries.checks import FloatArray
 
 Stages = Callable[[str, int, int], Any]
-"""Told what follows a fit, how much of it is done, and of how much."""
+"""Called with the name of a stage after the fit, the completed steps and their total number."""
 
 FARTHEST = 40
-"""Most steps of doubling and halving on each side of a profile."""
+"""Maximum number of doublings, and of halvings, on each side of a profile."""
 SHOWN = (-2.6, -1.9, -1.3, -0.7, 0.7, 1.3, 1.9, 2.6)
-"""Sigmas from an optimum at which a profile has points in any case."""
+"""Points of a profile at each optimum, in standard deviations from it."""
 
 BETWEEN = 8
-"""Points of a profile from one optimum to the next."""
+"""Number of points of a profile between two optima."""
 
 
 def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
@@ -125,7 +125,7 @@ def _profile_points(equivalent: Sequence[Optimum], k: int, free: FreeParameter, 
         error = sigma * float(np.linalg.norm(influences(o)[k]))
         points += list(np.clip(o.x[k] + error * np.array(SHOWN), free.low, free.high)) if np.isfinite(error) else []
     for a, b in pairwise(sorted(float(o.x[k]) for o in equivalent)):
-        # Wall heats lie decades apart.
+        # Wall conductances can differ by decades.
         points += list(np.geomspace(max(a, 1e-4 * b), b, BETWEEN) if a >= 0.0 < b else np.linspace(a, b, BETWEEN))
     return {float(value) for value in points}
 
@@ -161,7 +161,7 @@ def add_bootstrap(plan: FitPlan, optimum: Optimum, result: Result, repeats: int,
     generator = np.random.default_rng(plan.settings.seed)
     start = with_starts(plan.free, optimum.x)
     models = [channel_fit.model for channel_fit in channel_fits(plan.experiments, by_name(plan.free, optimum.x))]
-    # Each begins at the optimum, and what is resampled is white: there is no false minimum to leave.
+    # Each fit starts from the optimum and the samples are white: a restart is not necessary.
     settings = SearchSettings(plan.settings.loss, kicks=0)
     estimates: list[FloatArray] = []
     while len(estimates) < repeats:
@@ -190,7 +190,7 @@ def _resample(
     for channel in experiment.measurement.channels:
         model = next(models)
         residual = channel.values - model
-        # Centred below: a bias would move all repetitions the same way.
+        # Subtract the mean: a bias would shift all repetitions alike.
         resampled = residual[generator.integers(0, residual.size, residual.size)]
         samples.append(model + resampled - residual.mean())
     return experiment.with_samples(samples, free)

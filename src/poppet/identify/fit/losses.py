@@ -14,7 +14,7 @@ from poppet.timeseries.checks import FloatArray
 
 LOSSES = ("linear", "soft_l1", "huber", "cauchy")
 FLAT = 1e-16
-"""Curvature of a loss, beside that of half a square, that is taken where it has less or bends down."""
+"""Minimum curvature of a loss, relative to that of half a square."""
 
 
 def costs_of(residual: FloatArray, loss: str) -> FloatArray:

@@ -9,9 +9,9 @@ import numpy as np
 from poppet.timeseries.checks import FloatArray as Array
 
 HARMONICS = 24
-"""Of the staircase that are followed; those beyond hold 2 % of its variance."""
+"""Number of harmonics of the staircase; the omitted ones have 2 % of its variance."""
 QUIET = 1e-3
-"""Amplitude of a harmonic, over that without noise, below which noise has smoothed it away."""
+"""Relative amplitude below which noise suppresses a harmonic."""
 
 
 class Staircase(NamedTuple):
@@ -20,9 +20,9 @@ class Staircase(NamedTuple):
     .. math:: e(x) = \sum_h a_h \sin\Big(\frac{2 \pi h x}{q} + \varphi_h\Big), \qquad
         a_h = \frac{q}{\pi h} \exp\Big(-\frac{2 \pi^2 h^2 \sigma^2}{q^2}\Big)
 
-    `waves`, (2 n_harmonics, n), times a series of weights gives terms whose squares sum up to the variance of the
-    weighted sum of e; `square` is the variance of e itself. Without noise and drift that is q^2/12 and wholly common
-    to all samples.
+    The product of `waves`, (2 n_harmonics, n), and a series of weights gives terms; the sum of their squares is the
+    variance of the weighted sum of e. `square` is the variance of e. Without noise and drift it is q^2/12, and the
+    error is equal in all samples.
 
     References
     ----------

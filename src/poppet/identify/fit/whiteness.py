@@ -7,18 +7,18 @@ import numpy as np
 from poppet.timeseries.checks import FloatArray as Array
 
 WHITE = 0.001
-"""Probability below which residuals are taken as correlated."""
+"""Probability below which residuals count as correlated."""
 LAGS = 10
-"""Of the portmanteau test."""
+"""Number of lags of the portmanteau test."""
 WHITE_SHORT, SHORT = 0.02, 100
-"""The same for fewer samples than the second number: there the tests have little power."""
+"""Probability for short series, and their maximum size: the tests have little power there."""
 
 
 def runs_probability(residual: Array) -> float:
     """Return the two-sided probability of the number of runs of one sign (Wald & Wolfowitz)."""
     from scipy.special import erfc
 
-    # About the median: a bias is no correlation, and is looked for elsewhere.
+    # Use the median: a bias is not a correlation and has a separate test.
     signs = residual[residual != 0.0] > np.median(residual)
     n1, n2 = int(signs.sum()), int((~signs).sum())
     if n1 < 5 or n2 < 5:
@@ -32,7 +32,7 @@ def runs_probability(residual: Array) -> float:
 def portmanteau_probability(residual: Array) -> float:
     """Return the probability of the correlations over a few samples (Ljung & Box 1978).
 
-    Sees a slow misfit that is small against the noise, which leaves nearly all signs to the noise.
+    It detects a slow lack of fit that is small compared with the noise and does not change the signs.
     """
     from scipy.special import chdtrc
 

@@ -34,22 +34,22 @@ CAPPING = (
     "finding.unusual.conductance",
     "finding.unusual.wall",
 )
-"""Findings after which no number that depends on the model is determined."""
+"""Codes of findings that limit the verdicts of all parameters that depend on the model."""
 MISREAD = ("finding.unexplained.", "suspicion.", "finding.gauge")
-"""How findings begin after which other models are of no interest."""
+"""Code prefixes of findings on invalid data, which come first."""
 DOUBTFUL = 6.0
-"""AICc by which another model has to be better for its number to count where it lies outside the interval; chance does
-so once in 200 times."""
+"""Least improvement of AICc of another model whose estimate is outside the interval; its probability by chance is
+0.5 %."""
 ALIKE = 3.0
-"""AICc by which another model may be worse, which is what its number costs, and is as good."""
+"""Largest excess of AICc of an equivalent model, about the penalty of its additional parameter."""
 LOOK_ALIKE = ("wall_heat_capacity", "supply_pressure")
-"""Models that a fit without them imitates. (A leak shares C with the valve in any discharge, if nothing shows it.)"""
+"""Free parameters whose effect the other parameters can imitate. (A leak always shares C with the valve.)"""
 USUAL_TRANSFER = 0.1, 1000.0
-"""Heat transfer of air in tanks, generously [W/(m^2 K)]."""
+"""Wide range of the heat transfer coefficient of air in tanks [W/(m^2 K)]."""
 LARGE_VOLUME = 1.0
-"""Above it litres may have been meant [m^3]."""
+"""Volume above which the unit was probably litres [m^3]."""
 READ_OFF = ("initial_pressure", "initial_temperature")
-"""Numbers that the first samples say, whatever the model."""
+"""Parameters that the first samples determine for each model."""
 
 
 def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
@@ -119,7 +119,7 @@ def _alternative_notes(alternatives: Sequence[Alternative], result: Result, numb
     elif rival:
         degree, best = "alike", rival
     elif len(alternatives) == 1 and best.gain < CLEAR:
-        return []  # nothing asked for it
+        return []  # no evidence for another model
     else:
         degree = "somewhat" if best.gain > CLEAR else "none"
     alike = tuple(
@@ -176,7 +176,7 @@ def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
         if note.code not in CAPPING or (note.code == MISFIT and note.address not in missed):
             continue
         if note.code == "finding.wall" and abs(note.facts["percent"]) <= 100.0 * DETERMINED:
-            continue  # it moves C by no more than a verdict allows
+            continue  # the change of C is below the limit of a verdict
         for name in _capped_parameters(note, result):
             if note.code not in reasons.setdefault(name, []):
                 reasons[name].append(note.code)
@@ -196,6 +196,6 @@ def _capped_parameters(note: Note, result: Result) -> list[str]:
         for name, estimate in result.parameters.items()
         if estimate.verdict == "determined"
         and name.rpartition(".")[2] not in READ_OFF
-        # A recording's misfit says nothing of the numbers that belong to another.
+        # A lack of fit of one recording does not affect the parameters of another.
         and not (recording in names and name.partition(".")[0] in names and name.partition(".")[0] != recording)
     ]

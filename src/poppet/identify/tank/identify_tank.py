@@ -31,33 +31,33 @@ def identify_tank(
     Parameters
     ----------
     test : TankTest, str or Path
-        The test, or its file.
+        Tank test, or its file.
     profile : sequence of str, optional
-        Free numbers whose interval is to be found by profile likelihood.
+        Free parameters whose intervals are computed from the profile likelihood.
     repeats : int, optional
         Number of bootstrap fits; 0 for none.
     contour : bool, optional
-        Whether the misfit is wanted over conductance and wall heat: `contour` of the series, and findings.
+        If True, add the chi-square contour over conductance and wall conductance to the series, and its findings.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
     stages : callable, optional
-        Called with what follows the fit (profiles, bootstrap), how much of it is done, and of how much.
+        Called with the stage after the fit (profiles, contour, bootstrap), the completed steps and their total number.
 
     Returns
     -------
     Result
-        Estimates under `valve.sonic_conductance`, `valve.critical_ratio`, `tank.wall_conductance` ...; nuisance
-        numbers of a recording under its name: `first.valve.delay`, `first.tank.pressure.offset`.
+        Estimates by address, such as `valve.sonic_conductance`, `valve.critical_ratio`, `tank.wall_conductance`. The
+        name of a nuisance parameter begins with its recording: `first.valve.delay`, `first.tank.pressure.offset`.
 
     Raises
     ------
     InputErrors
-        If the test cannot be read, or a recording does not fit its direction: a pressure that rises in a discharge,
-        one that hardly changes, one above its supply.
+        If the test is invalid, or if a recording contradicts its direction. Examples are a pressure that rises in a
+        discharge, that is almost constant, or that exceeds the supply pressure.
 
     Notes
     -----
-    The integrated equations are fitted; no pressure is differentiated.
+    The fit integrates the equations; it does not differentiate the recorded pressure.
 
     Examples
     --------

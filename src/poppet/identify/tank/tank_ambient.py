@@ -12,7 +12,7 @@ from poppet.identify.tank.tank_plan import TEMPERATURE, TankRun
 from poppet.identify.tank.test import ROOM, TankTest
 
 POWERS = {"sonic_conductance": 0.5, "wall_conductance": 1.0, "wall_heat_capacity": 1.0}
-"""Homogeneous: with all temperatures r times as high, C / r^0.5 and h A / r give the same pressures."""
+"""Exponents of the temperature: with all temperatures times r, C / r^0.5 and h A / r give the same pressures."""
 
 
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:

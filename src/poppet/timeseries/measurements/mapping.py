@@ -75,11 +75,11 @@ def read_measurement(
     >>> read.duration, float(read.channels[0].values[0]), read.channels[0].noise
     (0.17, 680000.0, 2000.0)
     """
-    return _Reader(name, table, folder, other_fields, source).measurement(ambient_pressure)
+    return _MeasurementReader(name, table, folder, other_fields, source).measurement(ambient_pressure)
 
 
 @dataclass(frozen=True)
-class _Column:
+class _MappedColumn:
     """Column of a file with the fields of its table. A free delay or lag is None."""
 
     address: str
@@ -96,7 +96,7 @@ class _Column:
         return self.unit == "Pa" and convert(0.0, self.written, "Pa", ambient_pressure=1.0) != 0.0
 
 
-class _Reader:
+class _MeasurementReader:
     """Reader of one table. It continues after an error and reports all errors together."""
 
     def __init__(
@@ -212,7 +212,7 @@ class _Reader:
                 self.errors.add("measured.no_first_sample", location, channel=measured)
         return start
 
-    def _columns(self, table: Mapping[str, Any], valid: tuple[str, ...], location: str) -> list[_Column]:
+    def _columns(self, table: Mapping[str, Any], valid: tuple[str, ...], location: str) -> list[_MappedColumn]:
         columns = []
         for address, value in table.items():
             if "." in address:
@@ -222,7 +222,9 @@ class _Reader:
                 self.errors.add("measured.no_address", f"{location}.{address}")
         return [column for column in columns if column is not None]
 
-    def _column(self, address: str, fields: Mapping[str, Any], valid: tuple[str, ...], location: str) -> _Column | None:
+    def _column(
+        self, address: str, fields: Mapping[str, Any], valid: tuple[str, ...], location: str
+    ) -> _MappedColumn | None:
         for key in (field for field in fields if field not in valid):
             near = NameSuggestion(key, valid)
             self.errors.add("fields.unknown", f"{location}.{key}", table="channel", near=near)
@@ -259,7 +261,7 @@ class _Reader:
             return None
         self.notes |= dict.fromkeys(note.within(address) for note in samples.notes)
         self.findings |= dict.fromkeys(heading_verdicts(address, table.names[index], table.units[index], written))
-        return _Column(address, location, unit, written, samples, fields, delay, lag)
+        return _MappedColumn(address, location, unit, written, samples, fields, delay, lag)
 
     def _file(self, fields: Mapping[str, Any], location: str) -> Table | None:
         name = fields.get("file")
@@ -311,7 +313,7 @@ class _Reader:
             self.findings |= dict.fromkeys(heading_verdicts(address, table.names[index], table.units[index], unit))
         return stamps
 
-    def _channel(self, column: _Column, samples: Samples) -> Channel:
+    def _channel(self, column: _MappedColumn, samples: Samples) -> Channel:
         count = samples.time.size
         if count < LEAST_SAMPLES:
             self.errors.add("measured.few_samples", column.location, samples=count, least=LEAST_SAMPLES)
@@ -320,7 +322,7 @@ class _Reader:
         quantum = quantum_of(samples.values)
         return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset)
 
-    def _refuse_slips(self, column: _Column, time: FloatArray, values: FloatArray) -> None:
+    def _refuse_slips(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
         """Report samples beyond the plausibility limit of their quantity.
 
         A typing error or a recorder fault would otherwise dominate the fit.
@@ -331,7 +333,7 @@ class _Reader:
             facts = {"value": float(values[slips[0]]), "unit": column.unit, "time": float(time[slips[0]])}
             self.errors.add("measured.too_large", column.location, largest=largest, count=int(slips.size), **facts)
 
-    def _deviation(self, column: _Column, key: str) -> float | None:
+    def _deviation(self, column: _MappedColumn, key: str) -> float | None:
         """Return the stated standard deviation of a channel, None if there is none."""
         location, raw = f"{column.location}.{key}", column.fields.get(key)
         if raw is None:
@@ -342,7 +344,7 @@ class _Reader:
             self.errors.add("measured.noise", location, value=raw)
         return value
 
-    def _input(self, column: _Column, origin: float) -> InputChannel:
+    def _input(self, column: _MappedColumn, origin: float) -> InputChannel:
         time, values, fields = column.samples.time - origin, column.samples.values, column.fields
         hold = fields.get("hold", False)
         if not isinstance(hold, bool):
@@ -412,7 +414,7 @@ def read_recording(
         columns = {name: name for name in source.names if "." in name}
     fields = {address: _column_fields(column, source) for address, column in columns.items()}
     clock = {} if time is None else {"time": _column_fields(time, source)}
-    reader = _Reader("columns", {**clock, **fields}, path.parent, (), source)
+    reader = _MeasurementReader("columns", {**clock, **fields}, path.parent, (), source)
     return reader.recording(ambient_pressure, path.stem if title is None else title)
 
 
