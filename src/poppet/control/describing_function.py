@@ -94,11 +94,8 @@ class MeasuredPlant(LoopPlant):
         size, phase = np.log(np.abs(self.responses)), np.unwrap(np.angle(self.responses))
         phase -= 2.0 * np.pi * np.round(phase[0] / (2.0 * np.pi) - 0.05)
         interpolator = PchipInterpolator(np.log(self.known_frequencies), np.stack([size, phase], axis=1))
-
-        (low, high), slopes = (
-            np.log(self.known_frequencies[[0, -1]]),
-            np.diff(size) / np.diff(np.log(self.known_frequencies)),
-        )
+        logarithms = np.log(self.known_frequencies)
+        low, high, slopes = logarithms[0], logarithms[-1], np.diff(size) / np.diff(logarithms)
         # Towards zero frequency: the nearest integer slope, and a phase that is a multiple of 90 degrees.
         slope = float(np.round(slopes[0]))
         end = 0.5 * np.pi * slope + np.pi * np.round((phase[0] - 0.5 * np.pi * slope) / np.pi)
@@ -106,9 +103,8 @@ class MeasuredPlant(LoopPlant):
         def at(logarithm: Array) -> tuple[Array, Array]:
             size, phase = interpolator(np.clip(logarithm, low, high)).T
             decades_below, decades_above = np.minimum(logarithm - low, 0.0), np.maximum(logarithm - high, 0.0)
-            return size + slope * decades_below + slopes[-1] * decades_above, end + (phase - end) * np.exp(
-                decades_below
-            )
+            size = size + slope * decades_below + slopes[-1] * decades_above
+            return size, end + (phase - end) * np.exp(decades_below)
 
         return at
 
@@ -283,9 +279,8 @@ class MeasuredLoop(Plant):
         for _ in range(_RUNS):
             run = start = circuit.simulate(duration, start=start)
             is_late = run.time > 0.5 * duration
-            value, command = (
-                float(np.mean(run[output][is_late])) for output in (self.loop.shown, f"{self.controller}.command")
-            )
+            outputs = self.loop.shown, f"{self.controller}.command"
+            value, command = (float(np.mean(run[output][is_late])) for output in outputs)
             if abs(command - previous) <= _QUIET * min(self.amplitudes):
                 return run, value, command
             previous = command
@@ -367,12 +362,10 @@ def make_measured_loop(
     unit = COMMANDS[command_of(loop.part)].unit
     sizes = sorted(float(quantity(amplitude, unit, name="amplitude").value) for amplitude in amplitudes)
     numbers = loop.numbers
-    low, high = (
-        (-numbers["vent_limit"], numbers["fill_limit"])
-        if loop.part.is_of_openings
-        else (numbers["lower_limit"], numbers["upper_limit"])
-    )
-    largest = 0.5 * (high - low)
+    if loop.part.is_of_openings:
+        largest = 0.5 * (numbers["fill_limit"] + numbers["vent_limit"])
+    else:
+        largest = 0.5 * (numbers["upper_limit"] - numbers["lower_limit"])
     for size in sizes:
         if not 0.0 < size <= largest:
             raise OutOfRangeError("tuning.amplitude", loop.controller, size=size, most=largest, unit=unit)

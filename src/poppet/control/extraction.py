@@ -102,10 +102,9 @@ def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
         raise InputError(f"plant.{'measures' if measurement is None else 'commands'}_nothing", controller)
     store, _, output = measurement.partition(".")
     begins = circuit.parts[store].resume.get(output)
+    initial_value = f"{store}.{begins}" if begins else ""
     inner_circuit = _remove_outer_loops(circuit, controller)
-    return Loop(
-        inner_circuit, controller, controllers[controller], measurement, commands, f"{store}.{begins}" if begins else ""
-    )
+    return Loop(inner_circuit, controller, controllers[controller], measurement, commands, initial_value)
 
 
 def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> BaseCircuit:
@@ -143,18 +142,14 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
 
 def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
     """Return a circuit without outer loops, whose controllers command only this one."""
+    targets_of: dict[str, set[str]] = {}
+    for target, source in circuit.connections.items():
+        name = source.partition(".")[0]
+        if isinstance(circuit.parts.get(name), Controller) and name != controller:
+            targets_of.setdefault(name, set()).add(target.partition(".")[0])
     outer: set[str] = set()
-    while True:
-        inner_names = {controller, *outer}
-        targets_of = {
-            name: {t.partition(".")[0] for t, source in circuit.connections.items() if source.partition(".")[0] == name}
-            for name, part in circuit.parts.items()
-            if isinstance(part, Controller) and name not in inner_names
-        }
-        new_outer = {name for name, targets in targets_of.items() if targets and targets <= inner_names}
-        if not new_outer:
-            break
-        outer |= new_outer
+    while added := {n for n, targets in targets_of.items() if n not in outer and targets <= {controller, *outer}}:
+        outer |= added
     if not outer:
         return circuit
 
