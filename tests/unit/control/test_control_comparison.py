@@ -142,7 +142,7 @@ def changed(circuit, **values):
         (lambda c: dataclasses.replace(c, run=dataclasses.replace(c.run, duration="6 s")), {"duration": (6.0, 6.5)}),
     ],
 )
-def test_what_is_not_fair_is_told(circuits, unfair, differing):
+def test_unfair_differences_are_reported(circuits, unfair, differing):
     with pytest.raises(InputError) as caught:
         compare({"first": circuits["pid"], "other": unfair(circuits["pid"])})
     told = caught.value.problems if isinstance(caught.value, InputErrors) else [caught.value]
