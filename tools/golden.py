@@ -18,7 +18,7 @@ from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from poppet.core import codes, errors, message_format
+from poppet.core import codes, errors, explanations, message_format
 from poppet.core.toml import value_text
 
 FILE = Path(__file__).parents[1] / "tests" / "golden" / "messages.toml"
@@ -40,19 +40,19 @@ def make_example(code: str, address: str, facts: Mapping[str, Any]) -> Example:
         example["cause"] = {"code": cause.code, "facts": _without_folders(codes.plain(cause.facts))}
     stored = {k: _without_folders(codes.plain(v)) for k, v in facts.items() if v is not cause or cause is None}
     example |= {"facts": stored} if stored else {}
-    message_format.example_texts(code, example)
+    explanations.example_texts(code, example)
     return example
 
 
 def text_of(code: str, example: Example) -> str:
     """Return the message of an example in one text."""
-    return " ".join(message_format.example_texts(code, example).values())
+    return " ".join(explanations.example_texts(code, example).values())
 
 
 def read() -> dict[str, Example]:
     """Return the stored examples of codes that exist and show these facts."""
     examples = {}
-    for code, example in message_format.stored_examples().items():
+    for code, example in explanations.stored_examples().items():
         with contextlib.suppress(KeyError):
             text_of(code, example)
             examples[code] = example
@@ -125,7 +125,7 @@ def main(folders: list[str]) -> None:
     lines = [
         f"{json.dumps(c)}: {json.dumps(e, separators=(',', ':'), ensure_ascii=False)}" for c, e in examples.items()
     ]
-    message_format.EXAMPLES.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
+    explanations.EXAMPLES.write_text("{\n" + ",\n".join(lines) + "\n}\n", encoding="utf-8")
     texts = [f"{value_text(code)} = {value_text(text_of(code, example))}" for code, example in examples.items()]
     head = "# Made by `make golden` from the templates and examples in `src/poppet/core`; do not edit."
     FILE.write_text("\n".join([head, *texts]) + "\n", encoding="utf-8")

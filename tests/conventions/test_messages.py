@@ -5,7 +5,8 @@ from __future__ import annotations
 import importlib.util
 from pathlib import Path
 
-from poppet.core.message_format import every_code, renamed_codes, stored_examples, topics
+from poppet.core.explanations import renamed_codes, stored_examples
+from poppet.core.message_format import every_code, topics
 
 ROOT = Path(__file__).parents[2]
 SPEC = importlib.util.spec_from_file_location("golden", ROOT / "tools" / "golden.py")

@@ -35,7 +35,7 @@ from poppet.parts import KINDS
 from poppet.parts.fields import NumberLike, number, port
 from poppet.parts.part import Flow, GasState, Passage, PassageFlows, Scope
 from poppet.report.html_page import Section, document, findings, write_page
-from poppet.report.tables import Table as ReportTable
+from poppet.report.tables import ReportTable
 from poppet.timeseries.tables import reading
 from poppet.timeseries.tables.table import Table
 

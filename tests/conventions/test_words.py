@@ -22,7 +22,7 @@ LATER = {
     "friction": {"effort", "effort_unit", "length", "speed"},
 }
 """Facts that callers add later, by topic or code."""
-WORDS_THEMSELVES = ("core/errors.py", "core/message_format.py", "core/codes.py")
+WORDS_THEMSELVES = ("core/errors.py", "core/message_format.py", "core/explanations.py", "core/codes.py")
 STILL_SENTENCES: set[str] = set()
 """Packages in which logic may still read texts; no package joins."""
 

@@ -515,7 +515,3 @@ class BaseCircuit(HtmlMixin):
         from poppet.circuit.linear import linearise
 
         return linearise(self.instance, inputs, at=at)
-
-
-# Name in the packages below the public class.
-Circuit = BaseCircuit

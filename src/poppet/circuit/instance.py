@@ -177,8 +177,8 @@ class Instance:
         with ErrorCollector() as errors:
             for name in values:
                 if name not in inputs:
-                    near = NameSuggestion(name, inputs)
-                    errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
+                    suggestion = NameSuggestion(name, inputs)
+                    errors.add("names.unknown", name, meaning="an input of this circuit", near=suggestion)
             for name, item in inputs.items():
                 signal = self.signals.get(name)
                 if name in values:

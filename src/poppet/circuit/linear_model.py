@@ -182,8 +182,8 @@ class LinearModel(HtmlMixin):
 def index_of(names: tuple[str, ...], name: str, kind: str) -> int:
     """Return the index of an address; raise InputError with a suggestion if it is unknown."""
     if name not in names:
-        near = NameSuggestion(name, names)
-        raise InputError("names.unknown", name, meaning=f"an {kind} of the linear model", near=near)
+        suggestion = NameSuggestion(name, names)
+        raise InputError("names.unknown", name, meaning=f"an {kind} of the linear model", near=suggestion)
     return names.index(name)
 
 

@@ -108,8 +108,8 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
                 code = "wiring.several_stores" if members else "wiring.no_store"
                 errors.add(code, address, store=store, kind=wiring[store].kind.kind, stores=members)
             elif store not in stores and store != AMBIENT:
-                near = NameSuggestion(store, {*stores, AMBIENT})
-                errors.add("fields.not_an_option", address, value=store, meaning="gas node", near=near)
+                suggestion = NameSuggestion(store, {*stores, AMBIENT})
+                errors.add("fields.not_an_option", address, value=store, meaning="gas node", near=suggestion)
         twice = _joined_twice(part.ports)
         if twice is not None:
             errors.add("wiring.joined_twice", f"parts.{name}", store=twice)
@@ -153,8 +153,8 @@ def _check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
             if part.body in wiring:
                 errors.add("wiring.no_body", address, body=part.body, kind=wiring[part.body].kind.kind)
             else:
-                near = NameSuggestion(part.body, bodies)
-                errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=near)
+                suggestion = NameSuggestion(part.body, bodies)
+                errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=suggestion)
         elif name in bodies and name not in driven:
             errors.add("wiring.unmoved", f"parts.{name}")
 
@@ -178,8 +178,8 @@ def check_connections(
         if item is not None and (item.by_signal or item.slope_of):
             errors.add("wiring.signal_only", f"connections.{target}")
         elif item is None:
-            near = NameSuggestion(target, inputs)
-            errors.add("names.unknown", f"connections.{target}", meaning="an input of this circuit", near=near)
+            suggestion = NameSuggestion(target, inputs)
+            errors.add("names.unknown", f"connections.{target}", meaning="an input of this circuit", near=suggestion)
         elif not isinstance(source, str) or source.partition(".")[0] not in parts:
             example = f"{next(iter(parts), 'part')}.pressure"
             errors.add("wiring.no_output", f"connections.{target}", source=source, example=example)
@@ -233,5 +233,5 @@ def check_starts(
 
 def unknown_input(address: str, inputs: Collection[str]) -> InputError:
     """Return the error of a signal for an unknown input."""
-    near = NameSuggestion(address, inputs)
-    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", near=near)
+    suggestion = NameSuggestion(address, inputs)
+    return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", near=suggestion)

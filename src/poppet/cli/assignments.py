@@ -12,7 +12,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError, collect
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
 
@@ -60,7 +60,7 @@ def split_list(text: str | None) -> list[str]:
     return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
 
 
-def change_circuit(circuit: Circuit, values: Mapping[str, float | str]) -> tuple[Circuit, list[Note]]:
+def change_circuit(circuit: BaseCircuit, values: Mapping[str, float | str]) -> tuple[BaseCircuit, list[Note]]:
     """Return a circuit with changed values, and notes on the changes."""
     from dataclasses import replace
 
@@ -74,7 +74,7 @@ def change_circuit(circuit: Circuit, values: Mapping[str, float | str]) -> tuple
     return circuit, [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
 
 
-def load_circuit(options: Namespace, path: str | None = None) -> tuple[Circuit, list[Note]]:
+def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircuit, list[Note]]:
     """Load a circuit file and apply --with and --set; return the circuit and notes on the changes."""
     from poppet.circuit.file import load
 
@@ -83,7 +83,7 @@ def load_circuit(options: Namespace, path: str | None = None) -> tuple[Circuit, 
     return circuit, notes + change_notes
 
 
-def with_result(circuit: Circuit, path: str | None) -> tuple[Circuit, list[Note]]:
+def with_result(circuit: BaseCircuit, path: str | None) -> tuple[BaseCircuit, list[Note]]:
     """Apply the parameters of --with; return the circuit and a note on doubtful parameters."""
     if path is None:
         return circuit, []

@@ -16,7 +16,7 @@ from poppet.core.number_format import aligned
 from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.core.provenance import Number
 
 TEMPLATES = {path.stem: path for path in sorted(Path(__file__).with_name("templates").glob("*.toml"))}
@@ -62,7 +62,7 @@ def _check_file(file: str) -> None:
     print_notes(notes)
 
 
-def _count_outputs(circuit: Circuit) -> int:
+def _count_outputs(circuit: BaseCircuit) -> int:
     """Return the number of outputs; check stop conditions and output times without compiling the model."""
     from poppet.circuit.stop_conditions import parse_stop_condition
     from poppet.circuit.trace import trace

@@ -15,7 +15,7 @@ from poppet.core.errors import InputError
 from poppet.core.files import write_whole
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.control import Comparison, Tuning
 
 
@@ -24,9 +24,9 @@ def execute(options: argparse.Namespace) -> int:
     return _tune(options) if options.action == "tune" else _compare(options)
 
 
-def _load_circuits(options: argparse.Namespace) -> dict[str, Circuit]:
+def _load_circuits(options: argparse.Namespace) -> dict[str, BaseCircuit]:
     """Return the circuits by the names of their files."""
-    circuits: dict[str, Circuit] = {}
+    circuits: dict[str, BaseCircuit] = {}
     for path in options.files:
         name = Path(path).stem
         if name in circuits:

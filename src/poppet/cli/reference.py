@@ -27,7 +27,8 @@ def show_library(options: argparse.Namespace) -> None:
 
 def explain_codes(options: argparse.Namespace) -> None:
     """Print cause, example and remedy of codes, or list the codes with a common first part."""
-    from poppet.core.message_format import every_code, renamed_codes, topics
+    from poppet.core.explanations import renamed_codes
+    from poppet.core.message_format import every_code, topics
 
     codes, titles = every_code(), topics()
     blocks = []
@@ -49,7 +50,8 @@ def explain_codes(options: argparse.Namespace) -> None:
 
 def _explanation(code: str) -> str:
     """Return cause, example and remedy of a code; the text of a note contains its remedy."""
-    from poppet.core.message_format import example_texts, plain, stored_examples, template
+    from poppet.core.explanations import example_texts, stored_examples
+    from poppet.core.message_format import plain, template
 
     text, example = template(code), stored_examples().get(code)
     parts = {"": text} if isinstance(text, str) else text

@@ -13,7 +13,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
 _RUN_OPTIONS = {
@@ -59,7 +59,7 @@ def execute(options: argparse.Namespace) -> int:
     return 0
 
 
-def _load_changed(options: argparse.Namespace) -> tuple[Circuit, set[str], list[Note]]:
+def _load_changed(options: argparse.Namespace) -> tuple[BaseCircuit, set[str], list[Note]]:
     """Return the circuit with the changes of the command line, the changed addresses, and notes."""
     from poppet.circuit.file import load
 
@@ -80,7 +80,7 @@ def _load_changed(options: argparse.Namespace) -> tuple[Circuit, set[str], list[
     return circuit, {*values, *(["run.stop_when"] if options.stop_when else ())}, result_notes + change_notes
 
 
-def _write(recording: Recording, selection: OutputSelection, options: argparse.Namespace, circuit: Circuit) -> None:
+def _write(recording: Recording, selection: OutputSelection, options: argparse.Namespace, circuit: BaseCircuit) -> None:
     """Write the files of the options and print the summary."""
     selected = selection.apply(recording)
     if options.output and not selected.time.size:

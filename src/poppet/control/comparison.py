@@ -20,7 +20,7 @@ from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of
 from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.instance import Instance
     from poppet.circuit.options import Run
 
@@ -95,12 +95,13 @@ class Comparison:
         dict
             Controller to metric to the three values; without random runs all are nominal.
         """
+
+        def statistics(values: Array) -> tuple[float, float, float]:
+            random_runs = values[1:] if len(values) > 1 else values
+            return float(values[0]), float(np.median(random_runs)), float(np.max(random_runs))
+
         return {
-            name: {
-                key: (float(values[0]), float(np.median(_random_runs(values))), float(np.max(_random_runs(values))))
-                for key, values in metrics.items()
-            }
-            for name, metrics in self.figures.items()
+            name: {key: statistics(values) for key, values in metrics.items()} for name, metrics in self.figures.items()
         }
 
     def save(self, path: str | Path) -> Path:
@@ -117,25 +118,19 @@ class Comparison:
             Path of the file.
         """
         target = Path(path)
-        writer = by_suffix(target, {".csv": self._csv})
-        return write_whole(target, lambda stream: stream.write(writer().encode()))
-
-    def _csv(self) -> str:
+        by_suffix(target, {".csv": None})
         heads = [f"{key} [{metric.unit}]" for key, metric in self.kinds.items()]
         rows = [["controller", "draw", *self.factors, *heads]]
         for name, metrics in self.figures.items():
             for k in range(self.draws + 1):
                 values = [*(factor[k] for factor in self.factors.values()), *(metrics[key][k] for key in self.kinds)]
                 rows.append([name, str(k), *(f"{value:.10g}" for value in values)])
-        return "".join(",".join(row) + "\n" for row in rows)
-
-
-def _random_runs(values: Array) -> Array:
-    return values[1:] if len(values) > 1 else values
+        text = "".join(",".join(row) + "\n" for row in rows)
+        return write_whole(target, lambda stream: stream.write(text.encode()))
 
 
 def compare(
-    circuits: Mapping[str, Circuit], controller: str | None = None, *, vary: Mapping[str, float] | None = None,
+    circuits: Mapping[str, BaseCircuit], controller: str | None = None, *, vary: Mapping[str, float] | None = None,
     draws: int = 50, seed: int = 0, progress: Callable[[int, int], Any] | None = None,
 ) -> Comparison:  # fmt: skip
     """Run several controllers on one plant with nominal and with random parameters.
@@ -183,10 +178,8 @@ def compare(
             errors.extend([OutOfRangeError("control.draws", draws=draws)])
     count = draws if ranges else 0
     random_values = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(ranges)))
-    factors = {
-        address: np.concatenate([[1.0], 1.0 + size * random_values[:, k]])
-        for k, (address, size) in enumerate(ranges.items())
-    }
+    columns = zip(ranges.items(), random_values.T, strict=True)
+    factors = {address: np.concatenate([[1.0], 1.0 + size * values]) for (address, size), values in columns}
     runs = {name: _Contender(circuit.instance, circuit.run, plants[name]) for name, circuit in circuits.items()}
     total = len(runs) * (count + 1)
     for k in range(count + 1):
@@ -195,11 +188,15 @@ def compare(
             if progress is not None:
                 progress(k * len(runs) + j + 1, total)
     contender_1 = next(iter(runs.values()))
+    figures = {
+        name: {key: np.array([row[key] for row in contender.figures]) for key in contender.kinds}
+        for name, contender in runs.items()
+    }
     return Comparison(
-        contender_1.time, contender_1.setpoint, {name: np.array(contender.responses) for name, contender in
-        runs.items()}, {name: contender.command for name, contender in runs.items()}, {name: {key: np.array([f[key] for
-        f in contender.figures]) for key in contender_1.kinds} for name, contender in runs.items()}, factors, ranges,
-        seed, contender_1.part.controls, command_of(contender_1.part),
+        contender_1.time, contender_1.setpoint,
+        {name: np.array(contender.responses) for name, contender in runs.items()},
+        {name: contender.command for name, contender in runs.items()},
+        figures, factors, ranges, seed, contender_1.part.controls, command_of(contender_1.part),
     )  # fmt: skip
 
 
@@ -234,7 +231,11 @@ class _Contender:
 
 
 def _check_fair(
-    errors: ErrorCollector, name: str, case: tuple[Circuit, Any], reference_case: tuple[Circuit, Any], controller: str
+    errors: ErrorCollector,
+    name: str,
+    case: tuple[BaseCircuit, Any],
+    reference_case: tuple[BaseCircuit, Any],
+    controller: str,
 ) -> None:
     """Collect errors of differences between two circuits other than the controller."""
     values, reference_values = ({**circuit.parameters, **shape} for circuit, shape in (case, reference_case))
@@ -247,7 +248,7 @@ def _check_fair(
         errors.add("control.no_staircase", f"{controller}.setpoint", circuit=name)
 
 
-def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
+def _shape(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
     """Return the properties, other than parameters, that must be equal in all circuits."""
     return {
         "parts": [part.structure() for name, part in circuit.parts.items() if name != plant.controller],
@@ -265,14 +266,13 @@ def _shape(circuit: Circuit, plant: Plant) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _check_varied(errors: ErrorCollector, circuit: Circuit, controller: str, ranges: Mapping[str, float]) -> None:
+def _check_varied(errors: ErrorCollector, circuit: BaseCircuit, controller: str, ranges: Mapping[str, float]) -> None:
     numbers = circuit.numbers()
     sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
     for address, size in ranges.items():
         if address not in numbers:
-            errors.add(
-                "names.unknown", address, meaning="a parameter of this circuit", near=NameSuggestion(address, numbers)
-            )
+            near = NameSuggestion(address, numbers)
+            errors.add("names.unknown", address, meaning="a parameter of this circuit", near=near)
         elif address.startswith(f"{controller}.") and address not in sensor:
             errors.add("control.vary.of_controller", address)
         elif circuit.parameters.get(address, 0.0) == 0.0:  # the range is relative to the value

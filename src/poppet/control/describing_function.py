@@ -28,7 +28,7 @@ from poppet.parts.quantities import COMMANDS, command_of
 from poppet.timeseries.signals import Constant, Sine
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
 ProgressCallback = Callable[[str], None]
@@ -94,11 +94,8 @@ class MeasuredPlant(LoopPlant):
         size, phase = np.log(np.abs(self.responses)), np.unwrap(np.angle(self.responses))
         phase -= 2.0 * np.pi * np.round(phase[0] / (2.0 * np.pi) - 0.05)
         interpolator = PchipInterpolator(np.log(self.known_frequencies), np.stack([size, phase], axis=1))
-
-        (low, high), slopes = (
-            np.log(self.known_frequencies[[0, -1]]),
-            np.diff(size) / np.diff(np.log(self.known_frequencies)),
-        )
+        logarithms = np.log(self.known_frequencies)
+        low, high, slopes = logarithms[0], logarithms[-1], np.diff(size) / np.diff(logarithms)
         # Towards zero frequency: the nearest integer slope, and a phase that is a multiple of 90 degrees.
         slope = float(np.round(slopes[0]))
         end = 0.5 * np.pi * slope + np.pi * np.round((phase[0] - 0.5 * np.pi * slope) / np.pi)
@@ -106,9 +103,8 @@ class MeasuredPlant(LoopPlant):
         def at(logarithm: Array) -> tuple[Array, Array]:
             size, phase = interpolator(np.clip(logarithm, low, high)).T
             decades_below, decades_above = np.minimum(logarithm - low, 0.0), np.maximum(logarithm - high, 0.0)
-            return size + slope * decades_below + slopes[-1] * decades_above, end + (phase - end) * np.exp(
-                decades_below
-            )
+            size = size + slope * decades_below + slopes[-1] * decades_above
+            return size, end + (phase - end) * np.exp(decades_below)
 
         return at
 
@@ -161,7 +157,7 @@ class MeasuredPlant(LoopPlant):
 class SettledPlant:
     """Plant in a steady state with a weak controller."""
 
-    circuit: Circuit  # starts at the steady state
+    circuit: BaseCircuit  # starts at the steady state
     rest: Recording
     value: float  # mean of the measurement there, SI
     command: float
@@ -241,7 +237,7 @@ class MeasuredLoop(Plant):
         return OperatingPoint(settled.value, settled.command, models, {name: {} for name in models})
 
     def verify(
-        self, circuit: Circuit, value: float, gains: Gains, margins: Mapping[str, Margins]
+        self, circuit: BaseCircuit, value: float, gains: Gains, margins: Mapping[str, Margins]
     ) -> Iterator[Verification]:
         """Yield the verification of a tuned loop for each size of sine."""
         for size in self.amplitudes:
@@ -275,7 +271,7 @@ class MeasuredLoop(Plant):
         driven = driven.resumed(steady_run).with_values({f"{name}.initial_integral": 0.0})
         return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop)
 
-    def _run_to_steady_state(self, circuit: Circuit, target: float) -> tuple[Recording, float, float]:
+    def _run_to_steady_state(self, circuit: BaseCircuit, target: float) -> tuple[Recording, float, float]:
         """Return a run to a steady state, with the means of measurement and command there."""
         duration = max(float(circuit.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
         previous, start = np.inf, None
@@ -283,9 +279,8 @@ class MeasuredLoop(Plant):
         for _ in range(_RUNS):
             run = start = circuit.simulate(duration, start=start)
             is_late = run.time > 0.5 * duration
-            value, command = (
-                float(np.mean(run[output][is_late])) for output in (self.loop.shown, f"{self.controller}.command")
-            )
+            outputs = self.loop.shown, f"{self.controller}.command"
+            value, command = (float(np.mean(run[output][is_late])) for output in outputs)
             if abs(command - previous) <= _QUIET * min(self.amplitudes):
                 return run, value, command
             previous = command
@@ -339,7 +334,7 @@ class MeasuredLoop(Plant):
 
 
 def make_measured_loop(
-    circuit: Circuit, controller: str | None, amplitudes: Sequence[Any], progress: ProgressCallback | None
+    circuit: BaseCircuit, controller: str | None, amplitudes: Sequence[Any], progress: ProgressCallback | None
 ) -> MeasuredLoop:
     """Return the plant of a controller for sines of some sizes.
 
@@ -367,12 +362,10 @@ def make_measured_loop(
     unit = COMMANDS[command_of(loop.part)].unit
     sizes = sorted(float(quantity(amplitude, unit, name="amplitude").value) for amplitude in amplitudes)
     numbers = loop.numbers
-    low, high = (
-        (-numbers["vent_limit"], numbers["fill_limit"])
-        if loop.part.is_of_openings
-        else (numbers["lower_limit"], numbers["upper_limit"])
-    )
-    largest = 0.5 * (high - low)
+    if loop.part.is_of_openings:
+        largest = 0.5 * (numbers["fill_limit"] + numbers["vent_limit"])
+    else:
+        largest = 0.5 * (numbers["upper_limit"] - numbers["lower_limit"])
     for size in sizes:
         if not 0.0 < size <= largest:
             raise OutOfRangeError("tuning.amplitude", loop.controller, size=size, most=largest, unit=unit)

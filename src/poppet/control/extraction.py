@@ -15,10 +15,10 @@ from poppet.parts.part import Body, Controller
 from poppet.parts.sampled_loop import SampledLoop
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 
-def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
+def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     """Return the plant of a controller in a circuit.
 
     Parameters
@@ -60,7 +60,7 @@ def plant_of(circuit: Circuit, controller: str | None = None) -> Plant:
 class Loop(NamedTuple):
     """Controller in its circuit, without outer loops."""
 
-    circuit: Circuit
+    circuit: BaseCircuit
     controller: str
     part: SampledLoop
     measurement: str
@@ -83,7 +83,7 @@ class Loop(NamedTuple):
         return f"{self.controller}.sensor_{self.part.controls}"
 
 
-def loop_of(circuit: Circuit, controller: str | None = None) -> Loop:
+def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
     """Return the loop of a controller; without a name, of the only one."""
     controllers = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
     if controller is None and len(controllers) == 1:
@@ -102,13 +102,12 @@ def loop_of(circuit: Circuit, controller: str | None = None) -> Loop:
         raise InputError(f"plant.{'measures' if measurement is None else 'commands'}_nothing", controller)
     store, _, output = measurement.partition(".")
     begins = circuit.parts[store].resume.get(output)
+    initial_value = f"{store}.{begins}" if begins else ""
     inner_circuit = _remove_outer_loops(circuit, controller)
-    return Loop(
-        inner_circuit, controller, controllers[controller], measurement, commands, f"{store}.{begins}" if begins else ""
-    )
+    return Loop(inner_circuit, controller, controllers[controller], measurement, commands, initial_value)
 
 
-def release_command(circuit: Circuit, controller: str, *, keeps: bool) -> Circuit:
+def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> BaseCircuit:
     """Return a circuit in which the command of a controller is free.
 
     Parameters
@@ -141,20 +140,16 @@ def release_command(circuit: Circuit, controller: str, *, keeps: bool) -> Circui
     )
 
 
-def _remove_outer_loops(circuit: Circuit, controller: str) -> Circuit:
+def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
     """Return a circuit without outer loops, whose controllers command only this one."""
+    targets_of: dict[str, set[str]] = {}
+    for target, source in circuit.connections.items():
+        name = source.partition(".")[0]
+        if isinstance(circuit.parts.get(name), Controller) and name != controller:
+            targets_of.setdefault(name, set()).add(target.partition(".")[0])
     outer: set[str] = set()
-    while True:
-        inner_names = {controller, *outer}
-        targets_of = {
-            name: {t.partition(".")[0] for t, source in circuit.connections.items() if source.partition(".")[0] == name}
-            for name, part in circuit.parts.items()
-            if isinstance(part, Controller) and name not in inner_names
-        }
-        new_outer = {name for name, targets in targets_of.items() if targets and targets <= inner_names}
-        if not new_outer:
-            break
-        outer |= new_outer
+    while added := {n for n, targets in targets_of.items() if n not in outer and targets <= {controller, *outer}}:
+        outer |= added
     if not outer:
         return circuit
 
@@ -169,7 +164,7 @@ def _remove_outer_loops(circuit: Circuit, controller: str) -> Circuit:
     )
 
 
-def _without_stiction(circuit: Circuit) -> tuple[Circuit, tuple[Note, ...]]:
+def _without_stiction(circuit: BaseCircuit) -> tuple[BaseCircuit, tuple[Note, ...]]:
     """Return a circuit with viscous friction in place of stiction, and notes on the changes."""
     changed: dict[str, Any] = {}
     notes = []

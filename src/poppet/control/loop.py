@@ -253,26 +253,21 @@ def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) 
         crossing_value = loop[k] * (loop[k + 1] / loop[k]) ** fraction
         crossovers.append(float(frequencies[k] * (frequencies[k + 1] / frequencies[k]) ** fraction))
         phases.append(float(np.angle(-crossing_value, deg=True)))
+    # The values at which the response crosses the real axis.
+    crossings = np.flatnonzero((loop.imag[:-1] >= 0.0) != (loop.imag[1:] >= 0.0))
+    fractions = loop.imag[crossings] / (loop.imag[crossings] - loop.imag[crossings + 1])
+    real = loop.real[crossings] + fractions * (loop.real[crossings + 1] - loop.real[crossings])
+    real = np.append(real, loop.real[-1])
     delays = [np.radians(p % 360.0) / (2.0 * np.pi * f) for p, f in zip(phases, crossovers, strict=True)]
     return Margins(
         is_stable=plant.is_stable_with(gains),
         sensitivity=float(np.max(1.0 / np.abs(1.0 + loop))),
         complementary=float(np.max(np.abs(loop / (1.0 + loop)))),
-        gain_margin=_gain_margin(loop),
+        gain_margin=float(np.min(-1.0 / real[(real < 0.0) & (real > -1.0)], initial=np.inf)),
         phase_margin=min(map(abs, phases), default=np.inf),
         delay_margin=float(min(delays, default=np.inf)),
         crossover=max(crossovers, default=0.0),
     )
-
-
-def _gain_margin(loop: Complex) -> float:
-    """Return the smallest factor above 1 at which the response crosses -1."""
-    crosses = np.flatnonzero((loop.imag[:-1] >= 0.0) != (loop.imag[1:] >= 0.0))
-    fraction = loop.imag[crosses] / (loop.imag[crosses] - loop.imag[crosses + 1])
-    real = loop.real[crosses] + fraction * (loop.real[crosses + 1] - loop.real[crosses])
-    real = np.append(real, loop.real[-1])
-    factors = -1.0 / real[(real < 0.0) & (real > -1.0)]
-    return float(np.min(factors, initial=np.inf))
 
 
 def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0) -> tuple[Array, Array, Array]:

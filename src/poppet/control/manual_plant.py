@@ -81,30 +81,28 @@ class ManualPlant(Plant):
         for branch in self.sides if self.part.is_of_openings else ("command", "back"):
             model = trim.model(v, command, -1.0 if branch in ("vent", "back") else 1.0)
             answer = self._answer(model)
-            if branch == "back" and (answer == 0.0 or self._is_equivalent(models["command"], model)):
-                continue  # the plant has one side only
+            if branch == "back":
+                z = np.exp(2j * np.pi * np.geomspace(1e-4, 0.4, 9))
+                forward, back = (self._plant_of(side).response(z) for side in (models["command"], model))
+                if answer == 0.0 or np.allclose(forward, back, rtol=_ALIKE, atol=0.0):
+                    continue  # the plant has one side only
             if answer <= 0.0:
                 raise self._dead_zone_error("plant.wrong_way" if answer < 0.0 else "plant.dead_zone", branch, target)
             models[branch] = model
         return OperatingPoint(target, command, models, {name: {} for name in models})
 
-    def _is_equivalent(self, first: LinearModel, second: LinearModel) -> bool:
-        """Return True if two models have the same response from the command to the measurement."""
-        first_plant, second_plant = (
-            self.sampled(OperatingPoint(0.0, 0.0, {"": model}, {}), "") for model in (first, second)
-        )
-        z = first_plant.at(np.geomspace(1e-4, 0.4, 9) / first_plant.sample_time)
-        return bool(np.allclose(first_plant.response(z), second_plant.response(z), rtol=_ALIKE, atol=0.0))
+    def _plant_of(self, model: LinearModel) -> SampledPlant:
+        return self.sampled(OperatingPoint(0.0, 0.0, {"": model}, {}), "")
 
     def _answer(self, model: SampledModel) -> float:
         """Return the measurement after a step of the command; 0 if it is rounding."""
-        plant = self.sampled(OperatingPoint(0.0, 0.0, {"": model}, {}), "")
-        x, outputs = np.zeros(len(plant.B)), [0.0]
+        plant = self._plant_of(model)
+        x = np.zeros(len(plant.B))
         for _ in range(_ANSWERS):
             x = plant.A @ x + plant.B
-            outputs.append(float(plant.C @ x))
         scale = float(np.max(np.abs(x), initial=0.0) * np.max(np.abs(plant.C), initial=0.0))
-        return outputs[-1] if abs(outputs[-1]) > _SEEN * scale else 0.0
+        answer = float(plant.C @ x)
+        return answer if abs(answer) > _SEEN * scale else 0.0
 
     def _find_state(self, trim: _Trim, target: float) -> tuple[Array, float]:
         """Return state and command of a steady state at a value of the measurement."""
@@ -201,9 +199,8 @@ class _Trim:
             error = (intersample.outputs[self.row] - target) / self.size
             return np.append(f, error), np.block([[jacobian, by_u[:, None]], [by_v[None, :], np.array([[last]])]])
 
-        w = refine_steady_state(
-            scaled, np.append(v, command), size, np.append(self.point.positive, False), conserves=True
-        )
+        is_positive = np.append(self.point.positive, False)
+        w = refine_steady_state(scaled, np.append(v, command), size, is_positive, conserves=True)
         point = self.at(float(w[-1]))
         if abs(self.shown(w[:-1], float(w[-1])) - target) > _MET * self.size or not point.is_at_rest(w[:-1]):
             return None

@@ -121,10 +121,8 @@ def step_metrics(
     step_times = np.zeros_like(time)
     step_times[starts] = time[starts]
     elapsed = time - np.maximum.accumulate(step_times)
-    steps = [
-        _step(time[a:b], measured[a:b], float(measured[a - 1]), float(setpoint[a]))
-        for a, b in pairwise([*starts, len(time)])
-    ]
+    ranges = pairwise([*starts, len(time)])
+    steps = [_step(time[a:b], measured[a:b], float(measured[a - 1]), float(setpoint[a])) for a, b in ranges]
     rises, settlings, overshoots = zip(*steps, strict=True) if steps else ((0.0,), (0.0,), (0.0,))
     metrics = {
         "IAE": _integral(time, error),
@@ -152,13 +150,8 @@ def _step(time: Array, measured: Array, initial: float, final: float) -> tuple[f
         return np.inf, np.inf, np.inf
     rise_time = _first(time, progress, 0.9) - _first(time, progress, 0.1)
     unsettled_rows = np.flatnonzero(np.abs(progress - 1.0) > SETTLED)
-    settling_time = (
-        0.0
-        if not unsettled_rows.size
-        else np.inf
-        if unsettled_rows[-1] + 1 == len(time)
-        else time[unsettled_rows[-1] + 1] - time[0]
-    )
+    settled_row = int(unsettled_rows[-1]) + 1 if unsettled_rows.size else 0
+    settling_time = time[settled_row] - time[0] if settled_row < len(time) else np.inf
     return rise_time, float(settling_time), 100.0 * max(0.0, float(np.max(progress)) - 1.0)
 
 

@@ -240,11 +240,8 @@ class Plant:
     def _weights(self) -> dict[str, dict[str, float]]:
         """Return the inputs that small changes of the command move, by side."""
         outputs = {"command": "command", "fill": "fill_command", "vent": "vent_command"}
-        return {
-            branch: dict.fromkeys(self.commands[output], COMMANDS[output])
-            for branch, output in outputs.items()
-            if output in self.commands
-        }
+        connected = [(branch, output) for branch, output in outputs.items() if output in self.commands]
+        return {branch: dict.fromkeys(self.commands[output], COMMANDS[output]) for branch, output in connected}
 
     def _check_response(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
         row = model.outputs.index(self.measurement)

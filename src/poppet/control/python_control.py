@@ -67,12 +67,8 @@ def gains_from_control(system: Any) -> Gains:
     if gain == 0.0 or integral < 0.0 or derivative_gain < 0.0:
         raise InputError("control.signs", gain=gain)
     filter_time = sample_time * filter_pole / (1.0 - filter_pole)
-    return Gains(
-        gain,
-        gain * sample_time / integral if integral > 0.0 else 0.0,
-        derivative_gain * (filter_time + sample_time) / gain,
-        filter_time,
-    )
+    integral_time = gain * sample_time / integral if integral > 0.0 else 0.0
+    return Gains(gain, integral_time, derivative_gain * (filter_time + sample_time) / gain, filter_time)
 
 
 def _fractions(system: Any) -> tuple[Any, float, Any]:

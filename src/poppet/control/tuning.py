@@ -32,7 +32,7 @@ from poppet.parts.rows import GainSchedule, as_numbers
 from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 FORMS = ("pi", "pid", "p")
 _SIDES = {"fill": "filling", "vent": "venting", "command": "by one command", "back": "back"}
@@ -141,9 +141,8 @@ class Tuning:
         sides = " and ".join(_SIDES.get(side, f"by {side}") for side in self.points[0].sides)
         unit = QUANTITIES[self.quantity].unit
         readable_unit = readable_unit_of(unit)
-        values = ", ".join(
-            f"{convert(value, unit, readable_unit):.4g}" for point in self.points for value in point.values
-        )
+        points = [value for point in self.points for value in point.values]
+        values = ", ".join(f"{convert(value, unit, readable_unit):.4g}" for value in points)
         return f"Ms, Mt <= {self.sensitivity:g} {sides} at {values} {readable_unit}"
 
     @property
@@ -188,11 +187,10 @@ class Tuning:
             return common | fixed | {"schedule": None}
         points = {self.quantity: ([point.values[0] for point in self.points], QUANTITIES[self.quantity].unit)}
         table = {name: as_numbers(values, unit, source) for name, (values, unit) in (points | columns).items()}
-        return (
-            common | dict.fromkeys(columns) | {"schedule": GainSchedule(table, (self.quantity, self.command_quantity))}
-        )
+        schedule = GainSchedule(table, (self.quantity, self.command_quantity))
+        return common | dict.fromkeys(columns) | {"schedule": schedule}
 
-    def applied(self, circuit: Circuit) -> Circuit:
+    def applied(self, circuit: BaseCircuit) -> BaseCircuit:
         """Return the circuit with the tuned controller.
 
         Parameters
@@ -235,7 +233,7 @@ def _value_text(number: Number) -> str:
 
 
 def tune(
-    circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
+    circuit: BaseCircuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
     sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: ProgressCallback | None = None,
 ) -> Tuning:  # fmt: skip
     """Return one set of gains that keeps the bound at all operating points.
@@ -281,7 +279,7 @@ def tune(
 
 
 def schedule(
-    circuit: Circuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
+    circuit: BaseCircuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
     sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: ProgressCallback | None = None,
 ) -> Tuning:  # fmt: skip
     """Return gains for each operating point, for a controller with a schedule.
@@ -336,7 +334,7 @@ def _make_tuning(plant: Plant, points: tuple[TunedPoint, ...], bound: float, for
 
 
 def _prepare(
-    circuit: Circuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float,
+    circuit: BaseCircuit, controller: str | None, at: Sequence[Any] | None, form: str, bound: float,
     amplitudes: Sequence[Any], progress: ProgressCallback | None,
 ) -> tuple[Plant, list[OperatingPoint]]:  # fmt: skip
     if form not in FORMS:
@@ -344,9 +342,8 @@ def _prepare(
         raise InputError("fields.not_an_option", "form", value=form, meaning="form of controller", near=near)
     if not MIN_BOUND <= bound <= MAX_BOUND:
         raise OutOfRangeError("tuning.bound", bound=bound, low=MIN_BOUND, high=MAX_BOUND)
-    plant = (
-        make_measured_loop(circuit, controller, amplitudes, progress) if amplitudes else plant_of(circuit, controller)
-    )
+    measured = make_measured_loop(circuit, controller, amplitudes, progress) if amplitudes else None
+    plant = measured or plant_of(circuit, controller)
     if not isinstance(plant.part, PID):
         raise InputError("tuning.no_pid", plant.controller, kind=plant.part.kind)
     values, setpoint = at, f"{plant.controller}.setpoint"
@@ -453,10 +450,7 @@ class _Loops:
         for _ in range(100):
             pairs = zip(self.plants, self.dense, strict=True)
             loop_margins = [margins(plant, gains, response=response) for plant, response in pairs]
-            if all(
-                max(item_margins.sensitivity, item_margins.complementary) <= self.bound and item_margins.is_stable
-                for item_margins in loop_margins
-            ):
+            if all(max(m.sensitivity, m.complementary) <= self.bound and m.is_stable for m in loop_margins):
                 return gains, loop_margins
             gains = replace(gains, gain=gains.gain * 0.999)
         raise SimulationError(Note("tuning.not_kept", bound=self.bound))

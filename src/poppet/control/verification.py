@@ -14,7 +14,7 @@ from poppet.core.errors import SimulationError
 from poppet.timeseries.signals import Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
 _LENGTHS, _MOST = 20.0, 20_000
@@ -80,8 +80,8 @@ class Verification:
 
 
 def verify_step(
-    circuit: Circuit, controller: str, steady_run: Recording, value: float, size: float, gains: Gains, crossover: float,
-    label: str,
+    circuit: BaseCircuit, controller: str, steady_run: Recording, value: float, size: float, gains: Gains,
+    crossover: float, label: str,
 ) -> Verification:  # fmt: skip
     """Run a tuned loop from a steady state through a setpoint step and its reverse."""
     part = circuit.parts[controller]
@@ -93,27 +93,20 @@ def verify_step(
     signals = {a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller}
     signals[f"{controller}.setpoint"] = Steps([0.0, 0.5 * hold, 1.5 * hold], [value, value + step, value])
     try:
-        run = replace(circuit, signals=signals, run=replace(circuit.run, stop_when=None)).simulate(
-            2.5 * hold, hold / _ROWS, start=steady_run
-        )
+        driven = replace(circuit, signals=signals, run=replace(circuit.run, stop_when=None))
+        run = driven.simulate(2.5 * hold, hold / _ROWS, start=steady_run)
     except SimulationError as error:
         raise SimulationError(Note("tuning.broke_off", controller, at=label, why=error.note)) from error
     rows = slice(_ROWS // 2 - 1, None)  # from the row before the first step
     time, setpoint, measured = run.time[rows], run[f"{controller}.setpoint"][rows], run[output][rows]
     metrics = step_metrics(time, setpoint, measured, run[f"{controller}.command"][rows])
-    swings = [
-        [_swing(measured[k : k + _ROWS // 4]) for k in (begin + _ROWS // 2, begin + 3 * _ROWS // 4)]
-        for begin in (0, _ROWS)
-    ]
-    last = max(last_quarter for _, last_quarter in swings)
-    previous_swing = max(previous_quarter for previous_quarter, _ in swings)
-    return Verification(
-        label, step, metrics["overshoot"], metrics["settling_time"], last / abs(step), last / max(previous_swing,
-        1e-300), time, setpoint, measured,
-    )  # fmt: skip
 
+    def swing(quarter: int) -> float:
+        """Return the maximum of both steps of half the range in a quarter, without drift."""
+        starts = (begin + quarter * _ROWS // 4 for begin in (0, _ROWS))
+        quarters = [measured[k : k + _ROWS // 4] for k in starts]
+        return max(0.5 * float(np.ptp(values - np.linspace(values[0], values[-1], values.size))) for values in quarters)
 
-def _swing(values: Array) -> float:
-    """Return half the range of values without their drift."""
-    line = np.linspace(values[0], values[-1], values.size)
-    return 0.5 * float(np.ptp(values - line))
+    last, overshoot, settling_time = swing(3), metrics["overshoot"], metrics["settling_time"]
+    size, growth = last / abs(step), last / max(swing(2), 1e-300)
+    return Verification(label, step, overshoot, settling_time, size, growth, time, setpoint, measured)

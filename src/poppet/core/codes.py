@@ -1,9 +1,11 @@
-"""Notes: message codes with an address and facts; `message_format.py` converts them to text on output."""
+"""Notes: message codes with an address and facts; `message_format.py` contains the conversion to text."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from typing import Any
+
+from poppet.core import message_format
 
 
 class Note:
@@ -30,9 +32,7 @@ class Note:
         self.code, self.address, self.facts = code, address, facts
 
     def __str__(self) -> str:
-        from poppet.core.message_format import sentence
-
-        return sentence(self.code, {**self.facts, "address": self.address})
+        return message_format.sentence(self.code, {**self.facts, "address": self.address})
 
     def __repr__(self) -> str:
         facts = "".join(f", {key}={value!r}" for key, value in self.facts.items())
@@ -73,8 +73,6 @@ def notes_of(arguments: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note,
 
 
 def _note(argument: Note | str | Mapping[str, Any]) -> Note:
-    from poppet.core.message_format import facts_of
-
     if isinstance(argument, Note):
         return argument
     if isinstance(argument, str):
@@ -82,4 +80,6 @@ def _note(argument: Note | str | Mapping[str, Any]) -> Note:
     # Files contain lists in place of tuples, and TOML cannot contain None.
     facts = {k: tuple(v) if isinstance(v, list) else v for k, v in argument.items() if k not in ("code", "address")}
     code = argument["code"]
-    return Note(code, argument.get("address", ""), **(dict.fromkeys(facts_of(code) - {"address"}) | facts))
+    return Note(
+        code, argument.get("address", ""), **(dict.fromkeys(message_format.facts_of(code) - {"address"}) | facts)
+    )

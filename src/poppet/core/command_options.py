@@ -26,13 +26,13 @@ class Option(NamedTuple):
     @property
     def names(self) -> list[str]:
         """Names such as `-o` and `--output`; empty for an argument."""
-        return [word.rstrip(",") for word in self.usage.split() if word.startswith("-")]
+        return [name.rstrip(",") for name in self.usage.split() if name.startswith("-")]
 
     @property
     def metavar(self) -> str:
         """Placeholder of the value in the help."""
-        words = [word.strip("[]") for word in self.usage.split()]
-        return next((word for word in words if not word.startswith("-") and word != "..."), "")
+        names = [name.strip("[]") for name in self.usage.split()]
+        return next((name for name in names if not name.startswith("-") and name != "..."), "")
 
     @property
     def is_repeated(self) -> bool:

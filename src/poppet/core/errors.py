@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
+from poppet.core import message_format
 from poppet.core.codes import Note, notes_of
 
 
@@ -48,10 +49,8 @@ class InputError(PoppetError, ValueError):
         self.code, self.address, self.facts, self.file, self.line = code, address, facts, file, line
         super().__init__(code, address)
 
-    def _words(self, part: str) -> str:
-        from poppet.core.message_format import sentence
-
-        return sentence(self.code, {**self.facts, "address": self.address or ""}, part)
+    def _text(self, part: str) -> str:
+        return message_format.sentence(self.code, {**self.facts, "address": self.address or ""}, part)
 
     @property
     def problems(self) -> tuple[InputError, ...]:
@@ -61,21 +60,19 @@ class InputError(PoppetError, ValueError):
     @property
     def given(self) -> str:
         """Invalid input, as `name = value unit`."""
-        from poppet.core.message_format import facts_of
-
-        words = self._words("given")
-        is_named = not self.place or "address" in facts_of(self.code, "given")
-        return words if is_named else f"{self.place}: {words}"
+        text = self._text("given")
+        is_named = not self.place or "address" in message_format.facts_of(self.code, "given")
+        return text if is_named else f"{self.place}: {text}"
 
     @property
     def reason(self) -> str:
         """Reason why the input is invalid, with the limit."""
-        return self._words("reason")
+        return self._text("reason")
 
     @property
     def hint(self) -> str:
         """Corrective action."""
-        return self._words("hint")
+        return self._text("hint")
 
     @property
     def cure(self) -> str:
@@ -84,14 +81,13 @@ class InputError(PoppetError, ValueError):
         return self.hint
 
     def __str__(self) -> str:
-        where = ""
-        if self.file is not None:
-            where = f"{self.file}:{self.line}: " if self.line is not None else f"{self.file}: "
-        return f"{where}{self.given} {self.reason} {self.hint}"
+        line = "" if self.line is None else f":{self.line}"
+        location = "" if self.file is None else f"{self.file}{line}: "
+        return f"{location}{self.given} {self.reason} {self.hint}"
 
     # By default, an exception is restored from its `args` and would lose its facts between processes.
     def __reduce__(self) -> Any:
-        return _again, (type(self), self.__dict__)
+        return _restore, (type(self), self.__dict__)
 
     def at(self, address: str) -> InputError:
         """Set the address, which precedes texts that do not show it; return the error."""
@@ -156,11 +152,11 @@ class InputErrors(InputError):
         return "\n".join(str(problem) for problem in self.problems)
 
 
-MOST_MISTAKES = 100
+MAX_ERRORS = 100
 """Maximum number of reported errors; larger files of errors are not written by users."""
 
 
-class _Enough(InputError):
+class _TooManyErrors(InputError):
     """Error that stops the check after the maximum number of errors."""
 
 
@@ -169,10 +165,10 @@ class ErrorCollector:
 
     Examples
     --------
-    >>> known = ("volume", "thermal")
+    >>> valid_names = ("volume", "thermal")
     >>> with ErrorCollector() as errors:
     ...     for name in ("volum", "termal"):
-    ...         errors.add("fields.unknown", name, table="part", near=NameSuggestion(name, known))
+    ...         errors.add("fields.unknown", name, table="part", near=NameSuggestion(name, valid_names))
     Traceback (most recent call last):
     poppet.core.errors.InputErrors: volum is not a valid field of a part. Did you mean volume?
     termal is not a valid field of a part. Did you mean thermal?
@@ -188,15 +184,15 @@ class ErrorCollector:
     def extend(self, problems: Iterable[InputError]) -> None:
         """Add errors."""
         self.collected += (single for problem in problems for single in problem.problems)
-        if len(self.collected) >= MOST_MISTAKES:
-            raise _Enough("input.enough", most=MOST_MISTAKES)
+        if len(self.collected) >= MAX_ERRORS:
+            raise _TooManyErrors("input.enough", most=MAX_ERRORS)
 
     @contextmanager
     def collecting(self, owner: str = "") -> Iterator[None]:
         """Collect an error that is raised in a block, with `owner` before its address."""
         try:
             yield
-        except _Enough:
+        except _TooManyErrors:
             raise
         except InputError as error:
             self.extend([error.within(owner)])
@@ -205,8 +201,8 @@ class ErrorCollector:
         return self
 
     def __exit__(self, kind: Any, error: BaseException | None, trace: Any) -> None:
-        if isinstance(error, _Enough):
-            self.collected = [*self.collected[:MOST_MISTAKES], error]
+        if isinstance(error, _TooManyErrors):
+            self.collected = [*self.collected[:MAX_ERRORS], error]
         elif isinstance(error, InputError):
             self.collected += error.problems
         if error is None or isinstance(error, InputError):
@@ -239,33 +235,31 @@ def collect(problems: Sequence[InputError]) -> None:
         raise (problems[0] if len(problems) == 1 else InputErrors(problems)) from None
 
 
-def relocated(error: InputError, place: Callable[[str], str]) -> InputError:
+def relocated(error: InputError, address_in_file: Callable[[str], str]) -> InputError:
     """Return an error of a parameter with the address of that parameter in another file."""
     for problem in error.problems:
         if problem.file is None:
-            problem.address = place(problem.address or "")
+            problem.address = address_in_file(problem.address or "")
     return error
 
 
 class NameSuggestion:
     """Hint for an unknown name: the closest valid names, or all if none is close."""
 
-    def __init__(self, name: str, known: Iterable[str]) -> None:
-        self.name, self.known = name, sorted(set(known))
+    def __init__(self, name: str, valid_names: Iterable[str]) -> None:
+        self.name, self.valid_names = name, sorted(set(valid_names))
 
     @property
     def names(self) -> list[str]:
         """Closest valid names, at most three."""
-        return difflib.get_close_matches(self.name, self.known, n=3, cutoff=0.6)
+        return difflib.get_close_matches(self.name, self.valid_names, n=3, cutoff=0.6)
 
     def __str__(self) -> str:
-        from poppet.core.message_format import sentence
-
-        code = "near.names" if self.names else "near.all" if self.known else "near.none"
-        return sentence(code, {"names": self.names or self.known})
+        code = "near.names" if self.names else "near.all" if self.valid_names else "near.none"
+        return message_format.sentence(code, {"names": self.names or self.valid_names})
 
 
-def _again(kind: type[InputError], state: dict[str, Any]) -> InputError:
+def _restore(kind: type[InputError], state: dict[str, Any]) -> InputError:
     """Restore an error from another process."""
     error = kind.__new__(kind)
     error.__dict__.update(state)

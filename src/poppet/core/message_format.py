@@ -23,9 +23,6 @@ from pathlib import Path
 from typing import Any
 
 FOLDER = Path(__file__).with_name("messages")
-EXAMPLES = FOLDER.with_name("message_examples.json")
-RENAMED = FOLDER.with_name("renamed_codes.toml")
-PARTS = ("given", "reason", "hint")
 Template = str | dict[str, Any]
 # Not the table of all units: its errors are formatted here.
 DISPLAY_FACTORS = {
@@ -44,9 +41,9 @@ def _templates(topic: str) -> dict[str, Any]:
 
 def template(code: str) -> Template:
     """Return the template of a code: a text for a note, a table of `given`, `reason` and `hint` for an error."""
-    topic, _, rest = code.partition(".")
+    topic, *keys = code.split(".")
     node: Template = _templates(topic)
-    for part in rest.split(".") if rest else (topic,):  # `said` has one part
+    for part in keys or (topic,):  # the code `said` has one part
         assert isinstance(node, dict), code
         node = node[part]
     result: Template = node
@@ -68,9 +65,9 @@ class _Formatter(string.Formatter):
             return ", ".join(f"{key} {self.format_field(member, spec)}" for key, member in value.items()) or "nothing"
         if isinstance(value, tuple | list | set | frozenset):
             is_joined = spec[:3].strip() in ("or", "and", "to")
-            word, _, member_spec = spec.partition(" ") if is_joined else (",", "", spec)
+            joint, _, member_spec = spec.partition(" ") if is_joined else (",", "", spec)
             *first, last = [self.format_field(member, member_spec) for member in value] or ["nothing"]
-            return f"{', '.join(first)}{word if word == ',' else f' {word}'} {last}" if first else last
+            return f"{', '.join(first)}{joint if joint == ',' else f' {joint}'} {last}" if first else last
         if "%s" in spec:
             return spec.replace("%s", str(value))
         if value is None and spec:
@@ -164,42 +161,3 @@ def topics() -> dict[str, str]:
     """Return the first parts of all codes with their titles."""
     files = sorted(FOLDER.glob("*.toml"))
     return {file.stem: file.read_text(encoding="utf-8").partition("\n")[0].lstrip("# ").rstrip(".") for file in files}
-
-
-def renamed_codes() -> dict[str, str]:
-    """Return former codes with the codes that replace them."""
-    import tomllib
-
-    return tomllib.loads(RENAMED.read_text(encoding="utf-8"))
-
-
-def stored_examples() -> dict[str, dict[str, Any]]:
-    """Return the addresses and facts of a real case for each code."""
-    import json
-
-    examples: dict[str, dict[str, Any]] = json.loads(EXAMPLES.read_text(encoding="utf-8"))
-    return examples
-
-
-def example_texts(code: str, example: Mapping[str, Any]) -> dict[str, str]:
-    """Return the texts of a code with the facts of a stored example; a note has one text with an empty name."""
-    facts = {name: _restored(value) for name, value in example.get("facts", {}).items()}
-    if "cause" in example:
-        from poppet.core.errors import InputError
-
-        cause = example["cause"]
-        facts["cause"] = InputError(cause["code"], **{name: _restored(value) for name, value in cause["facts"].items()})
-    facts["address"] = example.get("address", "")
-    return {part: sentence(code, facts, part) for part in (("",) if isinstance(template(code), str) else PARTS)}
-
-
-def _restored(value: Any) -> Any:
-    """Return a fact as it was before it was stored: tuples in place of lists, notes in place of their tables."""
-    if isinstance(value, dict):
-        if "code" in value and "address" in value:
-            from poppet.core.codes import Note
-
-            facts = {key: _restored(member) for key, member in value.items() if key not in ("code", "address")}
-            return Note(value["code"], value["address"], **facts)
-        return {key: _restored(member) for key, member in value.items()}
-    return tuple(map(_restored, value)) if isinstance(value, list) else value

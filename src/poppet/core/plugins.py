@@ -1,7 +1,7 @@
 """Registries of built-in objects that third-party packages extend by entry points.
 
 A package declares an entry point in one of `GROUPS` and sets `POPPET_API` in the module that it names. Entry points are
-read when a registry is first listed, or asked for a name that is not built in.
+read at the first listing of a registry, or at the first request for a name that is not built in.
 """
 
 from __future__ import annotations

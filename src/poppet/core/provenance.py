@@ -42,8 +42,8 @@ class Source:
 
     def __post_init__(self) -> None:
         if self.kind not in SOURCE_KINDS:
-            near = NameSuggestion(str(self.kind), SOURCE_KINDS)
-            raise InputError("fields.not_an_option", "kind", value=self.kind, meaning="kind of source", near=near)
+            suggestion = NameSuggestion(str(self.kind), SOURCE_KINDS)
+            raise InputError("fields.not_an_option", "kind", value=self.kind, meaning="kind of source", near=suggestion)
 
     def __str__(self) -> str:
         text = f"{self.kind}: {self.locator}" if self.locator else self.kind
@@ -88,9 +88,11 @@ class Number:
 
     def __post_init__(self) -> None:
         if self.reference not in REFERENCES:
-            near = NameSuggestion(str(self.reference), filter(None, REFERENCES))
+            suggestion = NameSuggestion(str(self.reference), filter(None, REFERENCES))
             meaning = "reference of a pressure"
-            raise InputError("fields.not_an_option", "reference", value=self.reference, meaning=meaning, near=near)
+            raise InputError(
+                "fields.not_an_option", "reference", value=self.reference, meaning=meaning, near=suggestion
+            )
 
     def __float__(self) -> float:
         if self.reference == "gauge":

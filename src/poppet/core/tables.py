@@ -34,7 +34,7 @@ class NumberRange:
         low, high = self.ends
         return low <= value <= high and self.above < value < self.below
 
-    def check_range(self, address: str, value: float, shown: str, meaning: str) -> None:
+    def check_range(self, address: str, value: float, text: str, meaning: str) -> None:
         """Raise `OutOfRangeError` if a value is outside the limits."""
         if self.holds(value):
             return
@@ -44,7 +44,7 @@ class NumberRange:
             limits += [f"greater than {self.above:g}" if is_open else f"at least {low:g}"]
         if min(self.high, self.below) < math.inf or value > high:
             limits += [f"at most {high:g}" if high < self.below else f"less than {self.below:g}"]
-        facts: dict[str, Any] = {"value": value, "shown": shown, "meaning": meaning, "limits": limits}
+        facts: dict[str, Any] = {"value": value, "shown": text, "meaning": meaning, "limits": limits}
         raise OutOfRangeError("fields.out_of_range", address, **facts, unit="" if self.unit == "1" else self.unit)
 
 
@@ -77,8 +77,8 @@ class Field(NumberRange):
             self.check_range(address, value, str(raw), meaning)
             return value
         if self.choices:
-            near = NameSuggestion(str(raw), self.choices)
-            raise InputError("fields.not_an_option", address, value=raw, meaning=meaning, near=near)
+            suggestion = NameSuggestion(str(raw), self.choices)
+            raise InputError("fields.not_an_option", address, value=raw, meaning=meaning, near=suggestion)
         if self.type == "table" and not isinstance(raw, Mapping):
             raise InputError("fields.no_table", address, value=raw)
         is_integer = isinstance(raw, int) and not isinstance(raw, bool)

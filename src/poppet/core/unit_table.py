@@ -213,7 +213,7 @@ class _Expression:
         return Fraction(token)
 
     def times(self, unit: Unit, factor: Unit, exponent: Fraction) -> Unit:
-        """`unit * factor**exponent`, exact as long as the exponent is an integer."""
+        """Return `unit * factor**exponent`, exact if the exponent is an integer."""
         if unit.offset or factor.offset:
             raise self.refused("unit.scale_in_product")
         # Looked at before the power is taken: ((mm^12)^12)^12 would be a number of thousands of digits.

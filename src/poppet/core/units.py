@@ -86,7 +86,7 @@ class Quantity:
     value : float
         In `unit`; for a gauge pressure the gauge value.
     unit : str
-        The SI unit asked for.
+        The requested SI unit.
     reference : str
         `absolute`, `gauge` or `difference` for pressures and temperatures, else empty.
     """

@@ -18,7 +18,7 @@ from poppet.parts.part import Controller
 if TYPE_CHECKING:
     import casadi
 
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.linear_model import ControlSystem
 
 Array = NDArray[np.float64]
@@ -64,7 +64,7 @@ class CasadiModel:
 
 
 def to_casadi(
-    circuit: Circuit,
+    circuit: BaseCircuit,
     *,
     inputs: Sequence[str] | None = None,
     numbers: Sequence[str] = (),
@@ -110,7 +110,7 @@ def to_casadi(
 
 
 def to_control(
-    circuit: Circuit,
+    circuit: BaseCircuit,
     *,
     linear: bool = False,
     inputs: Sequence[str] | None = None,
@@ -146,7 +146,7 @@ def to_control(
     return system
 
 
-def _without_controllers(circuit: Circuit, controllers: str | Sequence[str]) -> Circuit:
+def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str]) -> BaseCircuit:
     """Return the circuit without some controllers; their outputs become free inputs."""
     available = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
     for name in (controllers,) if isinstance(controllers, str) else controllers:
@@ -157,7 +157,7 @@ def _without_controllers(circuit: Circuit, controllers: str | Sequence[str]) -> 
     return circuit
 
 
-def _free_indices(circuit: Circuit, addresses: Sequence[str]) -> list[int]:
+def _free_indices(circuit: BaseCircuit, addresses: Sequence[str]) -> list[int]:
     """Return the indices in p of parameters that can change alone."""
     if not addresses:
         return []

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.options import Run
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter, ExportQuantity, build_export_model
@@ -95,7 +95,7 @@ class ControllerProgram:
         return np.array(rows).reshape(len(rows), len(self.outputs))
 
 
-def controller_program(circuit: Circuit, parts: Sequence[str] = ()) -> ControllerProgram:
+def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> ControllerProgram:
     """Return the program of one or several sampled controllers of a circuit.
 
     Parameters
@@ -122,13 +122,13 @@ def controller_program(circuit: Circuit, parts: Sequence[str] = ()) -> Controlle
     return _program(export_model, controllers_only, circuit.title)
 
 
-def select_parts(circuit: Circuit, text: str | None) -> list[str]:
+def select_parts(circuit: BaseCircuit, text: str | None) -> list[str]:
     """Return the parts of the option --part; `controller` selects the only controller."""
     parts = [name.strip() for name in (text or "").split(",") if name.strip()]
     return [] if parts == ["controller"] and "controller" not in circuit.parts else parts
 
 
-def find_controllers(circuit: Circuit) -> dict[str, Part]:
+def find_controllers(circuit: BaseCircuit) -> dict[str, Part]:
     """Return the controllers by the names of their parts, in the order of the circuit; a compound has at most one."""
     controllers: dict[str, Part] = {}
     for name, part in circuit.parts.items():
@@ -139,7 +139,7 @@ def find_controllers(circuit: Circuit) -> dict[str, Part]:
     return controllers
 
 
-def _select_controllers(circuit: Circuit, parts: tuple[str, ...]) -> dict[str, Part]:
+def _select_controllers(circuit: BaseCircuit, parts: tuple[str, ...]) -> dict[str, Part]:
     controllers = find_controllers(circuit)
     if not controllers:
         raise InputError("deploy.controller.none")
@@ -154,7 +154,7 @@ def _select_controllers(circuit: Circuit, parts: tuple[str, ...]) -> dict[str, P
     return {name: part for name, part in controllers.items() if not parts or name in parts}
 
 
-def _circuit_of_controllers(circuit: Circuit, selected: Mapping[str, Part]) -> Circuit:
+def _circuit_of_controllers(circuit: BaseCircuit, selected: Mapping[str, Part]) -> BaseCircuit:
     """Return a circuit of the selected controllers with the connections between them."""
 
     def address_inside(address: str) -> str:
@@ -168,10 +168,10 @@ def _circuit_of_controllers(circuit: Circuit, selected: Mapping[str, Part]) -> C
     pairs = ((address_inside(target), address_inside(source)) for target, source in circuit.connections.items())
     connections = {target: source for target, source in pairs if target and source}
     run = Run(duration="1 s")
-    return Circuit(dict(selected), run=run, ambient=circuit.ambient, gas=circuit.gas, connections=connections)
+    return BaseCircuit(dict(selected), run=run, ambient=circuit.ambient, gas=circuit.gas, connections=connections)
 
 
-def _program(export_model: ExportModel, circuit: Circuit, title: str) -> ControllerProgram:
+def _program(export_model: ExportModel, circuit: BaseCircuit, title: str) -> ControllerProgram:
     model = export_model.model
     # State of each sensor to the input that it follows, and the prefix of its parameters.
     sensors = {
@@ -202,7 +202,7 @@ def _program(export_model: ExportModel, circuit: Circuit, title: str) -> Control
 
 
 def _trace_functions(
-    export_model: ExportModel, circuit: Circuit, sensors: Mapping[str, tuple[str, str]]
+    export_model: ExportModel, circuit: BaseCircuit, sensors: Mapping[str, tuple[str, str]]
 ) -> tuple[dict[str, Any], list[int]]:
     """Return the functions of all inputs and parameters, and the indices of their outputs in the model."""
     import casadi as ca

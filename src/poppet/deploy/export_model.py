@@ -21,7 +21,7 @@ from poppet.parts.fields import NumberSpec, flatten
 from poppet.parts.part import Part, Surroundings
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.instance import Instance
     from poppet.engine.model import Model
     from poppet.engine.problem import Problem
@@ -94,11 +94,11 @@ class ExportModel:
 
     @cached_property
     def functions(self) -> dict[str, Any]:
-        """CasADi functions of the model, for a printer."""
+        """CasADi functions of the model, the input of a code generator (printer)."""
         return trace_functions(self.model)
 
 
-def build_export_model(circuit: Circuit, name: str = "") -> ExportModel:
+def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
     """Return the model of a circuit for the export targets.
 
     Parameters
@@ -141,7 +141,7 @@ def _export_quantities(rows: Iterable[tuple[str, str, float]]) -> tuple[ExportQu
     return tuple(ExportQuantity(a, name, unit, float(v)) for name, (a, unit, v) in zip(names, rows, strict=True))
 
 
-def _export_parameters(circuit: Circuit, instance: Instance, problem: Problem) -> tuple[ExportParameter, ...]:
+def _export_parameters(circuit: BaseCircuit, instance: Instance, problem: Problem) -> tuple[ExportParameter, ...]:
     addresses = instance.model.parameters
     specs, numbers = _parameter_specs(circuit), circuit.numbers()
     delays = {item.delay for item in instance.model.inputs if item.delay}
@@ -164,7 +164,7 @@ def _export_parameters(circuit: Circuit, instance: Instance, problem: Problem) -
     return tuple(parameters)
 
 
-def _parameter_specs(circuit: Circuit) -> dict[str, NumberSpec]:
+def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     """Return the declarations of all parameters by address."""
     specs = number_specs(circuit)
     for section in ("ambient", "gas"):
@@ -179,7 +179,7 @@ def _next_float(limit: float, direction: float) -> float:
     return limit + direction * max(abs(limit) * sys.float_info.epsilon, sys.float_info.min)
 
 
-def find_tied(circuit: Circuit) -> frozenset[str]:
+def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     """Return the addresses of parameters that must not change alone.
 
     Either other parameters or the structure depend on such a parameter, or no neighbouring value is valid. A parameter

@@ -14,7 +14,7 @@ from poppet.engine.problem import Problem
 from poppet.engine.reference_solvers.track import Track, inputs_at, jacobian, rates, rounding, tolerances
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 Array = NDArray[np.float64]
 
@@ -205,7 +205,7 @@ class Ode:
         return Stretch(t, t, np.empty(0), self._problem, self._segment(t))
 
 
-def to_ode(circuit: Circuit, duration: Any = None) -> Ode:
+def to_ode(circuit: BaseCircuit, duration: Any = None) -> Ode:
     """Return a circuit as functions of time and state; see `Circuit.to_ode`."""
     instance = circuit.instance
     problem = instance.problem(circuit.run.changed(duration=duration))

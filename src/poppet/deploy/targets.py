@@ -12,7 +12,7 @@ from poppet.core.plugins import Registry
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.core.codes import Note
     from poppet.deploy.parity.parity_check import ParityCheck
 
@@ -59,7 +59,7 @@ class Target(NamedTuple):
         """Name of the command."""
         return self.name if self.name == "live" else f"export {self.name}"
 
-    def make(self, circuit: Circuit, source: CircuitSource | None = None, **settings: Any) -> Export:
+    def make(self, circuit: BaseCircuit, source: CircuitSource | None = None, **settings: Any) -> Export:
         """Return the files of a circuit; nothing is written.
 
         Parameters
@@ -78,7 +78,9 @@ class Target(NamedTuple):
         export: Callable[..., Export] = _imported(self.export)
         return export(circuit, source or CircuitSource(), **settings)
 
-    def write(self, circuit: Circuit, path: str | Path, source: CircuitSource | None = None, **settings: Any) -> Export:
+    def write(
+        self, circuit: BaseCircuit, path: str | Path, source: CircuitSource | None = None, **settings: Any
+    ) -> Export:
         """Export a circuit to a file or a folder; nothing is written if the export fails.
 
         Parameters

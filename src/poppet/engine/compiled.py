@@ -40,15 +40,15 @@ def _target_machine() -> Any:
     )
 
 
-def compile_functions(functions: Mapping[str, Any], *, more: str = "", fuses: bool = True) -> CompiledFunctions:
-    """Compile traced functions, and the text `more` of functions that can call them.
+def compile_functions(functions: Mapping[str, Any], *, further_text: str = "", fuses: bool = True) -> CompiledFunctions:
+    """Compile traced functions, and the text `further_text` of functions that can call them.
 
     With `fuses`, the processor can use fused multiply-add operations, which round once instead of twice.
     """
-    text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + more
+    text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + further_text
     text = text if fuses else _without_fused_operations(text)
     # Functions of `more` are found by their definitions.
-    names = *functions, *re.findall(r"^define void @(\w+)\(", more, re.MULTILINE)
+    names = *functions, *re.findall(r"^define void @(\w+)\(", further_text, re.MULTILINE)
     return load(object_code(text, optimised_object), names)
 
 

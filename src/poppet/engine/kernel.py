@@ -144,7 +144,7 @@ def compile_kernel(model: Model, *, fuses: bool = True) -> Kernel:
     step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return Kernel(
         model,
-        compile_functions(functions, more=step, fuses=fuses),
+        compile_functions(functions, further_text=step, fuses=fuses),
         functions["jacobian"].nnz_out(1),
         functions["factor"].nnz_out(0),
         (np.array(rows, dtype=np.int64), np.array(columns, dtype=np.int64)),

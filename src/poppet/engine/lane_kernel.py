@@ -150,8 +150,8 @@ class Lanes:
             "new": n, "interpolant": 2 * n, "tolerances": 2 * n_c, "sizes": n_c, "low": n_c, "books": 3 * n,
             "rows_u": n_u, "flags": 6, "own": n_p,
         }  # fmt: skip
-        one = 6 * n + 2 * n_u + 2 + j["n_outputs"] + j["n_timers"] + j["n_memory"] + 3 * n_c
-        self._block = np.zeros(_LINE + width * sum(sizes.values()) + one)
+        shared_size = 6 * n + 2 * n_u + 2 + j["n_outputs"] + j["n_timers"] + j["n_memory"] + 3 * n_c
+        self._block = np.zeros(_LINE + width * sum(sizes.values()) + shared_size)
         position = -(-address(self._block) // (8 * _LINE)) * 8 * _LINE
         addresses = {}
         for name, size in sizes.items():
@@ -178,7 +178,9 @@ class LockstepLanes:
     first; missing rows are NaN. Problems with discrete states, stop conditions or no states are not supported.
     """
 
-    def __init__(self, problem: Problem, count: int, places: Integers, held: tuple[tuple[int, int], ...]) -> None:
+    def __init__(
+        self, problem: Problem, count: int, indices: Integers, constant_inputs: tuple[tuple[int, int], ...]
+    ) -> None:
         width = usual_width()
         # Each group of lanes contains the first run, with equal digits; unused lanes repeat the first run.
         groups = max(1, -(-(count - 1) // (width - 1)))
@@ -187,8 +189,8 @@ class LockstepLanes:
         run_of_lane[:, 1:] = np.where(followers < count, followers, 0)
         self._run_of_lane = run_of_lane.ravel()
         self._rows = np.array([0, *np.flatnonzero(self._run_of_lane)])
-        self.values = np.empty((count, places.size))
-        self._batch = Batch(problem, places, np.empty((run_of_lane.size, places.size)), held)
+        self.values = np.empty((count, indices.size))
+        self._batch = Batch(problem, indices, np.empty((run_of_lane.size, indices.size)), constant_inputs)
         lanes = lane_functions(problem.kernel, width)
         self._lanes = Lanes(self._batch, RunEnds.of(self._batch), lanes, width, leads=True)
         self._table = np.empty((run_of_lane.size, len(problem.kernel.model.outputs), problem.grid.size))

@@ -130,8 +130,8 @@ class Model:
             row for name in ("x", "u") for row in ca.jacobian_sparsity(update, self.symbols[name]).get_triplet()[0]
         }
         # Also elements that depend on driven elements, in any number of steps.
-        while more := {row for row, columns in dependencies.items() if columns & driven} - driven:
-            driven |= more
+        while added_rows := {row for row, columns in dependencies.items() if columns & driven} - driven:
+            driven |= added_rows
         return tuple(k not in driven for k in dependencies)
 
     @cached_property

@@ -67,10 +67,10 @@ class Problem:
     most_attempts: int = MOST_ATTEMPTS  # maximum number of attempted steps
 
 
-def constant_input_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **more: float) -> Problem:
-    """Return the problem of a run from t = 0 with constant inputs u, (n_inputs,); `more` are fields of `Problem`."""
+def constant_input_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **fields: float) -> Problem:
+    """Return the problem of a run from t = 0 with constant inputs u, (n_inputs,); `fields` are fields of `Problem`."""
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
-    return Problem(kernel, p, x0, start, course, constant_coefficients(u), jump, grid, **more)  # type: ignore[arg-type]
+    return Problem(kernel, p, x0, start, course, constant_coefficients(u), jump, grid, **fields)  # type: ignore[arg-type]
 
 
 def constant_coefficients(u: Array, begin: float = 0.0) -> Array:

@@ -15,14 +15,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import InputError
 from poppet.core.files import write_whole
 from poppet.core.version import __version__
 from poppet.engine.lane_kernel import kernel_of_this_machine
 from poppet.ensemble.designs import design_of
 from poppet.ensemble.ensemble_plan import EnsemblePlan
-from poppet.timeseries.tables.parquet import arrow, table_in
+from poppet.timeseries.tables.reading import arrow, table_in
 
 MANIFEST = "manifest.json"
 FORMAT = 1
@@ -30,7 +30,7 @@ _NOT_OF_RUNS = ("indices",)
 """Settings that can change while the stored runs stay valid."""
 
 
-def fingerprint(circuit: Circuit) -> str:
+def fingerprint(circuit: BaseCircuit) -> str:
     """Return a hash of all inputs of a run of a circuit."""
     problem = circuit.problem(circuit.run)
     arrays = (

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.options import Ambient, GasChoice
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
@@ -70,7 +70,7 @@ class EnsemblePlan:
     The first columns are parameters with distributions of their own, the last ones have a joint distribution.
     """
 
-    circuit: Circuit = field(repr=False)
+    circuit: BaseCircuit = field(repr=False)
     runs: int
     seed: int
     sampling: str
@@ -147,7 +147,7 @@ class EnsemblePlan:
         return tuple(dict.fromkeys([*addresses, *self.curves]))
 
 
-def read_plan(circuit: Circuit, ensemble: Any, requirements: Any, folder: Path) -> EnsemblePlan:
+def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Path) -> EnsemblePlan:
     """Read the tables of an ensemble and report all errors together."""
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure
@@ -262,7 +262,7 @@ def _with_run_count(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePl
 class _ParameterReader:
     """Distributions of the uncertain parameters, read from the tables."""
 
-    def __init__(self, errors: ErrorCollector, circuit: Circuit, read: Mapping[str, Any], folder: Path) -> None:
+    def __init__(self, errors: ErrorCollector, circuit: BaseCircuit, read: Mapping[str, Any], folder: Path) -> None:
         self.circuit, self.folder, self.ambient = circuit, folder, circuit.surroundings.pressure
         key = "numbers" if "numbers" in read and "parameters" not in read else "parameters"
         self.address = f"ensemble.{key}"
@@ -351,7 +351,7 @@ class _ParameterReader:
             self.table = tuple(table.names), np.column_stack(columns)
 
 
-def varied_specs(circuit: Circuit) -> dict[str, NumberSpec]:
+def varied_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     """Return the declaration of every parameter that can be uncertain."""
     specs = number_specs(circuit)
     for owner, kind in (("ambient", Ambient), ("gas", GasChoice)):

@@ -24,7 +24,7 @@ from poppet.ensemble.statistics import SobolIndex, Summary, TornadoRange, Yield,
 from poppet.ensemble.worst_cases import WorstCase, save_case, worst_of
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 MAX_EXACT_RUNS = 2**20
 """Maximum number of runs for quantiles, which limits the memory."""
@@ -216,7 +216,7 @@ class Ensemble(HtmlMixin):
 
 
 def run_ensemble(
-    circuit: Circuit,
+    circuit: BaseCircuit,
     output: str | Path | None = None,
     *,
     executor: Any = "threads",
@@ -240,7 +240,7 @@ def run_ensemble(
     return ensemble
 
 
-def plan_of(circuit: Circuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> EnsemblePlan:
+def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> EnsemblePlan:
     """Return the plan from the tables of a circuit; `fields` override them."""
     tables, folder = circuit.origin
     table = tables.get("ensemble", {})

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError
 from poppet.core.files import by_suffix, write_whole
@@ -142,7 +142,7 @@ class Sizing:
 
 
 def size(
-    circuit: Circuit,
+    circuit: BaseCircuit,
     free: str,
     *,
     meet: Sequence[str] = (),
@@ -253,7 +253,7 @@ class _Evaluator:
 
     def __init__(
         self,
-        circuit: Circuit,
+        circuit: BaseCircuit,
         sweep: EnsemblePlan,
         requirements: tuple[Requirement, ...],
         free: str,
@@ -386,7 +386,7 @@ def _gap(results: _Evaluations, largest: bool, share: float) -> tuple[float, flo
 
 
 def _make_sizing(
-    circuit: Circuit, evaluator: _Evaluator, results: _Evaluations, standard: Array, largest: bool
+    circuit: BaseCircuit, evaluator: _Evaluator, results: _Evaluations, standard: Array, largest: bool
 ) -> Sizing:
     plan, share = evaluator.plan, evaluator.share
     free = plan.addresses[0]

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.file import ABOVE, loads
 from poppet.core.errors import InputError
 from poppet.core.files import write_whole
@@ -51,14 +51,14 @@ def worst_of(dataset: Dataset, plan: EnsemblePlan, requirement: Requirement, cou
     return cases
 
 
-def save_case(circuit: Circuit, case: WorstCase, path: Path) -> Path:
+def save_case(circuit: BaseCircuit, case: WorstCase, path: Path) -> Path:
     """Write the circuit of a case as a file, and check that it is equal."""
     changed = replace(circuit.with_values(case.numbers), title=f"{circuit.title}, run {case.run} ({case.requirement})")
     text = circuit_text(changed, path.parent)
     return write_whole(path, lambda stream: stream.write(text.encode("utf-8")))
 
 
-def circuit_text(circuit: Circuit, folder: Path) -> str:
+def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
     """Return a circuit as a file: its original file with changed parameters.
 
     A circuit with other changes is rejected.

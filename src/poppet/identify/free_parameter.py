@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Literal
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.tables import Field, read_fields
 from poppet.core.units import Kind
@@ -28,7 +28,7 @@ class NormalPrior:
     Parameters
     ----------
     mean, sd : float
-        Mean and standard deviation, in the unit of the number.
+        Mean and standard deviation, in the unit of the parameter.
     """
 
     mean: float
@@ -44,20 +44,21 @@ class FreeParameter:
     name : str
         Address in the result.
     address : str
-        What it changes: an address of the circuit, or the channel or input whose lag or delay it is.
+        Address of the changed parameter of the circuit, or of the channel or input with the lag, delay or offset.
     unit : str
         SI unit.
     start : float
-        Where the search begins.
+        Start value of the search.
     low, high : float
-        Bounds; physical ones where none were given.
+        Bounds; by default the limits of the part.
     role : str
-        `number`, `start` (of one recording), `lag` (of a channel), `input_lag`, `delay` (by which an input was recorded
-        late), `offset` (by which a channel reads too high) or `dead_time` (by which an input acts late).
+        `number` (parameter of the circuit), `start` (start value of a recording), `lag` (sensor lag of a channel),
+        `input_lag` (sensor lag of an input), `delay` (delay of the recorded input), `offset` (of the sensor of a
+        channel) or `dead_time` (delay of the effect of an input).
     recording : str
-        The recording it belongs to; empty when it is shared.
-    prior : Prior, optional
-        What was known before.
+        Recording of the parameter; empty if all recordings share it.
+    prior : NormalPrior, optional
+        Prior distribution.
     """
 
     name: str
@@ -80,7 +81,7 @@ class FreeParameter:
         """Typical size of the parameter, never zero."""
         span = self.high - self.low
         span = span if math.isfinite(span) and span > 0.0 else 0.0
-        # A start that is nothing beside its bounds measures nothing either.
+        # A start value that is tiny compared with the bounds is not a typical size.
         return max(abs(self.start), 1e-12 * span) if self.start != 0.0 else span or 1.0
 
 
@@ -94,7 +95,7 @@ def with_starts(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[Free
     return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
 
 
-def number_specs(circuit: Circuit) -> dict[str, NumberSpec]:
+def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     """Return the declaration of every parameter of the parts by address."""
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
@@ -115,12 +116,12 @@ def _coefficient_spec(key: str, unit: str) -> NumberSpec:
 
 
 def read_free(
-    address: str, table: Any, circuit: Circuit, *, recording: str = "", name: str = "", where: str = ""
+    address: str, table: Any, circuit: BaseCircuit, *, recording: str = "", name: str = "", where: str = ""
 ) -> FreeParameter:
     """Read a free parameter; `where` is its location in the file, for messages."""
-    # Of a circuit, not of its instance: units and limits are declared by the parts.
+    # Use the circuit, not its instance: the parts declare units and limits.
     numbers = circuit.numbers()
-    # What a part tells its members is no number of theirs: alone it would tear them apart.
+    # Exclude fields that a part sets in its members: a change of one alone would make them inconsistent.
     specs = {name: spec for name, spec in number_specs(circuit).items() if name in numbers}
     location = where or (f"recordings.{recording}.start.{address}" if recording else f"free.{address}")
     if address not in specs:

@@ -1,18 +1,21 @@
-r"""Bounded least squares for few parameters with expensive residuals and known derivatives.
+r"""Bounded least squares for few parameters with expensive residuals and available derivatives.
 
-A trust region method (Moré 1978) on the few rows that matter, R and q of the QR factors :math:`J = Q R`,
-:math:`r = Q q`. Each step s solves
+The method is a trust region method (Moré 1978) on R and q of the QR factors :math:`J = Q R`, :math:`r = Q q`. Each
+step s solves
 
 .. math:: \min_s \tfrac12 |R s + q|^2 + \tfrac12 s^T S s, \quad |D s| \le \Delta, \quad l \le x + s \le u
 
-*Bounds* belong to the problem of each step, which is solved by active sets, as Stark and Parker do it without a radius;
-so a search goes along bounds, and ends upon them. They are narrowed so that no number is less than halved or more than
-tripled in a step: far from the least cost slopes know little of numbers that trade, and a long way in such a direction
-leads into another valley. *S* is what curved residuals add to the curvature of the cost, learnt from how slopes have
-changed (Dennis, Gay and Welsch 1981). It counts where steps gain little beside the cost, and only while it tells costs
-better than R alone: with R alone steps go back and forth across the least cost where numbers trade. *Not every step
-goes down*: valleys are curved, and one who has to keep to their ground takes short steps. A cost must stay below the
-greatest of the last few (Toint 1996); the least of all is what is found.
+*Bounds*: each step solves a bounded problem with active sets (Stark and Parker, here with a radius). A search can
+therefore follow bounds and end at them. The bounds of a step also limit each parameter to half and three times its
+value. Far from the optimum, the derivatives describe correlated parameters badly, and a long step would lead to another
+minimum.
+
+*S* is the contribution of curved residuals to the curvature of the cost, estimated from changes of the derivatives
+(Dennis, Gay and Welsch 1981). It is used only if steps reduce the cost little, and only while it predicts the cost
+better than R alone. With R alone, steps would oscillate about the optimum if parameters are correlated.
+
+*Non-monotone steps*: a strict decrease of the cost would make the steps short in curved valleys. The cost of a step
+must be below the maximum of the last few (Toint 1996). The result is the point of least cost.
 
 References
 ----------
@@ -20,7 +23,7 @@ Moré 1978, The Levenberg-Marquardt algorithm: implementation and theory, Lectur
 Dennis, Gay & Welsch 1981, ACM Trans. Math. Softw. 7, 348-368.
 Stark & Parker 1995, Computational Statistics 10, 129-141.
 Toint 1996, SIAM J. Sci. Comput. 17, 725-739.
-Bates & Watts 1981, Technometrics 23, 179-183 (to end on what a step could gain beside the misfit that stays).
+Bates & Watts 1981, Technometrics 23, 179-183 (termination by the gain of a step relative to the cost).
 """
 
 from __future__ import annotations
@@ -36,29 +39,29 @@ from numpy.typing import NDArray
 FloatArray = NDArray[np.float64]
 
 LOOKED_BACK = 3
-"""Steps whose greatest cost the next one must stay below."""
+"""Number of last steps whose maximum cost limits the next one."""
 LATE = 1e-2
-"""Gain of a step, as part of the cost, below which S counts: residuals that vanish have none."""
+"""Gain of a step, as a fraction of the cost, below which S is used; small residuals do not need it."""
 SHRINKS, GROWS, SMALL = 0.5, 2.0, 0.1
-"""By how much of its size a number may move in one step towards 0 and away from it; and its least size, in units."""
+"""Largest relative decrease and increase of a parameter in one step; its least size, in units."""
 
 
 class LocalModel(NamedTuple):
     """Local model of the residuals."""
 
-    slopes: FloatArray  # R, (k, n): R'R is the curvature of the cost
-    residual: FloatArray  # q, (k,): R'q is its gradient
+    slopes: FloatArray  # R, (k, n): the curvature of the cost is R'R
+    residual: FloatArray  # q, (k,): the gradient of the cost is R'q
     jacobian: FloatArray  # (m, n)
-    force: FloatArray  # derivative of the cost by each residual, (m,): the residuals, but for robust losses
+    force: FloatArray  # derivative of the cost by each residual, (m,): equals the residuals for a linear loss
 
 
 class SearchResult(NamedTuple):
     """Result of a search."""
 
     x: FloatArray  # (n,)
-    cost: float  # there
+    cost: float  # cost at x
     evaluations: int
-    # What could hardly change any more: the cost, the numbers; or `evaluations`, of which there were too many.
+    # termination reason: small change of the cost or of the parameters, or maximum number of evaluations
     reason: Literal["cost", "numbers", "evaluations"]
 
 
@@ -87,29 +90,30 @@ def search(
     precision: float = 1e-9,
     most: int = 200,
 ) -> SearchResult:
-    """Return the parameters of least cost.
+    """Return the parameters with the least cost.
 
     Parameters
     ----------
     cost : callable
-        From numbers to half the sum of squares, or what a robust loss makes of it.
+        Function of the parameters that returns half the sum of squares, or the cost of a robust loss.
     look : callable
-        From numbers to slopes and residuals. Asked where a search goes on, next to `cost`.
+        Function of the parameters that returns the local model. It is called after `cost` at accepted points.
     begin, low, high : ndarray
-        Where to begin, and bounds, (n,), infinite where there is none; `begin` lies between them.
+        Start point within the bounds, and bounds, (n,). A bound can be infinite.
     units : ndarray
-        A usual size of each number, positive, (n,).
+        Typical size of each parameter, positive, (n,).
     inexact : float
-        Part of the slopes that is not right: a direction in which they are smaller, all scaled to 1, is not seen.
+        Relative error of the derivatives. Directions with smaller normalised singular values are ignored.
     precision : float
-        Part of the cost that a step must promise to gain; and it must move a number by a thousandth of that in units.
+        Least predicted gain of a step, as a fraction of the cost. The least change of a parameter is a thousandth of
+        it, in units.
     most : int
-        Evaluations of the cost.
+        Maximum number of evaluations of the cost.
 
     Returns
     -------
-    Found
-        The place of least cost that was seen.
+    SearchResult
+        Evaluated point with the least cost.
     """
     x, last = begin, cost(begin)
     model = look(x)
@@ -130,7 +134,7 @@ def search(
         gain, size = curved if bends else linear_gain, _size(z)
         ends_by_cost = gain <= precision * last
         if ends_by_cost and bends:
-            # Too large an S makes steps short: R alone has to agree.
+            # A too large S makes steps short: check the termination with R alone.
             bends = False
             continue
         if ends_by_cost or (np.abs(z) <= 1e-3 * precision * scale * units).all():
@@ -143,10 +147,10 @@ def search(
         change, allowed = last - new, max(past[-LOOKED_BACK:])
         bends = linear_gain < LATE * last and abs(curved - change) < abs(linear_gain - change)
         ratio = max(change / gain, (allowed - new) / (allowed - last + gain))
-        # A first step that is shorter than the radius says how far to trust.
+        # A first step that is shorter than the radius sets the radius.
         radius = min(radius, size) if evaluations == 2 else radius
         if ratio < 0.25:
-            # The least of the parabola through both costs and the slope at the first.
+            # Minimum of the parabola through both costs with the slope at the first.
             radius = size * min(max(-0.5 * downhill / (-change - downhill), 0.1), 0.5)
         elif change > 0.75 * gain:
             radius = max(radius, 2.0 * size)
@@ -200,7 +204,7 @@ def _solve_step(
 ) -> FloatArray:
     """Return the best step within a radius and bounds, in scaled parameters.
 
-    Numbers are held at bounds that stop a step, and let go where they pull away from them again.
+    A parameter is fixed at a bound that stops a step. It becomes free again if the gradient points away from the bound.
     """
     low, high = bounds
     z, gradient = np.zeros(low.size), residual @ slopes
@@ -212,7 +216,7 @@ def _solve_step(
             break
         target = np.where(free, 0.0, z)
         curvatures, directions, slopes_along = _directions(slopes, residual, bend, indices, target)
-        # Those that are held have a part of the way already.
+        # The fixed parameters use a part of the radius.
         left = max(radius**2 - float(target @ target), 1e-6 * radius**2) ** 0.5
         moves, damping = _steps_within(curvatures, slopes_along, left, unseen)
         target[indices] = directions @ moves
@@ -253,7 +257,7 @@ def _directions(
     if indices.size < fixed_step.size:
         free_slopes, remaining = slopes[:, indices], residual + slopes @ fixed_step
     if bend is None:
-        # Singular values still tell directions apart whose squares do not.
+        # Singular values resolve directions whose squares are equal within rounding.
         rows, sizes, right, _ = dgesdd(free_slopes, full_matrices=0)
         return sizes**2, right.T, sizes * (remaining @ rows)
     curvatures, directions, _ = dsyevd(free_slopes.T @ free_slopes + bend[indices[:, np.newaxis], indices])
@@ -264,11 +268,11 @@ def _steps_within(
     curvatures: FloatArray, slopes_along: FloatArray, radius: float, unseen: float
 ) -> tuple[FloatArray, float]:
     """Return the steps to the least cost within a radius, and the damping."""
-    # They are sorted, one way or the other.
+    # The curvatures are sorted, in ascending or descending order.
     lowest, greatest = sorted((float(curvatures[0]), float(curvatures[-1])))
     floor = unseen * max(greatest, -lowest, 1e-290)
     if abs(lowest) <= floor:
-        # What is not seen stays where it is.
+        # Do not move in directions that are not identifiable.
         slopes_along, curvatures = (
             np.where(np.abs(curvatures) > floor, slopes_along, 0.0),
             np.maximum(curvatures, floor),
@@ -276,7 +280,7 @@ def _steps_within(
     damping = least = floor - lowest if lowest < -floor else 0.0
     moves = -slopes_along / (curvatures + damping)
     size = _size(moves)
-    # Newton's method for 1/|moves| (Moré); a radius need not be kept exactly.
+    # Newton's method for 1/|moves| (Moré); the radius is approximate.
     for _ in range(40 if size > radius else 0):
         if abs(size - radius) <= 0.05 * radius:
             break

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.toml_file import TomlFile
 from poppet.identify.result import Result, read_result
@@ -14,32 +14,32 @@ from poppet.parts import Muscle
 from poppet.parts.muscle_law import REQUIRED, MuscleLawPart
 
 UNTRUSTED = ("not determined", "at bound")
-"""Verdicts of an identification that a user of its numbers is reminded of."""
+"""Verdicts of unreliable estimates."""
 
 
-def with_numbers(circuit: Circuit, path: str | Path) -> tuple[Circuit, list[str]]:
+def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, list[str]]:
     """Return a circuit with the values of a file, and the unreliable parameters.
 
     Parameters
     ----------
     circuit : Circuit
-        That is changed; this one stays as it is.
+        Circuit before the change.
     path : str or Path
-        A result of an identification (`.toml`, `.json`), that of a muscle with its law, size and limits; or a TOML file
-        with fields of parts as a circuit file has them, `[parts.regulator]`. What cannot stay beside such a field
-        goes: a schedule where a gain comes.
+        Result of an identification (`.toml`, `.json`), or a TOML file with fields of parts as in a circuit file,
+        `[parts.regulator]`. The result of a muscle also sets its law, size and limits. A field removes the fields that
+        conflict with it: a gain removes a schedule.
 
     Returns
     -------
     Circuit
-        A new one.
+        Circuit with the values of the file.
     list of str
-        Address and verdict of numbers that the recordings did not determine.
+        Address and verdict of each unreliable parameter.
 
     Raises
     ------
     InputError
-        If the file is neither, or what it says fits no part of this circuit.
+        If the file is neither of them, or if it does not match the parts of the circuit.
     """
     file = TomlFile.read(path)
     is_of_parts = Path(path).suffix.lower() == ".toml" and "parts" in file.tables
@@ -50,7 +50,7 @@ def with_numbers(circuit: Circuit, path: str | Path) -> tuple[Circuit, list[str]
     return circuit.with_values(_muscle(circuit, result) or result.values()), doubtful
 
 
-def _muscle(circuit: Circuit, result: Result) -> dict[str, Any]:
+def _muscle(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
     """Return the fields of a fitted muscle, with its law and size."""
     law, values = result.comparison.get("law"), result.values()
     name = next(iter(values), "").partition(".")[0]
@@ -85,7 +85,7 @@ def _muscle(circuit: Circuit, result: Result) -> dict[str, Any]:
     return {f"{name}.{key}": value for key, value in fields.items()}
 
 
-def _with_fields(circuit: Circuit, file: TomlFile) -> Circuit:
+def _with_fields(circuit: BaseCircuit, file: TomlFile) -> BaseCircuit:
     with file.errors() as errors:
         content = file.content
         errors.extend(

@@ -69,11 +69,7 @@ SETS: Mapping[str, Mapping[str, Number]] = {
         **_body(0.010, 0.25, 630.0, 8e5),
         **_AS_MAPPED,
     },
-    "dmsp_20_300": {
-        **_numbers(_TWENTY, _FITTED),
-        **_body(0.020, 0.3, 1500.0, 6e5),
-        **_MAPPED,
-    },
+    "dmsp_20_300": {**_numbers(_TWENTY, _FITTED), **_body(0.020, 0.3, 1500.0, 6e5), **_MAPPED},
     "dmsp_40_300": {
         **_numbers(_FORTY, _SIMILAR),
         **_body(0.040, 0.3, 6000.0, 6e5),

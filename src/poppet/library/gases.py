@@ -1,4 +1,4 @@
-"""Gases as ideal gases at room temperature.
+"""Ideal gases with constant heat capacities at 20 degC.
 
 The specific gas constant is R = 8.314462618 J/(mol K) / M with standard atomic weights. The isentropic
 exponent is that of the ideal gas at 20 degC, from the heat capacity of the NASA polynomials.

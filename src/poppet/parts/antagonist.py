@@ -160,11 +160,8 @@ class Antagonist(_InverseMuscleLaw):
         return [f"torque to two pressures, {self.data or self.law}", f"pulley {numbers.text(self.pulley_radius)}"]
 
     def inputs(self) -> tuple[Input, ...]:
-        return (
-            Input("torque", "N m", "torque"),
-            Input("mean_pressure", "Pa", "mean_pressure", kind="pressure", low=0.0),
-            *(Input(name, "1", 0.0) for name in self.measured),
-        )
+        mean_pressure = Input("mean_pressure", "Pa", "mean_pressure", kind="pressure", low=0.0)
+        return Input("torque", "N m", "torque"), mean_pressure, *(Input(name, "1", 0.0) for name in self.measured)
 
     def compute_outputs(self, scope: Scope) -> Quantities:
         ambient, low, high = scope.surroundings.pressure, *self._limits(scope)

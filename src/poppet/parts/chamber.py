@@ -183,43 +183,25 @@ class Chamber(Store):
             "mass": (scope.states["mass"], "kg"),
         }
         if self.thermal == "energy":
-            heat = self._wall_heat(scope, gas, flows, rates, outputs)
+            wall = (scope.states if self._has_wall_state else scope)["wall_temperature"]
+            heat = self._conductance(scope, gas, wall, flows) * (wall - gas.temperature)
+            if self._has_wall_state:
+                outer_heat = scope["outer_conductance"] * (scope["ambient_temperature"] - wall)
+                rates["wall_temperature"] = (outer_heat - heat) / scope["wall_heat_capacity"]
+                outputs["wall_temperature"] = (wall, "K")
             rates["pressure"] = (surroundings.isentropic_exponent - 1.0) / scope["volume"] * (enthalpy_rate + heat)
             energy = scope.states["pressure"] * scope["volume"] / (surroundings.isentropic_exponent - 1.0)
         else:
             # The law sets the temperature, the energy balance the heat: d(m cv T) = n cv T dm.
             internal_rate = self._exponent(scope) * surroundings.heat_capacity_volume * gas.temperature * mass_rate
-            heat = internal_rate - enthalpy_rate
-            energy = None
+            heat, energy = internal_rate - enthalpy_rate, None
         outputs["heat_flow_rate"] = (heat, "W")
         return GasBalance(outputs, rates, heat, energy)
-
-    def _wall_heat(
-        self,
-        scope: Scope,
-        gas: GasState,
-        flows: tuple[tuple[Any, Any], ...],
-        rates: dict[str, Any],
-        outputs: Quantities,
-    ) -> Any:
-        """Return the heat from wall to gas; add rate and output of the wall if its temperature is a state."""
-        is_state = self._has_wall_state
-        wall = scope.states["wall_temperature"] if is_state else scope["wall_temperature"]
-        heat = self._conductance(scope, gas, wall, flows) * (wall - gas.temperature)
-        if is_state:
-            outer_heat = scope["outer_conductance"] * (scope["ambient_temperature"] - wall)
-            rates["wall_temperature"] = (outer_heat - heat) / scope["wall_heat_capacity"]
-            outputs["wall_temperature"] = (wall, "K")
-        return heat
 
     def _conductance(self, scope: Scope, gas: GasState, wall: Any, flows: tuple[tuple[Any, Any], ...]) -> Any:
         if self.heat_transfer == "constant":
             return scope["wall_conductance"]
-        surroundings = scope.surroundings
-        properties = {
-            "gas_constant": surroundings.gas_constant,
-            "isentropic_exponent": surroundings.isentropic_exponent,
-        }
+        properties = {name: getattr(scope.surroundings, name) for name in ("gas_constant", "isentropic_exponent")}
         vessel = gas.pressure, gas.temperature, wall, scope["wall_area"], scope["height"]
         if self.heat_transfer == "natural":
             return heat_transfer.natural_conductance(*vessel, scope["nusselt_prefactor"], **properties)

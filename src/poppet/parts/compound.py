@@ -139,11 +139,8 @@ class Compound(Part):
 
     def states(self) -> tuple[State, ...]:
         """Return the states of the members under dotted names."""
-        return tuple(
-            dataclasses.replace(state, name=f"{name}.{state.name}")
-            for name, part in self.members.items()
-            for state in part.states()
-        )
+        states = ((name, state) for name, part in self.members.items() for state in part.states())
+        return tuple(dataclasses.replace(state, name=f"{name}.{state.name}") for name, state in states)
 
     def inputs(self) -> tuple[Input, ...]:
         """Return the inputs that are available outside, under the names of `inlets`."""
@@ -155,9 +152,8 @@ class Compound(Part):
             item = next(item for item in self.members[name].inputs() if item.name == local)
             # Names of parameters of the member have its name in front outside.
             values = {key: getattr(item, key) for key in ("default", "low", "high", "delay")}
-            addresses: dict[str, Any] = {
-                key: f"{name}.{value}" for key, value in values.items() if isinstance(value, str) and value
-            }
+            names = {key: value for key, value in values.items() if isinstance(value, str) and value}
+            addresses: dict[str, Any] = {key: f"{name}.{value}" for key, value in names.items()}
             inputs.append(dataclasses.replace(item, name=outer, **addresses))
         return tuple(inputs)
 
@@ -167,11 +163,8 @@ class Compound(Part):
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         outer_names = {inner: name for name, inner in self.outside().items() if name in self.outlets}
-        return {
-            outer_names.get(f"{name}.{key}", f"{name}.{key}"): curve
-            for name, part in self.members.items()
-            for key, curve in part.domains().items()
-        }
+        domains = {f"{n}.{key}": curve for n, part in self.members.items() for key, curve in part.domains().items()}
+        return {outer_names.get(key, key): curve for key, curve in domains.items()}
 
 
 def number_spec(part: Part, path: str) -> NumberSpec:

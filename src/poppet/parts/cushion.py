@@ -9,10 +9,10 @@ from typing import Any, ClassVar
 
 from poppet.core.symbolic import clip, maximum, minimum, where
 from poppet.laws.iso6358 import conductance_from_effective_area
-from poppet.parts import moving_gas
 from poppet.parts.fields import NumberLike, body, laminar_limit, number, option, port, subsonic_index_m
 from poppet.parts.flow_path import iso_flow
-from poppet.parts.part import SELF, GasBalance, GasState, Passage, PassageFlows, Scope, State, Store, Surroundings
+from poppet.parts.moving_gas import MovingGasStore
+from poppet.parts.part import SELF, GasState, Passage, PassageFlows, Scope, Surroundings
 
 CAP, ROD = "cap", "rod"
 MIN_DEAD_FRACTION = 0.01
@@ -42,7 +42,7 @@ def spear_travel(depth: Any, length: Any, closing_length: Any) -> tuple[Any, Any
 
 
 @dataclass(frozen=True)
-class Cushion(Store, Passage):
+class Cushion(MovingGasStore, Passage):
     """Gas between a piston and its cover, with its flow path to the port; a member of `Cylinder`.
 
     The default of `closing_length` is a quarter of the spear diameter, where the ring between edge and spear has the
@@ -78,8 +78,6 @@ class Cushion(Store, Passage):
     subsonic_index: NumberLike = subsonic_index_m()
     laminar_ratio: NumberLike = laminar_limit()
 
-    resume: ClassVar[dict[str, str]] = {"pressure": "initial_pressure", "temperature": "initial_temperature"}
-
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         values = super().parameters(ambient)
         values.setdefault("closing_length", 0.25 * values["diameter"])
@@ -90,22 +88,7 @@ class Cushion(Store, Passage):
             values["open_conductance"] = ambient.stated_size(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
         return values
 
-    def states(self) -> tuple[State, ...]:
-        return moving_gas.STATES
-
-    def start(self, scope: Scope) -> dict[str, Any]:
-        return moving_gas.initial_states(scope, self._volume(scope)[0])
-
-    def gas(self, scope: Scope) -> GasState:
-        return moving_gas.gas_state(scope, self._volume(scope)[0])
-
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        volume, area = self._volume(scope)
-        growth = area * scope["direction"] * scope.body.velocity
-        return moving_gas.balance(scope, self.gas(scope), volume, growth, flows)
-
-    def _volume(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the volume and its derivative with respect to the piston position."""
+    def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:
         area = ring_area(scope["outer_diameter"], scope["inner_diameter"])
         depth, sign = cover_distance(self.side, scope)
         travel, closed = spear_travel(depth, scope["length"], scope["closing_length"])

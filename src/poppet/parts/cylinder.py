@@ -11,7 +11,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.core.symbolic import maximum, where
 from poppet.laws.physics import contact
-from poppet.parts import moving_gas, symbols
+from poppet.parts import symbols
 from poppet.parts.bodies import find_impacts, impact_notes
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.compound import Compound
@@ -30,34 +30,29 @@ from poppet.parts.fields import (
     subsonic_index_m,
 )
 from poppet.parts.flow_path import iso_flow
+from poppet.parts.moving_gas import MovingGasStore
 from poppet.parts.part import (
     AMBIENT,
     Actuator,
     ActuatorForce,
-    GasBalance,
     GasState,
     Passage,
     PassageFlows,
     Quantities,
     Scope,
-    State,
-    Store,
     Surroundings,
 )
 
 DOUBLE, SINGLE = "double", "single"
 _CUSHIONS = ("cap_cushion", "rod_cushion")
 _SIDES = (CAP, ROD, *_CUSHIONS)
+_GAS_OUTPUTS = ("pressure", "temperature", "mass", "volume", "heat_flow_rate", "work_rate")
+_PISTON_OUTPUTS = ("stop_force", "piston_position", "piston_velocity", "leakage_mass_flow_rate", "leakage_regime")
 _INHERITED = ("side", "outer_diameter", "inner_diameter", "stroke_length", "offset", "direction", "body")
 
 
-def piston_position(scope: Scope, travel: Any) -> Any:
-    """Return the distance of the piston from the cap."""
-    return scope["offset"] + scope["direction"] * travel
-
-
 @dataclass(frozen=True)
-class CylinderChamber(Store):
+class CylinderChamber(MovingGasStore):
     """Chamber on one side of a piston; a member of `Cylinder`."""
 
     kind: ClassVar[str] = "cylinder_chamber"
@@ -76,42 +71,19 @@ class CylinderChamber(Store):
     initial_pressure: NumberLike = anr_pressure("initial pressure")
     initial_temperature: NumberLike = anr_temperature("initial temperature")
 
-    resume: ClassVar[dict[str, str]] = {"pressure": "initial_pressure", "temperature": "initial_temperature"}
-
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
         return {"wall_temperature": ambient.temperature, **super().parameters(ambient)}
 
-    def states(self) -> tuple[State, ...]:
-        return moving_gas.STATES
-
-    def start(self, scope: Scope) -> dict[str, Any]:
-        return moving_gas.initial_states(scope, self._volume(scope, scope.body.position)[0])
-
-    def gas(self, scope: Scope) -> GasState:
-        return moving_gas.gas_state(scope, self._volume(scope, scope.body.position)[0])
-
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        volume, area = self._volume(scope, scope.body.position)
-        growth = area * scope["direction"] * scope.body.velocity
-        return moving_gas.balance(scope, self.gas(scope), volume, growth, flows)
-
-    def _volume(self, scope: Scope, travel: Any) -> tuple[Any, Any]:
-        """Return the volume and its derivative with respect to the piston position."""
-        if "spear_area" in scope:
-            return self._port_volume(scope)
-        area = 0.25 * math.pi * (scope["outer_diameter"] ** 2 - scope["inner_diameter"] ** 2)
-        from_cap = piston_position(scope, travel)
-        depth, area_out = (from_cap, area) if self.side == CAP else (scope["stroke_length"] - from_cap, -area)
-        volume, smallest = scope["dead_volume"] + area * depth, MIN_DEAD_FRACTION * scope["dead_volume"]
-        return maximum(volume, smallest), where(volume > smallest, area_out, 0.0)
-
-    def _port_volume(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the volume at the port of a side with a cushion, and its derivative."""
+    def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:
         depth, sign = cover_distance(self.side, scope)
-        travel, closed = spear_travel(depth, scope["length"], scope["closing_length"])
-        smallest = MIN_DEAD_FRACTION * scope["dead_volume"]
-        volume = scope["dead_volume"] + scope["spear_area"] * travel
-        return maximum(volume, smallest), where(volume > smallest, sign * scope["spear_area"] * closed, 0.0)
+        if "spear_area" in scope:  # the volume at the port of a side with a cushion
+            travel, closed = spear_travel(depth, scope["length"], scope["closing_length"])
+            added_volume, area = scope["spear_area"] * travel, sign * scope["spear_area"] * closed
+        else:
+            area = 0.25 * math.pi * (scope["outer_diameter"] ** 2 - scope["inner_diameter"] ** 2)
+            added_volume, area = area * depth, sign * area
+        volume, smallest = scope["dead_volume"] + added_volume, MIN_DEAD_FRACTION * scope["dead_volume"]
+        return maximum(volume, smallest), where(volume > smallest, area, 0.0)
 
 
 @dataclass(frozen=True)
@@ -170,10 +142,10 @@ class Piston(Actuator, Passage):
         return PassageFlows((flow,), outputs)
 
     def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
-        direction, travel, speed = scope["direction"], scope.body.position, scope.body.velocity
+        direction, speed = scope["direction"], scope.body.velocity
         bore_area = 0.25 * math.pi * scope["bore"] ** 2
         rod_area = 0.25 * math.pi * scope["rod_diameter"] ** 2
-        depth, out = piston_position(scope, travel), direction * speed
+        depth, out = cover_distance(CAP, scope)[0], direction * speed
         # The rod chamber of a single-acting cylinder is the ambient: the same formula.
         pressures = bore_area * gas["cap"].pressure - (bore_area - rod_area) * gas["rod"].pressure
         for side, sign in ((CAP, 1.0), (ROD, -1.0)):
@@ -251,24 +223,15 @@ class Cylinder(Compound):
     )  # fmt: skip
 
     outlets: ClassVar[Mapping[str, str]] = {
-        **{
-            f"{side}.{name}": f"{side}.{name}"
-            for side in _SIDES
-            for name in ("pressure", "temperature", "mass", "volume", "heat_flow_rate", "work_rate")
-        },
+        **{f"{side}.{name}": f"{side}.{name}" for side in _SIDES for name in _GAS_OUTPUTS},
         **{f"{side}.{name}": f"{side}.{name}" for side in _CUSHIONS for name in ("mass_flow_rate", "regime")},
-        **{
-            name: f"piston.{name}"
-            for name in (
-                *("force", "stop_force", "piston_position", "piston_velocity"),
-                *("leakage_mass_flow_rate", "leakage_regime"),
-            )
-        },
+        "force": "piston.force",
+        **{name: f"piston.{name}" for name in _PISTON_OUTPUTS},
     }
     internal_outputs: ClassVar[tuple[str, ...]] = (
-        *(f"{side}.{name}" for side in _SIDES for name in ("mass", "volume", "heat_flow_rate", "work_rate")),
+        *(f"{side}.{name}" for side in _SIDES for name in _GAS_OUTPUTS[2:]),
         *(f"{side}.{name}" for side in _CUSHIONS for name in ("temperature", "mass_flow_rate", "regime")),
-        *("stop_force", "piston_position", "piston_velocity", "leakage_mass_flow_rate", "leakage_regime"),
+        *_PISTON_OUTPUTS,
     )
     resume: ClassVar[dict[str, str]] = {
         f"{side}.{name}": f"{side}.initial_{name}" for side in _SIDES for name in ("pressure", "temperature")
@@ -292,23 +255,18 @@ class Cylinder(Compound):
             texts = self.rod_diameter.display(), self.bore.display()  # type: ignore[union-attr]
             raise InputError("cylinder.rod_too_thick", "rod_diameter", shown=texts[0], bore=texts[1])
         with ErrorCollector() as errors:
-            for name in _CUSHIONS:
-                if getattr(self, name) is not None:
-                    self._check_cushion(errors, name)
-
-    def _check_cushion(self, errors: ErrorCollector, name: str) -> None:
-        """Collect errors of the spear diameter, the cushion length and the trapped volume."""
-        cushion, side = getattr(self, name), getattr(self, name.removesuffix("_cushion"))
-        low, high = float(self.rod_diameter) if side is self.rod else 0.0, float(self.bore)  # type: ignore[arg-type]
-        if not low < float(cushion.diameter) < high:
-            facts = {"shown": cushion.diameter.display(), "least": low, "most": high}
-            errors.add("cylinder.spear", f"{name}.diameter", **facts)
-        limits: dict[str, Any] = {"length": self.stroke_length, "dead_volume": side.dead_volume}
-        for field, limit in limits.items():
-            number = getattr(cushion, field)
-            if float(number) >= float(limit):
-                facts = {"shown": number.display(), "whole": limit.display()}
-                errors.add(f"cylinder.cushion.{field}", f"{name}.{field}", **facts)
+            for name in (name for name in _CUSHIONS if getattr(self, name) is not None):
+                cushion, side = getattr(self, name), getattr(self, name.removesuffix("_cushion"))
+                low, high = float(self.rod_diameter) if side is self.rod else 0.0, float(self.bore)  # type: ignore[arg-type]
+                if not low < float(cushion.diameter) < high:
+                    shown = cushion.diameter.display()
+                    errors.add("cylinder.spear", f"{name}.diameter", shown=shown, least=low, most=high)
+                limits: dict[str, Any] = {"length": self.stroke_length, "dead_volume": side.dead_volume}
+                for field, limit in limits.items():
+                    shown = getattr(cushion, field).display()
+                    if float(getattr(cushion, field)) >= float(limit):
+                        address = f"{name}.{field}"
+                        errors.add(f"cylinder.cushion.{field}", address, shown=shown, whole=limit.display())
 
     def check_start(self, travel: float) -> None:
         offset, direction = float(self.offset), float(self.direction)  # type: ignore[arg-type]

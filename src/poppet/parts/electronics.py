@@ -205,9 +205,7 @@ class Electronics(Controller):
 
     def list_internal_outputs(self) -> tuple[str, ...]:
         # With a setpoint in volts or amperes, the target is the output to compare with a pressure.
-        return (
-            (*self.internal_outputs, "target_pressure") if self.setpoint_type == "pressure" else self.internal_outputs
-        )
+        return *self.internal_outputs, *(["target_pressure"] if self.setpoint_type == "pressure" else [])
 
     def control(self, scope: Scope) -> ControlOutputs:
         rates = {}
@@ -272,9 +270,8 @@ class Electronics(Controller):
         forward = ambient + scope["outer.feed_forward"] * (target - ambient) + scope["outer.bias"]
         # Crosses the dead zone of the seats over a second dead band of the error; without this ramp it would be a
         # relay.
-        crossing = where(
-            band > 0.0, scope["outer.dead_zone"] * clip(error / maximum(band, MIN_DEAD_BAND), -1.0, 1.0), 0.0
-        )
+        crossing = scope["outer.dead_zone"] * clip(error / maximum(band, MIN_DEAD_BAND), -1.0, 1.0)
+        crossing = where(band > 0.0, crossing, 0.0)
         correction = gain * error + crossing + memory["integral"]
         limit = where(scope["outer.correction_limit"] > 0.0, scope["outer.correction_limit"], _UNLIMITED)
         # The derivative is outside this limit: it acts on a small volume early and on a large one little.
@@ -311,23 +308,17 @@ class Electronics(Controller):
     def _inner(self, scope: Scope) -> dict[str, Any]:
         error = scope.memory["pilot_setpoint"] - self._read(scope, "pilot")
         minimum, band = scope["inner.minimum_duty"], scope["inner.hold_band"]
-        duty = scope["inner.gain"] * error
-        fill = where(error > band, clip(duty + minimum, 0.0, 1.0), 0.0)
-        vent = where(error < -band, clip(minimum - duty, 0.0, 1.0), 0.0)
+        proportional = scope["inner.gain"] * error
+        fill = where(error > band, clip(proportional + minimum, 0.0, 1.0), 0.0)
+        vent = where(error < -band, clip(minimum - proportional, 0.0, 1.0), 0.0)
         is_idle, is_on = self._is_suppressed(scope), scope.inputs["power"] > 0.5
-        return {
-            "fill_duty": where(is_on, where(is_idle, 0.0, fill), 0.0),
-            **self._vent_states(scope, where(is_on, where(is_idle, 1.0, vent), 0.0)),
-        }
-
-    def _vent_states(self, scope: Scope, duty: Any) -> dict[str, Any]:
-        """Return the discrete states of the vent solenoid for a duty; it opens after the delay."""
-        memory, delay = scope.memory, scope["inner.vent_delay"]
-        # A request that continues keeps the end of its delay.
+        # The vent solenoid opens after its delay. A request that continues keeps the end of its delay.
+        memory, delay, duty = scope.memory, scope["inner.vent_delay"], where(is_on, where(is_idle, 1.0, vent), 0.0)
         continues = memory["vent_wanted"] > 0.0
         opening_time = where(delay > 0.0, scope.time + delay, NEVER)
         ready = where(continues, memory["vent_ready"], where(delay > 0.0, 0.0, 1.0))
         return {
+            "fill_duty": where(is_on, where(is_idle, 0.0, fill), 0.0),
             "vent_wanted": duty,
             "vent": where(duty > 0.0, where(continues, memory["vent"], opening_time), NEVER),
             "vent_ready": where(duty > 0.0, ready, 0.0),

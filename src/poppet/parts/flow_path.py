@@ -22,13 +22,9 @@ from poppet.parts.fields import NumberLike, laminar_limit, number, port, referen
 from poppet.parts.part import Flow, GasState, Input, Passage, PassageFlows, Quantities, Scope, Surroundings
 
 _SIZES = (
-    "sonic_conductance",
-    "effective_area",
-    "flow_coefficient_kv",
-    "flow_coefficient_cv",
-    "nominal_flow",
+    "sonic_conductance", "effective_area", "flow_coefficient_kv", "flow_coefficient_cv", "nominal_flow",
     "characteristic",
-)
+)  # fmt: skip
 
 # Stated for air or a liquid, independent of the gas of the circuit.
 _FROM_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
@@ -188,29 +184,16 @@ class _PrefixedParameters(Mapping[str, Any]):
 
 
 def iso_flow(
-    scope: Scope,
-    name: str,
-    ports: tuple[str, str],
-    gas: tuple[GasState, GasState],
-    size: tuple[Any, Any],
-    *,
-    cracking_pressure: Any = 0.0,
-    one_way: bool = False,
-    regime: str = "regime",
-) -> tuple[Flow, Quantities]:
+    scope: Scope, name: str, ports: tuple[str, str], gas: tuple[GasState, GasState], size: tuple[Any, Any], *,
+    cracking_pressure: Any = 0.0, one_way: bool = False, regime: str = "regime",
+) -> tuple[Flow, Quantities]:  # fmt: skip
     """Return an ISO 6358 flow between two ports, and its outputs."""
     conductance, ratio = scope.surroundings.size_with_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
+    law_of_size = {"sonic_conductance": conductance, "subsonic_index": scope["subsonic_index"], **law}
     mass, temperature = iso6358.flow(
-        first.pressure,
-        second.pressure,
-        first.temperature,
-        second.temperature,
-        sonic_conductance=conductance,
-        critical_ratio=ratio,
-        subsonic_index=scope["subsonic_index"],
-        **law,
+        first.pressure, second.pressure, first.temperature, second.temperature, critical_ratio=ratio, **law_of_size
     )
     code = iso6358.flow_regime(first.pressure, second.pressure, critical_ratio=ratio, **law)
     if is_symbolic(conductance):
@@ -241,7 +224,7 @@ class Orifice(FlowPath):
 
     Examples
     --------
-    >>> bleed = Orifice(from_="tank", to="room", sonic_conductance="1.2 dm^3/(s bar)", critical_ratio=0.3)
+    >>> bleed = Orifice(from_="tank", to="ambient", sonic_conductance="1.2 dm^3/(s bar)", critical_ratio=0.3)
     >>> float(bleed.sonic_conductance)
     1.2e-08
     """

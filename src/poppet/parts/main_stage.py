@@ -193,7 +193,12 @@ class MainStage(Passage):
         mass = scope["emptying_mass"] + (scope["moving_mass"] - scope["emptying_mass"]) * lifted
         back_pressure = scope.surroundings.pressure if self.mode == "paper" else gas["outlet"].pressure
         drive = scope["plate_area"] * (scope.inputs["pilot_pressure"] - back_pressure)
-        force = drive - self._springs(scope, gas, lifted) - self._resistance(scope)
+        resistance = scope["damping"] * velocity
+        if self.friction is not None:
+            names = ("coulomb", "static", "stribeck_velocity", "smoothing_velocity", "viscous")
+            friction = contact.stribeck_friction(velocity, *(scope[f"friction.{name}"] for name in names))
+            resistance = resistance + friction
+        force = drive - self._springs(scope, gas, lifted) - resistance
         rates = {"stroke": velocity, "velocity": (force + self._stops(scope)) / mass}
         size = characteristic_at(self.curve, scope, "characteristic.", stroke)
         supply, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), size)
@@ -201,7 +206,11 @@ class MainStage(Passage):
         size = scope["exhaust_seat.sonic_conductance"] * opening, scope["exhaust_seat.critical_ratio"]
         exhaust, exhaust_outputs = named_flow(scope, gas, "exhaust", ("outlet", "exhaust"), size)
         outputs |= exhaust_outputs | {"stroke": (stroke, "m"), "velocity": (velocity, "m/s")}
-        outputs["contact"] = self._contact(scope), "1"
+        # -2 at the lower stop, -1 exhaust open, 0 both seats closed, 1 supply open, 2 at the upper stop. The stops take
+        # precedence over the seats.
+        code = where(stroke > 0.0, 1.0, where(stroke < -scope["overlap"], -1.0, 0.0))
+        code = where(stroke >= scope["upper_stop.position"], 2.0, code)
+        outputs["contact"] = where(stroke <= scope["lower_stop.position"], -2.0, code), "1"
         # Inputs of a pilot stage and of electronics; recordings have the pressure as an output of the outlet.
         hidden: Quantities = {"displacement": (scope["plate_area"] * stroke, "m^3")}
         hidden["outlet_pressure"] = gas["outlet"].pressure, "Pa"
@@ -214,21 +223,12 @@ class MainStage(Passage):
         lift = maximum(stroke, 0.0)
         lower = scope["lower_spring.rate"] * (scope["lower_spring.preload"] + lift)
         if self.mode == "regulator":
-            lower = lower + scope["seat_balance"] * scope["seat_area"] * (
-                gas["supply"].pressure - gas["outlet"].pressure
-            )
+            difference = gas["supply"].pressure - gas["outlet"].pressure
+            lower = lower + scope["seat_balance"] * scope["seat_area"] * difference
         # Damped on the ramp of the seat only: 0 at its ends, 1 in its middle.
         contact_fraction = lifted * (1.0 - lifted) * 4.0
         damped = 1.0 + contact_fraction * contact.saturation(scope["contact.dissipation"] * scope.states["velocity"])
         return upper + lifted * lower * damped
-
-    def _resistance(self, scope: Scope) -> Any:
-        velocity = scope.states["velocity"]
-        damping = scope["damping"] * velocity
-        if self.friction is None:
-            return damping
-        names = ("coulomb", "static", "stribeck_velocity", "smoothing_velocity", "viscous")
-        return damping + contact.stribeck_friction(velocity, *(scope[f"friction.{name}"] for name in names))
 
     def _stops(self, scope: Scope) -> Any:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
@@ -239,11 +239,3 @@ class MainStage(Passage):
         upper_force = force("upper_stop", stroke - scope["upper_stop.position"], velocity)
         lower_force = force("lower_stop", scope["lower_stop.position"] - stroke, -velocity)
         return lower_force - upper_force
-
-    def _contact(self, scope: Scope) -> Any:
-        """Return -2 at the lower stop, -1 exhaust open, 0 both seats closed, 1 supply open, 2 at the upper stop."""
-        stroke = scope.states["stroke"]
-        # The stops take precedence over the seats.
-        code = where(stroke > 0.0, 1.0, where(stroke < -scope["overlap"], -1.0, 0.0))
-        code = where(stroke >= scope["upper_stop.position"], 2.0, code)
-        return where(stroke <= scope["lower_stop.position"], -2.0, code)

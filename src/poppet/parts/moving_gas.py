@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
+from abc import abstractmethod
+from typing import Any, ClassVar
 
 from poppet.laws.physics import gas as gas_law
-from poppet.parts.part import GasBalance, GasState, Quantities, Scope, State
+from poppet.parts.part import GasBalance, GasState, Quantities, Scope, State, Store
 
 STATES = (State("energy", "J", 100.0, positive=True), State("mass", "kg", 1e-3, positive=True))
 """Internal energy and mass: the balances of mass and energy are linear in these states for any motion."""
@@ -28,10 +29,7 @@ def balance(scope: Scope, gas: GasState, volume: Any, growth: Any, flows: tuple[
     """Return rates and outputs by U' = sum of enthalpy flows + heat - p V', with `growth` V'."""
     heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
     work = -gas.pressure * growth
-    rates = {
-        "mass": sum(mass for mass, _ in flows),
-        "energy": sum(enthalpy for _, enthalpy in flows) + heat + work,
-    }
+    rates = {"mass": sum(mass for mass, _ in flows), "energy": sum(enthalpy for _, enthalpy in flows) + heat + work}
     outputs: Quantities = {
         "pressure": (gas.pressure, "Pa"),
         "temperature": (gas.temperature, "K"),
@@ -41,3 +39,26 @@ def balance(scope: Scope, gas: GasState, volume: Any, growth: Any, flows: tuple[
         "work_rate": (work, "W"),
     }
     return GasBalance(outputs, rates, heat, scope.states["energy"], work)
+
+
+class MovingGasStore(Store):
+    """Gas node whose volume depends on the position of a body."""
+
+    resume: ClassVar[dict[str, str]] = {"pressure": "initial_pressure", "temperature": "initial_temperature"}
+
+    @abstractmethod
+    def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:
+        """Return the volume and its derivative with respect to the travel in the direction of the part."""
+
+    def states(self) -> tuple[State, ...]:
+        return STATES
+
+    def start(self, scope: Scope) -> dict[str, Any]:
+        return initial_states(scope, self.volume_and_area(scope)[0])
+
+    def gas(self, scope: Scope) -> GasState:
+        return gas_state(scope, self.volume_and_area(scope)[0])
+
+    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
+        volume, area = self.volume_and_area(scope)
+        return balance(scope, self.gas(scope), volume, area * scope["direction"] * scope.body.velocity, flows)

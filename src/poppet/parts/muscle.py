@@ -14,31 +14,12 @@ from poppet.core.errors import InputError
 from poppet.core.symbolic import maximum, where
 from poppet.laws.physics.friction import bristle_rate
 from poppet.laws.physics.muscle import slip_rate, taut
-from poppet.parts import moving_gas, symbols
+from poppet.parts import symbols
 from poppet.parts.captions import CaptionNumbers
-from poppet.parts.fields import (
-    NumberLike,
-    anr_pressure,
-    anr_temperature,
-    body,
-    group,
-    number,
-    option,
-    reference,
-)
+from poppet.parts.fields import NumberLike, anr_pressure, anr_temperature, body, group, number, option, reference
+from poppet.parts.moving_gas import MovingGasStore
 from poppet.parts.muscle_law import MuscleLawPart, braid_of
-from poppet.parts.part import (
-    AMBIENT,
-    SELF,
-    Actuator,
-    ActuatorForce,
-    GasBalance,
-    GasState,
-    Scope,
-    State,
-    Store,
-    Surroundings,
-)
+from poppet.parts.part import AMBIENT, SELF, Actuator, ActuatorForce, GasState, Quantities, Scope, State, Surroundings
 
 MIN_VOLUME_FRACTION = 0.01
 """Fraction of the nominal volume that remains beyond the range of the muscle."""
@@ -72,7 +53,7 @@ class Limits:
 
 
 @dataclass(frozen=True)
-class Muscle(MuscleLawPart, Store, Actuator):
+class Muscle(MuscleLawPart, MovingGasStore, Actuator):
     r"""Pneumatic muscle that pulls a body.
 
     .. math:: F = \left[p_g f_1(\varepsilon) + f_0(\varepsilon) - d\,\dot s - F_h\right]_+, \qquad
@@ -124,8 +105,6 @@ class Muscle(MuscleLawPart, Store, Actuator):
     initial_pressure: NumberLike = anr_pressure("initial pressure")
     initial_temperature: NumberLike = anr_temperature("initial temperature")
 
-    resume: ClassVar[dict[str, str]] = {"pressure": "initial_pressure", "temperature": "initial_temperature"}
-
     def check(self) -> None:
         if abs(float(self.direction)) != 1.0:  # type: ignore[arg-type]
             raise InputError("bodies.direction", "direction", value=float(self.direction))  # type: ignore[arg-type]
@@ -150,11 +129,10 @@ class Muscle(MuscleLawPart, Store, Actuator):
     def states(self) -> tuple[State, ...]:
         slips = {None: 0, "coulomb": 1, "maxwell": ELEMENTS}[self.hysteresis and self.hysteresis.kind]
         # An error of 0.1 % of the force is smaller than the uncertainty of hysteresis data.
-        return (*moving_gas.STATES, *(State(f"slip_{k}", "1", 1.0, 300.0, 1.0) for k in range(1, slips + 1)))
+        return (*super().states(), *(State(f"slip_{k}", "1", 1.0, 300.0, 1.0) for k in range(1, slips + 1)))
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        gas_states = moving_gas.initial_states(scope, self._volume(scope)[0])
-        return {**dict.fromkeys((state.name for state in self.states()), 0.0), **gas_states}
+        return {**dict.fromkeys((state.name for state in self.states()), 0.0), **super().start(scope)}
 
     def check_start(self, travel: float) -> None:
         direction, offset, length = (float(n) for n in (self.direction, self.offset, self.nominal_length))  # type: ignore[arg-type]
@@ -165,8 +143,7 @@ class Muscle(MuscleLawPart, Store, Actuator):
     def _contraction(self, scope: Scope) -> Any:
         return scope["direction"] * (scope.body.position - scope["offset"]) / scope["nominal_length"]
 
-    def _volume(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the volume and its derivative with respect to the shortening."""
+    def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:
         contraction = self._contraction(scope)
         law = braid_of(scope.numbers) if self.volume_law == "braid" else self.force_law(scope.numbers)
         nominal = scope["nominal_volume"]
@@ -176,29 +153,20 @@ class Muscle(MuscleLawPart, Store, Actuator):
 
     # Gas and force --------------------------------------------------------------------------------------------------
 
-    def gas(self, scope: Scope) -> GasState:
-        return moving_gas.gas_state(scope, self._volume(scope)[0])
-
-    def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        volume, area = self._volume(scope)
-        growth = area * scope["direction"] * scope.body.velocity
-        return moving_gas.balance(scope, self.gas(scope), volume, growth, flows)
-
     def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
         pressure, contraction = gas[SELF].pressure - scope.surroundings.pressure, self._contraction(scope)
         speed, rates = scope["direction"] * scope.body.velocity, dict[str, Any]()
         static = self.force_law(scope.numbers).force(pressure, contraction)
         resistance = scope["damping"] * speed + self._hysteresis(scope, pressure, speed, rates)
         force = taut(static - resistance, scope["slack_force"])
-        return ActuatorForce(
-            scope["direction"] * force, {"contraction": (contraction, "1"), "force": (force, "N")}, rates
-        )
+        outputs: Quantities = {"contraction": (contraction, "1"), "force": (force, "N")}
+        return ActuatorForce(scope["direction"] * force, outputs, rates)
 
     def _hysteresis(self, scope: Scope, pressure: Any, speed: Any, rates: dict[str, Any]) -> Any:
         """Return the force against the contraction; add the rates of its elements."""
         if self.hysteresis is None:
             return 0.0
-        slips = [state.name for state in self.states()[len(moving_gas.STATES) :]]
+        slips = [state.name for state in self.states()[len(super().states()) :]]
         reach, level = scope["hysteresis.reach"], scope["hysteresis.force"]
         for k, name in enumerate(slips, 1):
             slip = scope.states[name]

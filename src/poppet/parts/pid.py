@@ -91,7 +91,14 @@ class PID(SampledLoop):
     resume: ClassVar[dict[str, str]] = {"integral": "initial_integral"}
 
     def check(self) -> None:
-        self._check_limits()
+        invalid = _LIMITS if self.is_of_openings else _OF_OPENINGS
+        specified = [name for name in invalid if getattr(self, name) is not None]
+        if specified:
+            valid = _OF_OPENINGS[:2] if self.is_of_openings else _LIMITS
+            raise InputError("pid.other_limits", specified[0], command=command_of(self), instead=valid)
+        missing = [name for name in _LIMITS if getattr(self, name) is None]
+        if missing and not self.is_of_openings:
+            raise InputError("pid.no_limits", missing[0], command=command_of(self), unit=self.command_unit)
         if self.schedule is not None:
             form = self.controls, command_of(self)
             object.__setattr__(self, "schedule", GainSchedule.read(self.schedule, *form))
@@ -102,17 +109,6 @@ class PID(SampledLoop):
             raise InputError("pid.no_gain", "gain")
         elif not (self.integral_time and float(self.integral_time)) and float(self.setpoint_weight) < 1.0:  # type: ignore[arg-type]
             raise InputError("pid.lasting_error", "setpoint_weight", value=float(self.setpoint_weight))  # type: ignore[arg-type]
-
-    def _check_limits(self) -> None:
-        """Raise `InputError` if the limits do not match the commanded quantity."""
-        invalid = _LIMITS if self.is_of_openings else _OF_OPENINGS
-        specified = [name for name in invalid if getattr(self, name) is not None]
-        if specified:
-            valid = _OF_OPENINGS[:2] if self.is_of_openings else _LIMITS
-            raise InputError("pid.other_limits", specified[0], command=command_of(self), instead=valid)
-        missing = [name for name in _LIMITS if getattr(self, name) is None]
-        if missing and not self.is_of_openings:
-            raise InputError("pid.no_limits", missing[0], command=command_of(self), unit=self.command_unit)
 
     def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
         return _SCHEDULED if "schedule" in fields else ("schedule",) if "gain" in fields else ()
@@ -147,11 +143,9 @@ class PID(SampledLoop):
 
     def inputs(self) -> tuple[Input, ...]:
         unit, command = self.command_unit, COMMANDS[command_of(self)]
-        manual = (
-            Input("manual_command", unit, 0.0, low=-1.0, high=1.0)
-            if self.is_of_openings
-            else Input("manual_command", unit, "bias", kind=command.kind, low=command.low)
-        )
+        manual = Input("manual_command", unit, "bias", kind=command.kind, low=command.low)
+        if self.is_of_openings:
+            manual = Input("manual_command", unit, 0.0, low=-1.0, high=1.0)
         feedforward = (Input("feedforward", unit, 0.0),) if self.feedforward == "true" else ()
         return *super().inputs(), Input("automatic", "1", 1.0, low=0.0, high=1.0), manual, *feedforward
 
@@ -164,14 +158,10 @@ class PID(SampledLoop):
         return values
 
     def law_memory(self) -> tuple[DiscreteState, ...]:
-        gain = as_gain(self)["unit"]
-        gains = (DiscreteState("last_gain", gain),) if self.schedule is not None else ()
-        command_states = (DiscreteState(name, self.command_unit) for name in ("integral", "derivative"))
-        return (
-            *command_states,
-            *(DiscreteState(n, self.unit) for n in ("origin", "last_measurement", "last_error")),
-            *gains,
-        )
+        units = dict.fromkeys(("integral", "derivative"), self.command_unit)
+        units |= dict.fromkeys(("origin", "last_measurement", "last_error"), self.unit)
+        units |= {"last_gain": as_gain(self)["unit"]} if self.schedule is not None else {}
+        return tuple(DiscreteState(name, unit) for name, unit in units.items())
 
     def law_outputs(self, scope: Scope) -> Quantities:
         return {name: (scope.memory[name], self.command_unit) for name in ("integral", "derivative")}

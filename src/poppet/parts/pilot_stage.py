@@ -204,13 +204,11 @@ class PilotStage(Store, Passage):
             outputs[flow.name] = flow.mass, "kg/s"
             if name in VALVES:
                 outputs[f"{name}_opening"] = opening, "1"
-        rates = {
-            f"{name}_opening": solenoid.slew_rate(
-                scope.states[f"{name}_opening"], self._averaged(name, scope), scope[f"{name}.rate_limit"]
-            )
-            for name in VALVES
-            if self._is_limited(name)
-        }
+        rates = {}
+        for name in filter(self._is_limited, VALVES):
+            opening = scope.states[f"{name}_opening"]
+            target = self._averaged(name, scope)
+            rates[f"{name}_opening"] = solenoid.slew_rate(opening, target, scope[f"{name}.rate_limit"])
         return PassageFlows(tuple(flows), outputs, rates)
 
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:

@@ -71,34 +71,27 @@ class PressureController(SampledLoop):
         return [sampled, f"time constant {numbers.text(self.time_constant)}", model]
 
     def inputs(self) -> tuple[Input, ...]:
-        pressures = ("supply_pressure", "exhaust_pressure")
-        return (
-            *super().inputs(),
-            *(Input(name, "Pa", name, kind="pressure", low=0.0) for name in pressures),
-            Input("gas_temperature", "K", "gas_temperature", kind="temperature", low=1.0),
-        )
+        names = ("supply_pressure", "exhaust_pressure")
+        pressures = (Input(name, "Pa", name, kind="pressure", low=0.0) for name in names)
+        temperature = Input("gas_temperature", "K", "gas_temperature", kind="temperature", low=1.0)
+        return *super().inputs(), *pressures, temperature
 
     def law_memory(self) -> tuple[DiscreteState, ...]:
-        return (
-            DiscreteState("wanted_rate", "Pa/s"),
-            DiscreteState("disturbance", "Pa/s"),
-            DiscreteState("predicted_pressure", "Pa"),
-        )
+        rates = (DiscreteState(name, "Pa/s") for name in ("wanted_rate", "disturbance"))
+        return *rates, DiscreteState("predicted_pressure", "Pa")
 
     def law_outputs(self, scope: Scope) -> Quantities:
         return {name: (scope.memory[name], "Pa/s") for name in ("wanted_rate", "disturbance")}
 
     def _open_rates(self, scope: Scope, pressure: Any) -> tuple[Any, Any]:
-        sizes = {
-            name: scope.surroundings.size_with_gas(scope[f"{name}.sonic_conductance"], scope[f"{name}.critical_ratio"])
-            for name in ("fill", "vent")
-        }
+        stated_sizes = ((scope[f"{v}.sonic_conductance"], scope[f"{v}.critical_ratio"]) for v in ("fill", "vent"))
+        fill, vent = (scope.surroundings.size_with_gas(*size) for size in stated_sizes)
         return open_rates(
             maximum(pressure, 0.0), scope.inputs["supply_pressure"], scope.inputs["exhaust_pressure"],
             gas_temperature=scope.inputs["gas_temperature"], supply_temperature=scope["supply_temperature"],
             volume=scope["volume"], exponent=scope["polytropic_exponent"],
             gas_constant=scope.surroundings.gas_constant, subsonic_index=scope["subsonic_index"],
-            laminar_ratio=scope["laminar_ratio"], fill=sizes["fill"], vent=sizes["vent"],
+            laminar_ratio=scope["laminar_ratio"], fill=fill, vent=vent,
         )  # fmt: skip
 
     def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:

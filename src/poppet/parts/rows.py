@@ -46,30 +46,24 @@ class NumberTable:
         unknown, missing = [k for k in table if k not in column_specs], [k for k in required if k not in table]
         columns = {}
         with ErrorCollector() as errors:
-            errors.extend(
-                InputError(
-                    "fields.unknown", f"{field}.{key}", table=f"table {field}", near=NameSuggestion(key, column_specs)
-                )
-                for key in unknown
-            )
+            for key in unknown:
+                near = NameSuggestion(key, column_specs)
+                errors.add("fields.unknown", f"{field}.{key}", table=f"table {field}", near=near)
             for key in missing:
                 column = Field(meaning=f"column {key}", example="a list with one value for each row")
                 errors.extend([missing_field(f"{field}.{key}", column)])
             for name, spec in column_specs.items():
                 if name in table:
                     with errors.collecting():
-                        columns[name] = cls._read_column(name, spec, table[name])
+                        values, address = table[name], f"{field}.{name}"
+                        if isinstance(values, str) or not isinstance(values, Sequence):
+                            raise InputError("schedule.not_a_list", address, value=values)
+                        columns[name] = tuple(read_number(f"{address}_{k}", spec, v) for k, v in enumerate(values, 1))
         lengths = {name: len(column) for name, column in columns.items()}
         if len(set(lengths.values())) != 1 or lengths[required[0]] < 2:
             texts = [f"{name} {length}" for name, length in lengths.items()]
             raise InputError("schedule.unequal_lengths", field, lengths=texts)
         return cls(columns, form)
-
-    @classmethod
-    def _read_column(cls, name: str, spec: NumberSpec, values: Any) -> tuple[Number, ...]:
-        if isinstance(values, str) or not isinstance(values, Sequence):
-            raise InputError("schedule.not_a_list", f"{cls.field}.{name}", value=values)
-        return tuple(read_number(f"{cls.field}.{name}_{k}", spec, value) for k, value in enumerate(values, 1))
 
     def numbers(self) -> dict[str, Number]:
         """Return all numbers by name: `pressure_1`, `gain_1`, ..."""
@@ -94,11 +88,8 @@ class NumberTable:
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
         """Return the table with some numbers replaced."""
-        columns = {
-            name: [changes.get(f"{name}_{k}", n) for k, n in enumerate(column, 1)]
-            for name, column in self.columns.items()
-        }
-        return self.read(columns, *self.form)
+        numbers = self.numbers() | dict(changes)
+        return self.read({name: self.column(name, numbers) for name in self.columns}, *self.form)
 
 
 def as_numbers(values: Sequence[float], unit: str, source: Source) -> tuple[Number, ...]:

@@ -43,20 +43,13 @@ class SampledLoop(Controller):
 
     measured: ClassVar[tuple[str, ...]] = ("measurement",)
     internal_outputs: ClassVar[tuple[str, ...]] = (
-        "fill_command",
-        "vent_command",
-        *(f"sensor_{name}" for name in QUANTITIES),
-    )
+        "fill_command", "vent_command", *(f"sensor_{name}" for name in QUANTITIES)
+    )  # fmt: skip
 
     setpoint: NumberLike = number(
-        "Pa",
-        "0 bar g",
-        doc="setpoint without a signal",
-        kind="pressure",
-        low=0.0,
-        note="no pressure",
+        "Pa", "0 bar g", doc="setpoint without a signal", kind="pressure", low=0.0, note="no pressure",
         varies=as_setpoint,
-    )
+    )  # fmt: skip
     sample_time: NumberLike = number("s", "1 ms", doc="sample time", low=MIN_SAMPLE_TIME)
     acts: str = option(AT_ONCE, NEXT_SAMPLE, doc="time at which a command acts")
     sensor: Any = group(FirstOrderSensor, doc="sensor")

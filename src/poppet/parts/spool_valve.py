@@ -127,10 +127,9 @@ class SpoolValve(FlowPath):
         position, leak = scope.states["position"], scope["leak_conductance"]
         flows, outputs = list[Flow](), Quantities(position=(position, "1"))
         for edge, (first, second, side) in EDGES.items():
+            is_first = edge == "supply_a"
             conductance, ratio = (
-                self.size_at(scope, None)
-                if edge == "supply_a"
-                else (scope[f"{edge}_conductance"], scope[f"{edge}_ratio"])
+                self.size_at(scope, None) if is_first else (scope[f"{edge}_conductance"], scope[f"{edge}_ratio"])
             )
             overlap = scope["overlap" if edge.startswith("supply") else "exhaust_overlap"]
             opening = clip((side * position - overlap) / (1.0 - overlap), 0.0, 1.0)

@@ -14,16 +14,16 @@ from poppet.core.number_format import scaled
 from poppet.parts.quantities import OPENING, QUANTITIES
 from poppet.report.control_figures import MARKERS, loop_figure, response_figure, sample_sentence, spread_figure
 from poppet.report.html_page import Section, document, findings, head, paragraph, picture, write_page
-from poppet.report.tables import Table, numeric
+from poppet.report.tables import ReportTable, numeric
 from poppet.timeseries.plotting.figures import style
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 _STYLE = "pre { overflow-x: auto; background: var(--wash); padding: .6rem .9rem; }\n"
 
 
-def margin_table(tuning: Tuning) -> Table:
+def margin_table(tuning: Tuning) -> ReportTable:
     """Return the robustness margins of every tuned loop."""
     rows = [
         (name, m.sensitivity, m.complementary, m.gain_margin, m.phase_margin, m.delay_margin, m.crossover)
@@ -31,10 +31,10 @@ def margin_table(tuning: Tuning) -> Table:
         for name, m in point.margins.items()
     ]
     headings = "Ms", "Mt", "gain margin", "phase margin [deg]", "delay margin [s]", "crossover [Hz]"
-    return Table(("at", *numeric(*headings, digits=".4g")), rows)
+    return ReportTable(("at", *numeric(*headings, digits=".4g")), rows)
 
 
-def verification_table(tuning: Tuning) -> Table:
+def verification_table(tuning: Tuning) -> ReportTable:
     """Return the response of the nonlinear plant to a step up and back."""
     si_unit = QUANTITIES[tuning.quantity].unit
     unit = readable_unit_of(si_unit)
@@ -50,15 +50,15 @@ def verification_table(tuning: Tuning) -> Table:
         for run in point.verified
     ]
     headings = f"step [{unit}]", "overshoot [%]", "settling [s]", "swing in the end [%]"
-    return Table(("step there and back at", *numeric(*headings, digits=".3g")), rows)
+    return ReportTable(("step there and back at", *numeric(*headings, digits=".3g")), rows)
 
 
-def write_tuning(tuning: Tuning, circuit: Circuit, path: str | Path) -> Path:
+def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path) -> Path:
     """Write the report of a tuning as a self-contained page."""
     return write_page(path, lambda: tuning_page(tuning, circuit))
 
 
-def tuning_page(tuning: Tuning, circuit: Circuit) -> str:
+def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
     """Return the report of a tuning as HTML: gains, sensitivities, steps and margins."""
     title = f"{circuit.title or 'A circuit'}: gains of {tuning.controller}"
     step = (
@@ -79,7 +79,7 @@ def tuning_page(tuning: Tuning, circuit: Circuit) -> str:
     return document(title, sections, style=_STYLE)
 
 
-def figure_table(comparison: Comparison) -> Table:
+def figure_table(comparison: Comparison) -> ReportTable:
     """Return the metrics of every controller: nominal and, with several samples, median and worst."""
     kinds = comparison.kinds
     units = {key: readable_metric_unit(kind, *comparison.units) for key, kind in kinds.items()}
@@ -91,7 +91,7 @@ def figure_table(comparison: Comparison) -> Table:
             metrics = (scaled(summary[key][k], kinds[key].unit, unit) for key, unit in units.items())
             cells = ("never" if metric == math.inf else f"{metric:.4g}" for metric in metrics)
             rows.append((name if k == 0 else "", plant, *cells))
-    return Table(("controller", "plant", *numeric(*headings)), rows)
+    return ReportTable(("controller", "plant", *numeric(*headings)), rows)
 
 
 def write_comparison(comparison: Comparison, path: str | Path, *, title: str = "Controllers on one plant") -> Path:

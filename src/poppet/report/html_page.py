@@ -20,13 +20,13 @@ from poppet.core.version import __version__
 from poppet.report.plots import scripts
 from poppet.report.plots.reading import plot_data
 from poppet.report.styles import stylesheet
-from poppet.report.tables import Table
+from poppet.report.tables import ReportTable
 from poppet.timeseries.plotting.figures import figure_bytes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-Content: TypeAlias = "str | Table | Iterable[str | Table] | None"
+Content: TypeAlias = "str | ReportTable | Iterable[str | ReportTable] | None"
 """HTML, tables, or a sequence of both."""
 
 
@@ -41,7 +41,7 @@ def render(content: Content) -> str:
     """Return tables and HTML as one text."""
     if content is None or isinstance(content, str):
         return content or ""
-    return content.html() if isinstance(content, Table) else "".join(map(render, content))
+    return content.html() if isinstance(content, ReportTable) else "".join(map(render, content))
 
 
 def write_page(path: str | Path, text: Callable[[], str]) -> Path:

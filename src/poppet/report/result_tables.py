@@ -9,7 +9,7 @@ import numpy as np
 from poppet.circuit.linear_model import LinearModel
 from poppet.circuit.load_metrics import LoadMetrics
 from poppet.core.number_format import USUAL, digits_of, pretty
-from poppet.report.tables import Column, Table, numeric
+from poppet.report.tables import Column, ReportTable, numeric
 from poppet.timeseries.recording import Recording
 
 MAX_STROKES = 12
@@ -22,7 +22,7 @@ _CODES = "regime", "contact", "friction_state"
 """Last words of the names of codes, for which extremes have no meaning."""
 
 
-def stroke_table(metrics: LoadMetrics) -> Table:
+def stroke_table(metrics: LoadMetrics) -> ReportTable:
     """Return a row for each of the first strokes."""
     rows = []
     for stroke in metrics.strokes[:MAX_STROKES]:
@@ -34,7 +34,7 @@ def stroke_table(metrics: LoadMetrics) -> Table:
     n_omitted = len(metrics.strokes) - len(rows)
     rows += [[f"and {n_omitted} more", *[""] * 6]] if n_omitted > 0 else []
     headings = "begins [s]", "travel", "time [s]", "mean speed", "peak speed", "at the end stop"
-    return Table(("body", *numeric(*headings)), rows)
+    return ReportTable(("body", *numeric(*headings)), rows)
 
 
 def _motion_text(value: float, unit: str) -> str:
@@ -42,7 +42,7 @@ def _motion_text(value: float, unit: str) -> str:
     return f"{value * factor:.4g} {usual_unit}"
 
 
-def energy_table(metrics: LoadMetrics) -> Table:
+def energy_table(metrics: LoadMetrics) -> ReportTable:
     """Return air, work and efficiency; values that are not available are omitted."""
     rows = [
         ("air used", f"{metrics.air_used * 1e3:.4g}", "l ANR"),
@@ -57,10 +57,10 @@ def energy_table(metrics: LoadMetrics) -> Table:
         rows += [(f"{work.body}: {name}", f"{v:.4g}", "J") for name, v in terms.items() if abs(v) > threshold]
     if not math.isnan(metrics.stored):
         rows.append(("increase in the exergy of the volumes", f"{metrics.stored:.4g}", "J"))
-    return Table(("", Column("", "s"), ""), rows)
+    return ReportTable(("", Column("", "s"), ""), rows)
 
 
-def mode_table(linear: LinearModel) -> Table:
+def mode_table(linear: LinearModel) -> ReportTable:
     """Return a row for each real eigenvalue or conjugate pair; a sampled model has poles in continuous time."""
     is_sampled = bool(getattr(linear, "sample_time", 0.0))
     modes = [complex(value) for value in linear.poles()]
@@ -68,7 +68,7 @@ def mode_table(linear: LinearModel) -> Table:
     columns = Column("pole [1/s]" if is_sampled else "eigenvalue [1/s]"), *numeric("time constant [s]",
                      "frequency [Hz]", "damping")  # fmt: skip
     # One row for each conjugate pair.
-    return Table(columns, [_mode_row(value, threshold) for value in modes if value.imag >= 0.0])
+    return ReportTable(columns, [_mode_row(value, threshold) for value in modes if value.imag >= 0.0])
 
 
 def _mode_row(value: complex, threshold: float) -> list[str]:
@@ -84,7 +84,7 @@ def _mode_row(value: complex, threshold: float) -> list[str]:
     return [f"{value.real:.6g}", text, "", ""]
 
 
-def extreme_table(recording: Recording) -> Table:
+def extreme_table(recording: Recording) -> ReportTable:
     """Return first, last, lowest and highest value of every series except codes; internal outputs come last."""
     units = {
         name: USUAL.get(unit, unit)
@@ -101,4 +101,4 @@ def extreme_table(recording: Recording) -> Table:
         low_time, high_time = (f"{series.time[k]:.5g}" for k in (low, high))
         rows.append((name, pretty(unit) if unit != "1" else "", first, last, minimum, low_time, maximum, high_time))
     columns = numeric("first", "last", "lowest", "at [s]", "highest", "at [s]")
-    return Table(("series", "unit", *columns), rows, name="values")
+    return ReportTable(("series", "unit", *columns), rows, name="values")

@@ -12,17 +12,17 @@ from poppet.report.circuit.schematic import draw_circuit
 from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
 from poppet.report.result_tables import ENERGY, STROKES, energy_table, extreme_table, stroke_table
 from poppet.report.styles import stylesheet
-from poppet.report.tables import Column, Markup, Table, code, numeric
+from poppet.report.tables import Column, Markup, ReportTable, code, numeric
 from poppet.timeseries.plotting.figures import style
 from poppet.timeseries.plotting.plots import plot_recordings
 from poppet.timeseries.recording import Recording
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 
 def write_run(
-    circuit: Circuit, recording: Recording, path: str | Path, *, select: str | Iterable[str] | None = None,
+    circuit: BaseCircuit, recording: Recording, path: str | Path, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, inner: bool = False,
 ) -> Path:  # fmt: skip
     """Write the report of a run as a self-contained page.
@@ -58,7 +58,7 @@ def write_run(
 
 
 def run_page(
-    circuit: Circuit, recording: Recording, *, select: str | Iterable[str] | None = None,
+    circuit: BaseCircuit, recording: Recording, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, inner: bool = False,
 ) -> str:  # fmt: skip
     """Return the report of a run as HTML."""
@@ -85,15 +85,15 @@ def run_page(
     return document(title, sections, style=stylesheet("run"))
 
 
-def _loads(recording: Recording) -> list[str | Table]:
+def _loads(recording: Recording) -> list[str | ReportTable]:
     if (metrics := recording.figures) is None:
         return []
-    content: list[str | Table] = [paragraph(STROKES), stroke_table(metrics)] if metrics.strokes else []
+    content: list[str | ReportTable] = [paragraph(STROKES), stroke_table(metrics)] if metrics.strokes else []
     energy = [(name, f"{value} {unit}") for name, value, unit in energy_table(metrics).rows]
-    return [*content, Table(("", Column("", "s")), energy, caption=ENERGY)]
+    return [*content, ReportTable(("", Column("", "s")), energy, caption=ENERGY)]
 
 
-def _parameters(circuit: Circuit) -> str:
+def _parameters(circuit: BaseCircuit) -> str:
     """Return the parameters grouped by their source, the least certain first."""
     text, ambient = "", circuit.surroundings.pressure
     for kind in LEAST_CERTAIN_FIRST:
@@ -107,12 +107,12 @@ def _parameters(circuit: Circuit) -> str:
             for address, number in circuit.numbers().items()
             if number.source.kind == kind
         ]
-        table = Table(("parameter", "as written", Column("SI", "s"), "source"), rows, css_class="numbers")
+        table = ReportTable(("parameter", "as written", Column("SI", "s"), "source"), rows, css_class="numbers")
         text += folded(f"{kind} ({len(rows)})", table, is_open=kind == "assumed")
     return text
 
 
-def _balance_table(recording: Recording) -> Table:
+def _balance_table(recording: Recording) -> ReportTable:
     rows = [
         (
             balance.name,
@@ -124,10 +124,10 @@ def _balance_table(recording: Recording) -> Table:
         if balance.allowed > 0.0
     ]  # fmt: skip
     caption = "Residual: increase of the stored quantity minus the integrals of the flows into it."
-    return Table(("balance", *numeric("residual", "allowed", "throughput"), ""), rows, caption)
+    return ReportTable(("balance", *numeric("residual", "allowed", "throughput"), ""), rows, caption)
 
 
-def _settings(circuit: Circuit, recording: Recording) -> Table:
+def _settings(circuit: BaseCircuit, recording: Recording) -> ReportTable:
     accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
     rows = [
         ("solver", circuit.run.solver),
@@ -135,4 +135,4 @@ def _settings(circuit: Circuit, recording: Recording) -> Table:
         ("steps", f"{accepted:.0f} accepted, {rejected:.0f} rejected"),
         ("ambient pressure", f"{recording.ambient_pressure / 1e5:.6g} bar"),
     ]
-    return Table(("", ""), rows)
+    return ReportTable(("", ""), rows)

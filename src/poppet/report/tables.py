@@ -55,18 +55,18 @@ def numeric(*headings: str, digits: str = "s") -> tuple[Column, ...]:
 
 
 @dataclass(frozen=True)
-class Table:
+class ReportTable:
     """Rows of cells under headings; a cell is a number, text, `Markup` or None.
 
     A plain text in `columns` is the heading of a column of text. A table without headings has no header row.
 
     Examples
     --------
-    >>> table = Table(("law", Column("time [s]", ".1f")), [("isothermal", 71.111)])
+    >>> table = ReportTable(("law", Column("time [s]", ".1f")), [("isothermal", 71.111)])
     >>> print(table.text())
     law         time [s]
     isothermal      71.1
-    >>> Table(("", ""), [("a < b", Markup("<b>c</b>"))]).html().splitlines()[1]
+    >>> ReportTable(("", ""), [("a < b", Markup("<b>c</b>"))]).html().splitlines()[1]
     '<tr><td>a &lt; b</td><td><b>c</b></td></tr>'
     """
 

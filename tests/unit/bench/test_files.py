@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from poppet.bench.iso10094.bench_result import BenchResult, compared, is_result, read_bench_result
-from poppet.bench.iso10094.evaluation import CharacteristicValue, Curve
-from poppet.bench.iso10094.ranges import listed, pressure, pressure_range, setpoint_scale
+from poppet.bench.iso10094.evaluation import CharacteristicValue, PlottedCurve
+from poppet.bench.iso10094.scale import listed, pressure, pressure_range, setpoint_scale
 from poppet.bench.iso10094.valve_recordings import recorded
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, InputErrors
@@ -243,7 +243,7 @@ RESULT = BenchResult(
         "delay": CharacteristicValue(0.01, "s", "d"),
     },
     {"step": [{"record": "r", "from": 10.0, "to": 90.0, "is_settled": True}]},
-    {"step": [Curve("outlet", "+80 % FS, 1 l", np.linspace(0.0, 1.0, 1000), np.linspace(0.0, 100.0, 1000))]},
+    {"step": [PlottedCurve("outlet", "+80 % FS, 1 l", np.linspace(0.0, 1.0, 1000), np.linspace(0.0, 100.0, 1000))]},
     {"bench": (Note("said", text="note: with a colon."),), "step": (Note("bench.step.none", "r", least=2.0),)},
     {"full_scale": [1e5, 7e5], "volumes": [1e-3], "step": {"x": 1.0}},
     {},

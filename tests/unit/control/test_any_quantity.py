@@ -83,7 +83,7 @@ def test_a_schedule_of_positions_has_positions():
     assert found.applied(drive()).parameters["c.schedule.position_1"] == pytest.approx(0.06)
 
 
-def test_friction_that_sticks_is_told_and_counts_as_its_viscous_part():
+def test_stiction_is_replaced_by_viscous_friction_with_a_note():
     stuck = {"kind": "lugre", "coulomb_force": 20.0, "static_force": 30.0, "viscous_coefficient": VISCOUS}
     found = tune(drive(stuck), at=["80 mm", "100 mm"])
     assert found.points[0].gains == tuned().points[0].gains
@@ -210,7 +210,7 @@ def test_kinks_of_an_inner_loop_are_looked_at_on_both_sides():
         ({"direction": -1.0}, "-50 mm", "plant.wrong_way"),
     ],
 )
-def test_plants_that_no_gains_are_for_are_refused(fields, at, code):
+def test_plants_without_gains_are_rejected(fields, at, code):
     direction = fields.pop("direction", None)
     circuit = drive(**fields)
     if direction:
@@ -221,7 +221,7 @@ def test_plants_that_no_gains_are_for_are_refused(fields, at, code):
         plant_of(circuit).operating_point(at)
 
 
-def test_sample_times_that_do_not_go_together_are_refused():
+def test_incompatible_sample_times_are_rejected():
     with refused("plant.other_period", "outer", period=pytest.approx(15e-3)):
         plant_of(cascade(sample_time=7.5e-3), "outer").operating_point("3 bar")
 
@@ -296,7 +296,7 @@ def muscle_joint(outer, *, through_force=False, **muscle):
 
 
 def test_a_muscle_joint_is_tuned_over_a_pressure_loop():
-    """Angle -> pressure -> two valves, hysteresis left out and told; the gains hold the joint where it is asked."""
+    """The gains hold the angle of a joint over a pressure loop; a note reports the omitted hysteresis."""
     outer = PID(quantity="angle", command_quantity="pressure", gain="0.5 bar/rad", integral_time="0.2 s",
                 lower_limit="0.1 bar g", upper_limit="6 bar g", bias="2 bar g", sample_time="4 ms")  # fmt: skip
     circuit = muscle_joint(outer, hysteresis={"kind": "coulomb", "force": 3.0, "reach": "4 mm"})

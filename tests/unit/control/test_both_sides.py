@@ -150,5 +150,5 @@ def test_the_smallest_leak_is_held_where_it_was_asked(leak):
     assert set(point.models) == {"fill", "vent"}
 
 
-def test_what_was_bounded_is_said():
+def test_the_result_names_the_bounded_sides():
     assert tuned(*PLANTS[1]).bounded == "Ms, Mt <= 1.4 filling and venting at 2, 5 bar"

@@ -1,4 +1,4 @@
-"""Margins with closed forms, tuning that keeps its bound, operating points, mistakes."""
+"""Margins with closed forms, tuning that keeps its bound, operating points, errors."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def test_margins_of_an_integrator_have_closed_forms():
 
 
 @pytest.mark.parametrize("delay", [0, 1, 2, 3])
-def test_the_limit_of_stability_is_where_the_gain_margin_says(delay):
+def test_the_gain_margin_is_the_limit_of_stability(delay):
     plant = SampledPlant(np.eye(1), np.array([0.1]), np.ones(1), T, delay)
     margin = margins(plant, Gains(1.0)).gain_margin
     # 2 sin(pi/(2 (2 d + 1))) is the greatest gain of an integrator behind d samples of delay.
@@ -83,7 +83,7 @@ def test_an_unstable_loop_is_called_so():
     assert np.max(np.abs(step_response(plant, Gains(5e-3, 0.01), 1.0, 400))) > 1e3
 
 
-def test_the_plant_is_what_the_law_says():
+def test_the_plant_matches_its_law():
     """An isothermal tank integrates: the slope of the pressure per opening is the rate of the open valve."""
     plant = plant_of(tank_loop())
     assert plant.measurement == "tank.pressure"
@@ -226,7 +226,7 @@ KNOWING = {"volume": "1 l", "fill": VALVE, "vent": VALVE, "supply_pressure": "7 
         ),
     ],
 )
-def test_mistakes_are_told(circuit, options, error, code):
+def test_errors_are_reported(circuit, options, error, code):
     with pytest.raises(error) as caught:
         tune(circuit, **options)
     assert caught.value.code == code

@@ -142,7 +142,7 @@ def test_a_dead_zone_has_its_describing_function(size):
     assert abs(np.angle(ratio, deg=True)) < 1.5
 
 
-def test_gains_for_a_dead_zone_are_those_of_its_answer():
+def test_gains_for_a_dead_zone_are_those_of_its_response():
     """A third of the answer allows three times the gain; a proportional controller leaves the body in the zone."""
     bare, zoned = (
         tune(even(spool={"overlap": overlap}), at=["100 mm"], form="p", amplitudes=[0.05]) for overlap in (0.0, 0.03)
@@ -170,17 +170,17 @@ def verification(**fields):
         ({"settling_time": math.inf}, "tuning.unsettled"),
     ],
 )
-def test_what_goes_wrong_in_a_step_is_said(fields, code):
+def test_deficiencies_of_a_step_have_notes(fields, code):
     assert [note.code for note in verification(**fields).notes("c")] == ([code] if code else [])
 
 
 @pytest.mark.parametrize("size", [0.0, -0.1, 1.5])
-def test_sizes_that_no_command_has_are_refused(size):
+def test_sizes_beyond_the_command_are_rejected(size):
     with refused("tuning.amplitude", "c", size=size):
         tune(even(), at=["100 mm"], amplitudes=[size])
 
 
-def test_a_loop_that_does_not_hold_is_refused():
+def test_a_loop_without_a_steady_state_is_rejected():
     with refused("tuning.not_held", "slide.position", kind=SimulationError):
         tune(drive(gain="60 1/m", integral_time=0.02), at=["100 mm"], amplitudes=[0.02])
 
@@ -204,7 +204,7 @@ def test_the_muscle_joint_is_tuned_through_its_complete_valve():
 
 @pytest.mark.slow
 def test_a_cylinder_is_tuned_with_the_overlap_of_its_valve():
-    """Two sizes of sine share their gains; what is left of the small step, in the overlap, is told where it is much."""
+    """Two sizes of sine share their gains; a note reports a step that does not settle."""
     tuning = tune(load(EXAMPLES / "cylinder_position.toml"), at=["100 mm"], form="pid", amplitudes=[0.05, 0.3])
     (point,) = tuning.points
     unsettled = [run for run in point.verified if not math.isfinite(run.settling_time)]

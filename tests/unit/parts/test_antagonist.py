@@ -107,7 +107,7 @@ def test_torque_counts_more_than_the_mean(sign):
 
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
-def test_a_torque_beyond_both_limits_is_given_as_far_as_it_goes(sign):
+def test_a_torque_beyond_both_limits_is_limited(sign):
     part, law = Antagonist(**PAIR), law_of(Antagonist(**PAIR))
     given = outputs(part, torque=sign * 500.0, mean_pressure=2.5e5, flexor_contraction=0.1, extensor_contraction=0.1)
     pulls, yields = (given[name] for name in ("flexor_pressure", "extensor_pressure")[:: int(sign)])
@@ -122,7 +122,7 @@ def test_one_muscle_alone_gives_the_torque_where_the_other_hangs_loose():
     assert given["given_torque"] == pytest.approx(-5.0)
 
 
-def test_a_limit_that_was_met_is_told():
+def test_a_pressure_at_its_limit_has_a_note():
     links = {"inverse.contraction": "muscle.contraction", "air.pressure": "inverse.pressure"}
     parts = {
         "inverse": InverseMuscle(data="dmsp_20_300", highest_pressure="5 bar g"),

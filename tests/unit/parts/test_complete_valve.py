@@ -70,7 +70,7 @@ def test_values_change_by_nested_address():
     assert float(numbers["valve.pilot.vent.frequency"]) == 100.0
 
 
-def test_a_change_of_preset_changes_the_sets_numbers_and_keeps_given_ones():
+def test_a_change_of_preset_keeps_specified_numbers():
     first = circuit(preset="fast", electronics={"outer": {"gain": 7.0}})
     second = first.with_values({"valve.preset": "precise"})
     assert float(second.numbers()["valve.electronics.outer.gain"]) == 7.0
@@ -84,7 +84,7 @@ def test_a_number_never_compiles_and_a_preset_neither():
     assert first.kernel is second.kernel
 
 
-def test_mistakes_of_all_members_come_at_once():
+def test_errors_of_all_members_are_reported_together():
     with pytest.raises(InputError) as caught:
         valve(
             pilot={"volume": -1.0, "volmue": 1.0}, electronics={"inner": {"sample_time": 0.0}}, main_stage={"mode": "x"}
@@ -96,18 +96,18 @@ def test_mistakes_of_all_members_come_at_once():
     assert "main_stage.mode is not a valid field" in text
 
 
-def test_a_missing_port_is_one_mistake():
+def test_a_missing_port_is_one_error():
     with pytest.raises(InputError) as caught:
         ProportionalValve(outlet="tank", exhaust="ambient", data="vppm_6l")
     assert str(caught.value).count("is missing") == 1
 
 
-def test_a_member_that_is_no_table_is_refused():
+def test_a_member_that_is_not_a_table_is_rejected():
     with refused("fields.not_a_table", "pilot.pilot", value=3):
         valve(pilot=3)
 
 
-def test_an_unknown_set_is_one_mistake():
+def test_an_unknown_set_is_one_error():
     with refused("library.unknown", "data", name="vppm_6") as caught:
         ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6")
     (problem,) = caught.value.problems
@@ -401,7 +401,7 @@ def test_parts_on_their_own_do_what_the_whole_does():
         assert energy.error < 1e-12 * (energy.through + energy.inventory)
 
 
-def test_a_displacement_whose_speed_nobody_knows_is_refused():
+def test_a_displacement_without_a_derivative_is_rejected():
     pilots = {name: PilotStage(supply="supply", exhaust="ambient", data="vppm_6l") for name in ("one", "other")}
     parts = {"supply": Reservoir(pressure="7 bar"), **pilots}
     circuit = Circuit(
@@ -464,7 +464,7 @@ def test_a_signal_of_the_setpoint_may_act_later():
 # --- What a run says ---
 
 
-def test_a_target_above_the_supply_is_said():
+def test_a_target_above_the_supply_has_a_note():
     whole = circuit({"valve.setpoint": Steps([0.0, 1.0], [3e5, 6e5])}).with_values({"supply.pressure": "5 bar"})
     notes = whole.simulate(4.0, 0.01).notes
     assert "valve: the target of 6 bar at t = 1 s cannot be reached: the supply pressure is 5 bar." in notes
@@ -534,7 +534,7 @@ def test_an_output_cannot_feed_itself():
     assert (found.code, found.facts["names"]) == ("wiring.loop", ["hole.opening"])
 
 
-def test_a_controller_that_measures_nothing_is_said():
+def test_a_controller_without_a_measurement_has_a_note():
     alone = Electronics(data="vppm_6l")
     run = Circuit({"controller": alone}, {"controller.pilot_pressure": Steps([0.0], [2e5])}).simulate(0.1, 0.01)
     assert run.remarks == (Note("circuit.uncontrolled", "controller.outlet_pressure", value=1e5, unit="Pa"),)
@@ -568,7 +568,7 @@ def test_pages_state_the_count_of_assumed_parameters():
         assert words.format(assumed, len(numbers)) in (root / page).read_text(encoding="utf-8"), page
 
 
-def test_a_forgotten_set_is_one_mistake():
+def test_a_forgotten_set_is_one_error():
     with refused("parts.forgotten_set", "data", set="vppm_6l") as caught:
         ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", preset="quick")
     forgotten, option = caught.value.problems

@@ -91,7 +91,7 @@ def test_bad_table(given, match):
         *(("quantity.no_number", given) for given in ("nan bar", "", "bar")),
     ],
 )
-def test_what_is_no_finite_number_is_refused(code, given):
+def test_values_other_than_finite_numbers_are_rejected(code, given):
     with refused(code, "p"):
         read_number("p", SPEC, given)
 
@@ -149,7 +149,7 @@ def test_optional_group_is_left_out_or_completed():
     assert float(with_library.extra.rate) == 4.0
 
 
-def test_all_mistakes_of_a_part_at_once():
+def test_errors_of_a_part_are_reported_together():
     with pytest.raises(InputErrors) as caught:
         made(size=-1.0, form="triangle", to=3, spring={"rate": "5 m", "prelod": 1}, extra="stiff")
     addresses = [problem.address for problem in caught.value.problems]

@@ -1,4 +1,4 @@
-"""The muscle: direction, what it refuses, what a run says, hysteresis, slack, table, library sets."""
+"""Muscle: direction, rejected input, notes on runs, hysteresis, slack, table, library sets."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_longer_than_its_nominal_length_at_the_start_is_refused(body):
     assert caught.value.problems[0].facts["excess"] == pytest.approx(1e-3)
 
 
-def test_a_signal_that_begins_beyond_is_refused():
+def test_a_signal_that_starts_beyond_the_range_is_rejected():
     with refused("muscle.stretched", "muscle.offset"):
         guided([0.0, 1.0], [0.002, -0.01], direction=-1)
 
@@ -80,7 +80,7 @@ def test_a_signal_that_begins_beyond_is_refused():
         ({"data": "dmsp_10_250", "volume_law": "braid"}, "braid_angle"),
     ],
 )
-def test_a_law_without_its_numbers_is_refused(fields, address):
+def test_a_law_without_its_parameters_is_rejected(fields, address):
     with refused("muscle.law_needs", address):
         Muscle(**PLAIN, **fields)
 
@@ -90,7 +90,7 @@ def test_a_direction_is_one_or_minus_one():
         Muscle(body="slide", data="dmsp_20_300", direction=0.5)
 
 
-def test_a_table_that_does_not_rise_is_refused():
+def test_a_table_that_does_not_rise_is_rejected():
     muscle = Muscle(**PLAIN, law="table", force_table=TABLE | {"contraction": [0.0, 0.2, 0.1]})
     with refused("schedule.not_rising", "muscle.force_table.contraction", kind=InputError):
         Circuit({"muscle": muscle, "slide": Guide()})
@@ -99,7 +99,7 @@ def test_a_table_that_does_not_rise_is_refused():
 # What a run says --------------------------------------------------------------------------------------------------
 
 
-def test_what_lies_beyond_the_law_is_said():
+def test_values_beyond_the_law_have_notes():
     run = guided([0.0, 1.0], [0.006, 0.09], initial_pressure="7.5 bar g")
     high = note(run, "muscle.beyond", "muscle.contraction")
     assert (high["worst"], high["limit"]) == (pytest.approx(0.3), 0.26)
@@ -108,12 +108,12 @@ def test_what_lies_beyond_the_law_is_said():
     assert note(run, "muscle.beyond", "muscle.pressure")["limit"] == pytest.approx(7e5)
 
 
-def test_inside_nothing_is_said():
+def test_no_notes_inside_the_range():
     run = guided([0.0, 1.0], [0.006, 0.03], initial_pressure="4 bar g")
     assert [n.code for n in run.remarks if n.code.startswith("muscle.")] == []
 
 
-def test_a_slack_muscle_has_no_force_and_says_so():
+def test_a_slack_muscle_has_no_force_and_a_note():
     run = guided([0.0, 1.0], [0.006, 0.06], initial_pressure="1.5 bar g")
     assert run["muscle.force"][-1] == 0.0
     assert run["muscle.force"].min() == 0.0

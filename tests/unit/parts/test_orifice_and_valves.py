@@ -70,7 +70,7 @@ class TestSizes:
         assert by_cv == pytest.approx(3.96e-8, rel=0.06)
 
     @pytest.mark.parametrize("size", ["flow_coefficient_kv", "flow_coefficient_cv", "sonic_conductance"])
-    def test_a_missing_ratio_is_assumed_and_said(self, size):
+    def test_a_missing_ratio_is_assumed_with_a_note(self, size):
         ratio = Orifice(**ENDS, **{size: 1e-8}).critical_ratio
         assert float(ratio) == 0.3
         assert ratio.source.kind == "assumed"

@@ -1,4 +1,4 @@
-"""The sampled PID controller: sample by sample against a plain loop, limits, bumpless changes, schedules, mistakes."""
+"""The sampled PID controller: sample by sample against a plain loop, limits, bumpless changes, schedules, errors."""
 
 from __future__ import annotations
 
@@ -223,7 +223,7 @@ def test_it_holds_a_tank():
         ({"gain": 1e-5, "acts": "later"}, "fields.not_an_option"),
     ],
 )
-def test_mistakes_are_told(fields, message):
+def test_errors_are_reported(fields, message):
     with refused(message):
         PID(**fields)
 

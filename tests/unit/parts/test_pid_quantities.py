@@ -201,7 +201,7 @@ def test_a_schedule_is_one_of_the_quantity():
         ({"command_quantity": "volts"}, "fields.not_an_option", "command_quantity"),
     ],
 )  # fmt: skip
-def test_mistakes_are_told(fields, code, address):
+def test_errors_are_reported(fields, code, address):
     right = {"quantity": "force", "command_quantity": "pressure", "gain": "2 bar/kN", "lower_limit": "1 bar",
              "upper_limit": "5 bar"}  # fmt: skip
     assert PID(**right).numbers()["gain"].value == 200.0
@@ -236,7 +236,7 @@ def test_connections_of_other_units_are_refused(source):
         _ = wrong.model
 
 
-def test_an_unmeasured_loop_says_in_its_unit_where_it_stays():
+def test_the_note_of_an_unmeasured_loop_has_its_unit():
     notes = Circuit({"c": PID(**FORCE, gain=1.0)}).static_notes
     assert [(note.code, note.facts["unit"], note.facts["value"]) for note in notes] == [
         ("circuit.uncontrolled", "m", 0.0)

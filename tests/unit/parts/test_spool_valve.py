@@ -105,7 +105,7 @@ def test_a_spool_of_first_order_and_its_delay():
     assert np.abs(recording["valve.position"] - (1.0 - np.exp(-after / 5e-3))).max() < 1e-5
 
 
-def test_a_spool_of_second_order_overshoots_as_its_damping_says():
+def test_the_overshoot_of_a_second_order_spool_matches_its_damping():
     recording = run(Steps([0.0, 0.01], [0.0, 0.5]), dynamics="second_order", natural_frequency="50 Hz", damping=0.4)
     damped = math.sqrt(1.0 - 0.4**2)
     turn, after = 2.0 * math.pi * 50.0, np.maximum(recording.time - 0.01, 0.0)
@@ -128,7 +128,7 @@ def test_a_chamber_fills_while_the_other_empties_and_no_gas_is_lost():
     assert all(residual.is_kept for residual in recording.residuals)
 
 
-def test_wrong_wiring_is_told_at_once():
+def test_wiring_errors_are_reported_together():
     parts = {
         "rail": Reservoir(pressure="7 bar"),
         "first": Chamber(volume="1 l"),

@@ -1,4 +1,4 @@
-"""Tubes: what they are made of, how they are joined, what is refused."""
+"""Tubes: members, connections, rejected input."""
 
 from __future__ import annotations
 
@@ -159,7 +159,7 @@ def test_names_of_ports_are_those_of_all_kinds() -> None:
     assert not stores & {*PORTS}
 
 
-def test_what_names_no_tube_or_no_port_is_refused() -> None:
+def test_names_of_other_parts_or_ports_are_rejected() -> None:
     hose = Tube(from_="valve.to", to="tank", **SIZE)
     with refused("tube.not_met", "parts.hose.from", store="tank", tube="hose"):
         between(hose, valve=Orifice(from_="supply", to="tank", **NARROW))
@@ -174,13 +174,13 @@ def test_what_names_no_tube_or_no_port_is_refused() -> None:
 
 
 @pytest.mark.parametrize("wrong", ['length = "-2 m"', "", 'length = "2 m"\nlenght = 3'])
-def test_a_tube_with_a_mistake_makes_no_other_mistakes(wrong: str) -> None:
+def test_an_invalid_tube_is_one_error(wrong: str) -> None:
     with refused("fields.out_of_range" if "-2" in wrong else "fields.unknown" if wrong else "fields.missing") as caught:
         loads(FILE.replace('length = "2 m"', wrong))
     assert not hasattr(caught.value, "problems") or len(caught.value.problems) == 1
 
 
-def test_forms_that_cannot_be_are_refused() -> None:
+def test_invalid_forms_are_rejected() -> None:
     with refused("tube.cells", "cells"):
         Tube(from_="a", to="b", **SIZE, cells=2.5)
     with refused("tube.one_cell", "cells"):

@@ -30,7 +30,7 @@ def test_many_missed_plateaus_are_shown_as_one_with_the_worst():
     )
 
 
-def test_a_target_that_was_missed_without_power_says_so():
+def test_a_target_missed_without_power_has_a_note():
     said = notes({"valve.setpoint": Steps([0.0, 1.0], [2e5, 4e5]), "valve.power": Steps([0.0, 0.8], [1.0, 0.0])})
     found = [note.facts for note in said if note.code == "valve.not_reached"]
     assert [(f["target_bar"], f["time"], f["unpowered"]) for f in found] == [(4.0, 2.0, True)]
@@ -50,14 +50,14 @@ def test_a_hundredth_of_the_span_is_allowed_however_its_ends_are_written(low, of
     assert any(note.code == "valve.not_reached" for note in said) == is_said
 
 
-def test_a_pilot_volume_that_the_stroke_takes_up_is_said():
+def test_a_pilot_volume_below_the_swept_volume_has_a_note():
     said = notes({"valve.setpoint": Steps([0.0, 1.0], [3e5, 1e5])}, pilot={"volume": "0.3 cm^3"})
     found = [note for note in said if note.code == "valve.pilot_too_small"]
     assert [(note.address, note.facts["shown"]) for note in found] == [("valve.pilot.volume", "0.3 cm^3")]
 
 
 @pytest.mark.parametrize(("amplitude", "is_said"), [(4.4e-6, False), (4.6e-6, True)])
-def test_a_pilot_stage_alone_says_it_too(amplitude, is_said):
+def test_a_pilot_stage_alone_has_the_note_too(amplitude, is_said):
     pilot = PilotStage(supply="supply", exhaust="ambient", data="vppm_6l")
     circuit = Circuit(
         {"supply": Reservoir(pressure="7 bar"), "pilot": pilot},

@@ -174,7 +174,7 @@ def test_every_kind_of_part_is_in_the_island_and_has_a_symbol():
     assert flow_paths <= with_symbol
 
 
-def test_the_picture_says_what_the_parts_are(picture):
+def test_the_picture_names_the_parts(picture):
     found = texts(picture)
     for text in (
         "An island with one of each",
@@ -236,7 +236,7 @@ def test_chains_of_two_to_twenty_parts(count):
     assert set(parts) <= set(texts(figure))
 
 
-def test_a_passage_driven_by_a_signal_is_drawn_adjustable_and_says_no_fixed_stroke():
+def test_a_driven_flow_path_is_drawn_adjustable_without_a_fixed_stroke():
     parts = {
         "tank": Chamber(volume="1 l"),
         "vent": Orifice(from_="tank", to="ambient", characteristic="varga2012", stroke="0.5 mm"),

@@ -15,7 +15,7 @@ from pages import column, lines, needs_nothing_else, plots
 from poppet.report.html_page import document, head, picture
 from poppet.report.plots.reading import DIGITS, MAX_POINTS, plot_data
 from poppet.report.plots.scripts import data_element
-from poppet.report.tables import Table, numeric
+from poppet.report.tables import ReportTable, numeric
 from poppet.timeseries.plotting.figures import axes_in, new_figure, style
 from poppet.timeseries.plotting.plots import plot_recordings
 from poppet.timeseries.recording import Recording
@@ -330,7 +330,7 @@ def test_the_dark_page_turns_paper_and_pictures_over(browser, page):
 
 def test_a_telephone_cuts_no_value_of_a_table(browser, tmp_path):
     cells = [f"{10.0**k:.4f} dm³/(s bar)" for k in range(8)]
-    wide = Table(
+    wide = ReportTable(
         ("heading 0", *numeric(*(f"heading {k}" for k in range(1, 8)))), [["valve.sonic_conductance", *cells[1:]]] * 3
     )
     path = tmp_path / "table.html"

@@ -14,7 +14,7 @@ from poppet.deploy.export_files import c_string, comment_text, identifier
 from poppet.engine.printers.c import DOUBLE, SINGLE, print_function, used_prelude
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 N_CALLS = 100
 """Number of calls of the test vector."""
@@ -23,7 +23,7 @@ ALLOWED = {"double": 1e-11, "single": 1e-3}
 
 
 def c_controller(
-    circuit: Circuit, parts: Sequence[str] = (), *, name: str = "", precision: str = "double"
+    circuit: BaseCircuit, parts: Sequence[str] = (), *, name: str = "", precision: str = "double"
 ) -> dict[str, str]:
     """Return the C files of one or several sampled controllers by name.
 

@@ -40,7 +40,7 @@ from poppet.engine.printers.c import DOUBLE
 from poppet.engine.printers.instructions import SIGNATURES
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 N_ROWS = 20
 """Rows of the test vector after the start."""
@@ -59,7 +59,7 @@ FIXED_REASONS = {
 
 
 def export_c(
-    circuit: Circuit, source: CircuitSource, *, name: str | None = None, substeps: int | None = None,
+    circuit: BaseCircuit, source: CircuitSource, *, name: str | None = None, substeps: int | None = None,
     part: str | None = None, precision: str | None = None,
 ) -> Export:  # fmt: skip
     """Export a circuit or its sampled controllers as C; the keyword arguments are the options of the target."""
@@ -73,7 +73,7 @@ def export_c(
     return Export(c_project(circuit, name or source.name, substeps=1 if substeps is None else substeps))
 
 
-def c_project(circuit: Circuit, name: str = "", *, substeps: int = 1) -> dict[str, str]:
+def c_project(circuit: BaseCircuit, name: str = "", *, substeps: int = 1) -> dict[str, str]:
     """Return the C files of a circuit by name.
 
     Parameters
@@ -253,7 +253,7 @@ def _fixed_step(export_model: ExportModel) -> dict[str, str]:
     return fields
 
 
-def _test_vector(circuit: Circuit, export_model: ExportModel) -> dict[str, str]:
+def _test_vector(circuit: BaseCircuit, export_model: ExportModel) -> dict[str, str]:
     """Return rows of states for the host program to check, with allowed differences; other outputs may jump."""
     circuit.simulate()  # raises the error of a run that fails
     grid = np.linspace(0.0, export_model.problem.grid[-1], N_ROWS + 1)

@@ -19,7 +19,7 @@ from poppet.core.errors import InputError, needed
 from poppet.deploy.fmu.fmu_layout import FOLLOWS
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 Array = NDArray[np.float64]
 EXCHANGE_TOLERANCE = 1e-9
@@ -129,7 +129,7 @@ def circuit_resources(text: str, changes: Mapping[str, float | str], result: str
     return resources
 
 
-def read_circuit(path: Path) -> Circuit:
+def read_circuit(path: Path) -> BaseCircuit:
     """Return the circuit inside an FMU.
 
     Raises

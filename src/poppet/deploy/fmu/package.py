@@ -24,7 +24,7 @@ from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.printers.c import print_function, used_prelude
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 ZIP_TIME = (1980, 1, 1, 0, 0, 0)
 HEADERS = {
@@ -61,7 +61,7 @@ def directional_derivatives(model: Any) -> Any:
 
 
 def export_fmu(
-    circuit: Circuit, source: CircuitSource, *, fmi: str = "2", platform: str | None = None,
+    circuit: BaseCircuit, source: CircuitSource, *, fmi: str = "2", platform: str | None = None,
     inputs: Sequence[str] = (), name: str | None = None,
 ) -> Export:  # fmt: skip
     """Export a circuit as an FMU; the keyword arguments are the options of the target."""
@@ -79,7 +79,7 @@ def export_fmu(
 
 
 def build_fmu(
-    circuit: Circuit, name: str = "", *, fmi: int = 2, platforms: Sequence[str] = ("linux64",),
+    circuit: BaseCircuit, name: str = "", *, fmi: int = 2, platforms: Sequence[str] = ("linux64",),
     inputs: Sequence[str] = (), resources: Mapping[str, bytes] | None = None,
 ) -> Fmu:  # fmt: skip
     """Return the FMU of a circuit.

@@ -14,10 +14,10 @@ from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import inline_svg
 from poppet.timeseries.plotting.figures import figure_bytes
 from poppet.timeseries.plotting.panels import STILL
-from poppet.timeseries.plotting.sheet import Sheet, axis_unit
+from poppet.timeseries.plotting.plots import Sheet, axis_unit
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.timeseries.recording import Recording
 
 _SYMBOLS = {"Pa": "p", "m": "x", "rad": "angle", "N": "F", "N m": "M", "kg/s": "qm"}
@@ -43,7 +43,7 @@ _INPUT_UNITS = {
 
 
 def page_content(
-    export_model: ExportModel, circuit: Circuit, recording: Recording, sliders: Sequence[Slider]
+    export_model: ExportModel, circuit: BaseCircuit, recording: Recording, sliders: Sequence[Slider]
 ) -> dict[str, Any]:
     """Return the content of the page without the kernel and its arrays."""
     ambient = circuit.surroundings.pressure
@@ -104,7 +104,7 @@ def _bands(sheet: Sheet, index_of: dict[str, int]) -> list[dict[str, Any]]:
     return bars
 
 
-def _drawing(export_model: ExportModel, circuit: Circuit) -> dict[str, Any]:
+def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
     """Return the schematic with space in its boxes, the values in the boxes, and the moving bodies."""
     inner = export_model.instance.inner
     values_of: dict[str, list[dict[str, Any]]] = {}

@@ -19,7 +19,7 @@ from poppet.report.plots.scripts import data_element, tight
 from poppet.timeseries.plotting.figures import style
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 _LEAD = "The model itself runs in this page. Change a number, and curves, bars and the drawing follow; * is assumed."
 _CURVES = "<!-- curves -->"
@@ -29,13 +29,13 @@ MAX_ATTEMPTS = 500_000
 """Maximum number of steps of a run on a page, because the user waits for it."""
 
 
-def export_live(circuit: Circuit, source: CircuitSource, *, parameters: Sequence[str] = ()) -> Export:
+def export_live(circuit: BaseCircuit, source: CircuitSource, *, parameters: Sequence[str] = ()) -> Export:
     """Export a circuit as a page; `parameters` is the option of the target."""
     page = printable(live_page(circuit, parameters=parameters)).encode()
     return Export({"page.html": page}, f"{len(page) / 1000:.0f} kB; runs in any browser, without a network connection.")
 
 
-def live_page(circuit: Circuit, *, parameters: Sequence[str] = ()) -> str:
+def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
     """Return the HTML text of a page that simulates a circuit.
 
     Parameters

@@ -16,7 +16,7 @@ from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter
 from poppet.timeseries.signals import Points, Steps
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 DEFAULT_COUNT = 8
 """Number of sliders if none are requested."""
@@ -60,7 +60,7 @@ def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple
     return at_one - at_zero, at_zero
 
 
-def select_sliders(export_model: ExportModel, circuit: Circuit, texts: Sequence[str]) -> list[Slider]:
+def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Sequence[str]) -> list[Slider]:
     """Return the requested sliders, `ADDRESS` or `ADDRESS=LOW..HIGH`, or a default selection."""
     if not texts:
         return _default_sliders(export_model, circuit)
@@ -74,7 +74,7 @@ def select_sliders(export_model: ExportModel, circuit: Circuit, texts: Sequence[
     return list(sliders.values())
 
 
-def _default_sliders(export_model: ExportModel, circuit: Circuit) -> list[Slider]:
+def _default_sliders(export_model: ExportModel, circuit: BaseCircuit) -> list[Slider]:
     """Return sliders for driven inputs, given and assumed parameters, but not temperatures or start values."""
     numbers = circuit.numbers()
     candidates = [
@@ -99,7 +99,7 @@ def _is_guided(export_model: ExportModel, address: str) -> bool:
     return any(item.slope_of >= 0 and inputs[item.slope_of].address == address for item in inputs)
 
 
-def _slider(export_model: ExportModel, circuit: Circuit, address: str) -> Slider:
+def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Slider:
     inputs = {item.address: item for item in export_model.inputs}
     parameters = {parameter.address: parameter for parameter in export_model.parameters}
     # An input without a signal is its parameter.
@@ -117,7 +117,7 @@ def _slider(export_model: ExportModel, circuit: Circuit, address: str) -> Slider
     return _parameter_slider(export_model, parameters[address], circuit)
 
 
-def _parameter_slider(export_model: ExportModel, parameter: ExportParameter, circuit: Circuit) -> Slider:
+def _parameter_slider(export_model: ExportModel, parameter: ExportParameter, circuit: BaseCircuit) -> Slider:
     address, value, si = parameter.address, parameter.value, parameter.unit
     number = circuit.numbers()[address]
     index = export_model.model.parameters.index(address)
@@ -134,7 +134,7 @@ def _parameter_slider(export_model: ExportModel, parameter: ExportParameter, cir
     )  # fmt: skip
 
 
-def _input_slider(export_model: ExportModel, item: ExportInput, index: int, circuit: Circuit) -> Slider:
+def _input_slider(export_model: ExportModel, item: ExportInput, index: int, circuit: BaseCircuit) -> Slider:
     signal = circuit.signals.get(item.address)
     low, high = signal.bounds() if signal else (item.value, item.value)
     if not (math.isfinite(low) and math.isfinite(high) and low < high):
@@ -148,7 +148,7 @@ def _input_slider(export_model: ExportModel, item: ExportInput, index: int, circ
     )  # fmt: skip
 
 
-def _signal(export_model: ExportModel, circuit: Circuit, index: int) -> dict[str, Any]:
+def _signal(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
     """Return the signal of an input in the file, and its delay."""
     item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}
@@ -182,7 +182,7 @@ def _display_unit(number: Number, value: float) -> str:
     return "degC" if number.unit == "K" and number.reference == "absolute" else readable_unit(number.unit, value)
 
 
-def _with_range(slider: Slider, span: str, circuit: Circuit) -> Slider:
+def _with_range(slider: Slider, span: str, circuit: BaseCircuit) -> Slider:
     """Return the slider with a range such as `50 l..400 l`."""
     low_text, dots, high_text = span.partition("..")
     if not dots:

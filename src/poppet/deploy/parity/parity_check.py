@@ -19,7 +19,7 @@ from poppet.deploy.fmu.importers import EXCHANGE_TOLERANCE
 from poppet.engine.problem import Problem, RawRun
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 Array = NDArray[np.float64]
 MAX_INSTANTS = 3000
@@ -65,7 +65,7 @@ class ParityCheck(NamedTuple):
 class KernelReference:
     """Run of the kernel, with further runs for comparison."""
 
-    circuit: Circuit
+    circuit: BaseCircuit
     problem: Problem  # of `simulate`
     run: RawRun
     seconds: float

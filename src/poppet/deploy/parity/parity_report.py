@@ -8,13 +8,13 @@ import numpy as np
 
 from poppet.deploy.parity.parity_table import Parity
 from poppet.report.html_page import document, findings, head, write_page
-from poppet.report.tables import Column, Table
+from poppet.report.tables import Column, ReportTable
 
 SCOPES = {"all": "every output", "gas": "pressures and masses of gas"}
 VERDICTS = {"rounding": "within rounding", "coarse": "step too long"}
 
 
-def results_table(parity: Parity, *, is_long: bool = False) -> Table:
+def results_table(parity: Parity, *, is_long: bool = False) -> ReportTable:
     """Return one row per check; the long form has the descriptions and the compared outputs."""
     columns = [
         Column("target"), Column("time [ms]", ".4g"), Column("greatest difference", ".2e"), Column("of"),
@@ -41,16 +41,16 @@ def results_table(parity: Parity, *, is_long: bool = False) -> Table:
         descriptions = [(row.check.description, SCOPES[row.check.scope]) for row in parity.rows]
         descriptions = [(f"the reference, {parity.steps} steps", ""), *descriptions]
         rows = [(row[0], *texts, *row[1:]) for row, texts in zip(rows, descriptions, strict=True)]
-    return Table(columns, rows, name="parity")
+    return ReportTable(columns, rows, name="parity")
 
 
-def outputs_table(parity: Parity) -> Table:
+def outputs_table(parity: Parity) -> ReportTable:
     """Return one row per output, with a column for each target that was run."""
     compared = [row for row in parity.rows if row.differences]
     names = list(dict.fromkeys([*parity.sizes, *(name for row in compared for name in row.differences)]))
     columns = Column("output"), Column("size", ".4g"), *(Column(row.name, ".1e") for row in compared)
     rows = tuple((name, parity.sizes.get(name), *(row.differences.get(name) for row in compared)) for name in names)
-    return Table(columns, rows, name="outputs")
+    return ReportTable(columns, rows, name="outputs")
 
 
 def not_run_notes(parity: Parity) -> list[str]:

@@ -29,7 +29,7 @@ from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 
 @dataclass(frozen=True)
@@ -136,7 +136,7 @@ def all_checks() -> dict[str, ParityCheck]:
     return {check.name: check for check in checks}
 
 
-def compare_targets(circuit: Circuit, *, only: Sequence[str] = (), fmu: Path | None = None) -> Parity:
+def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path | None = None) -> Parity:
     """Run a circuit with every target and compare each run with that of the kernel.
 
     Parameters
@@ -178,7 +178,7 @@ def compare_targets(circuit: Circuit, *, only: Sequence[str] = (), fmu: Path | N
     return Parity(circuit.title, run.reached, reference.seconds, run.accepted, sizes, rows)
 
 
-def run_kernel(circuit: Circuit, fmu: Path | None = None) -> KernelReference:
+def run_kernel(circuit: BaseCircuit, fmu: Path | None = None) -> KernelReference:
     """Run a circuit with the kernel, and measure the time."""
     circuit.simulate()  # compiles everything, and raises the error of a run that fails
     problem = circuit.problem(circuit.run)

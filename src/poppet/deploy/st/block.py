@@ -24,7 +24,7 @@ from poppet.parts.part import NEVER
 from poppet.timeseries.signals import SampledSignal
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 MAX_NAME_LENGTH = 32
 """Maximum number of characters of a name; some controllers ignore further characters."""
@@ -86,7 +86,7 @@ class BlockNames:
         return name
 
 
-def export_st(circuit: Circuit, source: CircuitSource, *, part: str | None = None) -> Export:
+def export_st(circuit: BaseCircuit, source: CircuitSource, *, part: str | None = None) -> Export:
     """Export sampled controllers as structured text; `part` is the option of the target."""
     if not part:
         controllers = [*find_controllers(circuit)]
@@ -98,7 +98,7 @@ def export_st(circuit: Circuit, source: CircuitSource, *, part: str | None = Non
     return Export({"controller.st": block_of(circuit, select_parts(circuit, part))})
 
 
-def block_of(circuit: Circuit, parts: Sequence[str] = ()) -> str:
+def block_of(circuit: BaseCircuit, parts: Sequence[str] = ()) -> str:
     """Return sampled controllers of a circuit as a function block.
 
     Parameters

@@ -73,17 +73,17 @@ DOUBLE, SINGLE = Precision(), Precision("float", "f")
 def prelude(precision: Precision = DOUBLE) -> str:
     """Return the helper functions of printed functions."""
     real, e = precision
-    one, zero = precision.literal(1.0), precision.literal(0.0)
+    unity, zero = precision.literal(1.0), precision.literal(0.0)
     return f"""/* The exponent of the flow law is a number like others, and nearly always 1/2. */
 static {real} power({real} x, {real} e) {{
   if (e == {precision.literal(0.5)}) return sqrt{e}(x);
-  if (e == {precision.literal(-0.5)}) return {one} / sqrt{e}(x);
+  if (e == {precision.literal(-0.5)}) return {unity} / sqrt{e}(x);
   return pow{e}(x, e);
 }}
 
 static {real} with_sign({real} x, {real} s) {{
   {real} size = fabs{e}(x);
-  return s < {zero} || (s == {zero} && {one} / s < {zero}) ? -size : size;
+  return s < {zero} || (s == {zero} && {unity} / s < {zero}) ? -size : size;
 }}
 """
 

@@ -108,12 +108,12 @@ def _inverse(kind: Kind) -> str:
     The error is at most 1 ulp, instead of half an ulp for a division, which takes three times longer. Infinite values
     and NaN are handled as in a division.
     """
-    d, one = kind.number, kind.words["one"]
+    d, unity = kind.number, kind.words["one"]
     if not _has_estimates(kind):
         text = Text(kind)
-        return _function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {one}, %x"), "alwaysinline ")
+        return _function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {unity}, %x"), "alwaysinline ")
     text, first = _estimate(kind, "rcp14")
-    error = _fused(text, text.emit(f"fneg {d} %x"), first, one)
+    error = _fused(text, text.emit(f"fneg {d} %x"), first, unity)
     # The error of the second step is the square of this error.
     square = text.emit(f"fmul {d} {error}, {error}")
     r = _fused(text, first, error, first)
@@ -209,7 +209,7 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
     The function reads and writes rows of `control`.
     """
     text, d, b = Text(kind), kind.number, kind.flag
-    infinite, one, zero = kind.constant(float("inf")), kind.words["one"], kind.words["zero"]
+    infinite, unity, zero = kind.constant(float("inf")), kind.words["one"], kind.words["zero"]
 
     def call(name: str, value: str) -> str:
         return text.emit(f"call {d} @llvm.{name}.{kind.suffix}({d} {value})")
@@ -246,7 +246,7 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
     factor = choose("ogt", choose("olt", factor, kind.constant(GROWTH)), kind.constant(SHRINK))
     text.store(factor, "%control", FACTOR)
     text.store(choose("ogt", root, kind.constant(0.01**0.25)), "%control", ROOT)
-    text.store(accepted := choose("ole", error, one, one, zero), "%control", TAKEN)
+    text.store(accepted := choose("ole", error, unity, unity, zero), "%control", TAKEN)
     due = text.emit(f"fcmp olt {d} {text.load('%control', NEXT)}, {text.load('%control', END)}")
     due = text.emit(f"and {b} {due}, {text.emit(f'fcmp une {d} {accepted}, {zero}')}")
     _store_mask(text, due, 0)
@@ -290,7 +290,7 @@ def print_choose(kind: Kind) -> str:
 def print_settle(kind: Kind) -> str:
     """Return LLVM IR of `settle`: times and lengths of the next steps, and the lanes that need attention."""
     text, d, b = Text(kind), kind.number, kind.flag
-    one, zero = kind.words["one"], kind.words["zero"]
+    unity, zero = kind.words["one"], kind.words["zero"]
 
     def compare(relation: str, x: str, y: str) -> str:
         return text.emit(f"fcmp {relation} {d} {x}, {y}")
@@ -304,18 +304,18 @@ def print_settle(kind: Kind) -> str:
     rows = {k: text.load("%control", k) for k in (TAKEN, WANTED, FACTOR, SHRUNK, ROOT, END, STOP, REFUSED, LOOK)}
     t, h, desired, factor = text.load("%th", 0), text.load("%th", 1), rows[WANTED], rows[FACTOR]
     accepted = compare("une", rows[TAKEN], zero)
-    factor_after_rejection = choose(compare("olt", factor, one), factor, one)
+    factor_after_rejection = choose(compare("olt", factor, unity), factor, unity)
     next_length = times(h, choose(compare("une", rows[REFUSED], zero), factor_after_rejection, factor))
     grown = times(h, factor)
     # A step that the end of the segment shortened does not reduce the desired length.
     after_short_step = choose(compare("ogt", desired, grown), desired, grown)
     length = choose(accepted, choose(compare("olt", h, desired), after_short_step, next_length), times(h, rows[SHRUNK]))
     text.store(length, "%control", LENGTH)
-    text.store(choose(accepted, zero, one), "%control", REFUSED)
+    text.store(choose(accepted, zero, unity), "%control", REFUSED)
     for k, value in ((STEP_BEFORE, h), (ROOT_BEFORE, rows[ROOT])):
         text.store(choose(accepted, value, text.load("%control", k)), "%control", k)
     text.store(now := choose(accepted, rows[END], t), "%th", 0)
-    tries = text.emit(f"fadd {d} {text.load('%control', TRIES)}, {one}")
+    tries = text.emit(f"fadd {d} {text.load('%control', TRIES)}, {unity}")
     text.store(tries, "%control", TRIES)
     text.store(text.emit(f"fadd {d} {text.load('%control', TAKES)}, {rows[TAKEN]}"), "%control", TAKES)
     has_ended = compare("uge", now, rows[STOP])

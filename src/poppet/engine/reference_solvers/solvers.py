@@ -93,8 +93,8 @@ class _Legs(ABC):
     def _row_times(self, begin: float, end: float) -> Array:
         """Return the ends of an interval and the rows between them."""
         grid = self.problem.grid
-        between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
-        return np.concatenate([[begin], grid[between], [end]])
+        is_between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
+        return np.concatenate([[begin], grid[is_between], [end]])
 
 
 def _run_segments(

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
 from poppet.core.files import by_suffix, write_whole
 from poppet.core.tables import Field, missing_field, read_fields
@@ -122,7 +122,7 @@ class _BenchContext:
 
     folder: Path
     passage: str
-    circuit: Circuit | None
+    circuit: BaseCircuit | None
     recording: Mapping[str, Any]
     free: tuple[FreeParameter, ...]
     common: list[tuple[float, float]] = field(default_factory=list)

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
 from poppet.identify.fit.experiment import Experiment
@@ -80,7 +80,7 @@ class StrokeRecording:
     """
 
     stroke: float
-    circuit: Circuit
+    circuit: BaseCircuit
     measurement: Any
     passage: str = "valve"
     free: tuple[FreeParameter, ...] = ()

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSuggestion, relocated
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
@@ -20,7 +20,7 @@ from poppet.identify.result import Result, read_result
 
 CRITERIA = ("intervals", "worst", "volume")
 OWN = ("duration", "sample_time", "sensors", "start")
-"""What a test has beside numbers and options of the circuit."""
+"""Fields of a test that are not parameters or options of the circuit."""
 TOP_LEVEL = {
     "circuit": Field(is_required=True, meaning="circuit file", example='circuit = "bench.toml"'),
     "free": Field(
@@ -45,7 +45,7 @@ TOP_LEVEL = {
     "criterion": Field(choices=CRITERIA, default=CRITERIA[0]),
 }
 MOST_TESTS = 500
-"""Candidates of one file: each costs a run and one more for every number."""
+"""Maximum number of candidates; each one needs one run, and one more per free parameter."""
 MOST_SAMPLES = 100_000
 _DIFFERENCE: dict[str, Kind] = {"Pa": "pressure_difference", "K": "temperature_difference"}
 
@@ -56,9 +56,9 @@ class DesignSensor:
 
     address: str
     unit: str
-    noise: float  # one standard deviation of a sample, in `unit`
-    offset: float = 0.0  # one standard deviation of its zero, in `unit`
-    lag: float | None = 0.0  # time constant; None where it has to be learnt too [s]
+    noise: float  # standard deviation of a sample, in `unit`
+    offset: float = 0.0  # standard deviation of the offset, in `unit`
+    lag: float | None = 0.0  # time constant, None if it is free [s]
 
 
 @dataclass(frozen=True)
@@ -66,11 +66,11 @@ class TestCandidate:
     """Possible test."""
 
     name: str
-    circuit: Circuit
+    circuit: BaseCircuit
     duration: float  # [s]
     sample_time: float  # [s]
     sensors: tuple[DesignSensor, ...]
-    start: Mapping[str, Any] = field(default_factory=dict)  # initial values that would have to be learnt too: "free"
+    start: Mapping[str, Any] = field(default_factory=dict)  # free initial values: address to "free"
 
     @property
     def samples(self) -> int:
@@ -85,19 +85,19 @@ class DesignPlan:
     Parameters
     ----------
     title : str
-        For people.
-    free : tuple of Free
-        The numbers sought, where they are believed to be, and what is known of them.
-    candidates : tuple of Candidate
-        Tests that could be made.
+        Title of the design.
+    free : tuple of FreeParameter
+        Free parameters with their assumed values and priors.
+    candidates : tuple of TestCandidate
+        Possible tests.
     criterion : str
         `intervals`, `worst` or `volume`, see `Design`.
     select : int
-        Number of tests to propose.
+        Number of recommended tests.
     draws, seed : int
-        Values drawn from the priors at which the slopes are taken too, and the seed of the draws.
+        Number of samples of the priors, and the seed of their random numbers.
     known : Result, optional
-        What an identification has found already.
+        Result of an earlier identification, used as prior information.
     """
 
     title: str
@@ -121,12 +121,12 @@ def read_design_file(path: str | Path) -> DesignPlan:
     Returns
     -------
     DesignPlan
-        Everything read and checked, nothing simulated.
+        Checked plan; nothing is simulated.
 
     Raises
     ------
     InputErrors
-        With all mistakes, each with its line where it can be told.
+        With all errors, each with its line if available.
     """
     file = TomlFile.read(path, "tests")
     with file.errors():
@@ -176,7 +176,7 @@ def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSe
 
 
 def _read_candidates(
-    errors: ErrorCollector, data: Mapping[str, Any], circuit: Circuit, sensors: Mapping[str, DesignSensor]
+    errors: ErrorCollector, data: Mapping[str, Any], circuit: BaseCircuit, sensors: Mapping[str, DesignSensor]
 ) -> Iterator[TestCandidate]:
     """Yield each test with each combination of the varied values."""
     tests: dict[str, Mapping[str, Any]] = {}
@@ -194,7 +194,10 @@ def _read_candidates(
     if len(tests) * len(combinations) > MOST_TESTS:
         errors.add("design.too_many", "vary", count=len(tests) * len(combinations), most=MOST_TESTS)
         return
-    short = _short_names([*varied, *sensors])
+    addresses = [*varied, *sensors]
+    last = [address.rpartition(".")[2] for address in addresses]
+    # The last word of an address identifies it if it is unique.
+    short = {a: ending if last.count(ending) == 1 else a for a, ending in zip(addresses, last, strict=True)}
     shared = {key: data[key] for key in ("duration", "sample_time", "start") if key in data}
     for (name, table), values in itertools.product(tests.items(), combinations):
         values_by_name = dict(zip(varied, values, strict=True))
@@ -209,7 +212,7 @@ def _read_candidates(
 
 
 def _read_candidate(
-    label: str, fields: Mapping[str, Any], circuit: Circuit, sensors: Mapping[str, DesignSensor], location: str
+    label: str, fields: Mapping[str, Any], circuit: BaseCircuit, sensors: Mapping[str, DesignSensor], location: str
 ) -> TestCandidate:
     changes = {key: value for key, value in fields.items() if key not in OWN}
     try:
@@ -244,12 +247,6 @@ def _read_time(fields: Mapping[str, Any], key: str, location: str, default: Any)
     if default is None:
         raise missing_field(f"{location}.{key}", field)
     return float(default)
-
-
-def _short_names(addresses: Sequence[str]) -> dict[str, str]:
-    """Return the last words of addresses, or the whole address if not unique."""
-    last = [address.rpartition(".")[2] for address in addresses]
-    return {a: ending if last.count(ending) == 1 else a for a, ending in zip(addresses, last, strict=True)}
 
 
 def _label(value: Any, short: Mapping[str, str]) -> str:

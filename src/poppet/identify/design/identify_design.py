@@ -25,9 +25,9 @@ from poppet.timeseries.measurements import Channel, Measurement
 
 TWO_SIDED = 1.96
 ROUNDING = 1e-13
-"""Least eigenvalue of an information whose diagonal is one."""
+"""Lower limit on the eigenvalues of an information matrix with a unit diagonal."""
 LOST = 1e-10
-"""Part of a nuisance's information that others leave over, below which it takes all of theirs."""
+"""Relative limit below which a direction of the nuisance parameters counts as singular."""
 
 
 @dataclass(frozen=True)
@@ -37,15 +37,15 @@ class Prediction:
     Parameters
     ----------
     value : float
-        Where it is believed to be, in `unit`.
+        Assumed value, in `unit`.
     unit : str
         SI unit.
     standard_error : float
-        One sigma that noise and offsets of the sensors leave.
+        Standard error caused by noise and sensor offsets, in `unit`.
     largest : float
-        The largest of these over the values drawn from the priors.
+        Largest standard error at the samples of the priors.
     verdict : str
-        What a fit would say: `determined`, `weak`, `not determined`.
+        Predicted verdict of a fit: `determined`, `weak` or `not determined`.
     """
 
     value: float
@@ -72,22 +72,22 @@ class Design:
     Parameters
     ----------
     title : str
-        For people.
+        Title of the design.
     criterion : str
-        What was made small: `intervals` (the geometric mean of the numbers' standard errors), `worst` (the largest
-        relative one), `volume` (that of the joint confidence region).
+        Minimised quantity: `intervals` (geometric mean of the relative standard errors), `worst` (largest relative
+        standard error) or `volume` (volume of the joint confidence region).
     tests : mapping
-        Name of a candidate to what it alone, with what is known already, would tell of each number; the best first.
+        Predictions of each candidate by parameter, from this test and the prior information; the best test first.
     chosen : tuple of str
-        The tests to make, one after the other; one may be worth repeating.
+        Recommended tests. A test can occur more than once.
     together : mapping
-        What the chosen tests tell of each number.
+        Predictions of the recommended tests together, by parameter.
     scores : mapping
-        Of each candidate, the criterion: natural logarithm, smaller is better.
+        Criterion of each candidate as a natural logarithm; smaller is better.
     remarks : tuple of Note
-        What a reader has to know.
+        Findings.
     interrupted : bool
-        Whether candidates were left out because somebody pressed Ctrl-C.
+        True if the user interrupted the ranking before all candidates were evaluated.
     """
 
     title: str
@@ -119,7 +119,7 @@ class Design:
         Parameters
         ----------
         path : str or Path
-            Where to.
+            Output file.
         """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
@@ -131,28 +131,28 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     Parameters
     ----------
     plan : DesignPlan, str or Path
-        The numbers sought, the sensors and the candidates, or a design file.
+        Free parameters, sensors and candidates, or a design file.
     progress : callable, optional
-        Called with the number of candidates looked at, of how many, and the next one.
+        Called with the number of evaluated candidates, their total number and the name of the next one.
 
     Returns
     -------
     Design
-        Candidates with predicted standard errors, the best first, and the tests to make.
+        Candidates with predicted standard errors, the best first, and the recommended tests.
 
     Notes
     -----
-    With the slopes S of the noise-free recording in the numbers, each sample over its noise, a test gives the Fisher
-    information
+    The Fisher information of a test is
 
     .. math:: I = S^T S - S^T N (N^T N + P)^{-1} N^T S
 
-    where N are the slopes in what has to be learnt beside them (initial values, lags, offsets of sensors) and P what is
-    known of that. Information of tests adds up. A number without a prior counts as known to 100 %, so that tests that
-    determine a part of the numbers can be compared.
+    where S is the sensitivity of the noise-free recording to the free parameters, divided by the noise of each sample.
+    N is the sensitivity to the nuisance parameters (initial values, lags, offsets of sensors), and P is their prior
+    information. The information of several tests adds up. A parameter without a prior has a prior standard deviation
+    of 100 %. Tests that determine only some of the parameters are then comparable.
 
-    This is what noise and offsets allow **if the circuit is right and the numbers are about what they are believed to
-    be**; the slopes are also taken at values drawn from the priors, and the criterion is the mean over these.
+    The prediction is valid **if the circuit is correct and the assumed values are approximately correct**. The
+    sensitivities are also computed at samples of the priors, and the criterion is the mean over all these points.
 
     References
     ----------
@@ -221,9 +221,10 @@ def _prior_information(plan: DesignPlan) -> FloatArray:
 
 def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter], point: FloatArray) -> FloatArray:
     """Return the Fisher information of a test about the shared parameters."""
+    time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
     measurement = Measurement(
         "test",
-        tuple(_channel(candidate, sensor.address, sensor.unit, sensor.lag) for sensor in candidate.sensors),
+        tuple(Channel(s.address, time, np.zeros(time.size), s.unit, lag=s.lag) for s in candidate.sensors),
         start=candidate.start,
         ambient_pressure=candidate.circuit.surroundings.pressure,
         duration=candidate.duration,
@@ -231,7 +232,7 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
     instance = candidate.circuit.instance
     values = by_name(free, point)
     if candidate.start:
-        # An initial value that is free begins where the noise-free recording does.
+        # A free initial value starts from the first value of the noise-free recording.
         lags = [f for f in recording_parameters([measurement], [candidate.circuit], ["fit"]) if f.role == "lag"]
         noise_free = Experiment(instance, dataclasses.replace(measurement, start={}), (*free, *lags))
         outputs = noise_free.outputs({**values, **by_name(lags, [f.start for f in lags])})
@@ -241,24 +242,19 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
         )
     nuisances = recording_parameters([measurement], [candidate.circuit], ["fit"])
     experiment = Experiment(instance, measurement, (*free, *nuisances))
-    slopes = experiment.outputs_and_slopes({**by_name(nuisances, [f.start for f in nuisances]), **values})[1]
+    slopes = experiment.slopes({**by_name(nuisances, [f.start for f in nuisances]), **values})
     whitened = np.vstack([slope / sensor.noise for slope, sensor in zip(slopes, candidate.sensors, strict=True)])
     offsets, priors = _offsets(candidate, [slope.shape[0] for slope in slopes])
     shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], offsets])
     information = shared.T @ shared
     if nuisance.shape[1]:
-        # Scaled, for nuisances of different units may share what they take away.
+        # Nuisance parameters of different units can be correlated: scale them before the inversion.
         size = np.maximum(np.linalg.norm(nuisance, axis=0), 1e-300)
         unit = nuisance / size
         inner = unit.T @ unit + np.diag(np.concatenate([np.zeros(len(nuisances)), priors]) / size**2)
         cross = unit.T @ shared
         information = information - cross.T @ np.linalg.pinv(inner, rcond=LOST, hermitian=True) @ cross
     return np.asarray(0.5 * (information + information.T))
-
-
-def _channel(candidate: TestCandidate, address: str, unit: str, lag: float | None) -> Channel:
-    time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
-    return Channel(address, time, np.zeros(time.size), unit, lag=lag)
 
 
 def _offsets(candidate: TestCandidate, sizes: Sequence[int]) -> tuple[FloatArray, FloatArray]:
@@ -276,17 +272,17 @@ def _offsets(candidate: TestCandidate, sizes: Sequence[int]) -> tuple[FloatArray
 
 
 Information = Sequence[FloatArray]
-"""Information of one test at every place where the numbers may be."""
+"""Fisher information of one test at the start point and at each sample of the priors."""
 
 
 def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, float]:
     """Return the relative standard errors, and the log determinant of their covariance."""
     scale = np.array([f.scale for f in plan.free])
     relative = information * np.outer(scale, scale)
-    # To a diagonal of ones first, for what is known well and what hardly at all stand in one matrix.
+    # Scale to a unit diagonal: the variances differ by many orders of magnitude.
     size = np.sqrt(np.diag(relative))
     eigenvalues, vectors = np.linalg.eigh(relative / np.outer(size, size))
-    # Priors keep all of them above zero but for rounding.
+    # With priors, all eigenvalues are positive except for rounding errors.
     eigenvalues = np.maximum(eigenvalues, ROUNDING)
     volume = -float(np.sum(np.log(eigenvalues)) + 2.0 * np.sum(np.log(size)))
     return np.sqrt(np.sum(vectors**2 / eigenvalues, axis=1)) / size, volume
@@ -312,17 +308,19 @@ def _select_tests(
     def score(tests: Sequence[int]) -> float:
         return _criterion(plan, points, prior, [informations[k] for k in tests])
 
+    def add_best(tests: Sequence[int]) -> list[int]:
+        return [*tests, min(range(len(informations)), key=lambda k: score([*tests, k]))]
+
     selection: list[int] = []
     for _ in range(plan.select):
-        selection.append(min(range(len(informations)), key=lambda k: score([*selection, k])))
+        selection = add_best(selection)
     improved = plan.select > 1
     while improved:
         improved = False
         for position in range(len(selection)):
-            remaining = selection[:position] + selection[position + 1 :]
-            best = min(range(len(informations)), key=lambda k: score([*remaining, k]))
-            if score([*remaining, best]) < score(selection) - 1e-9:
-                selection, improved = [*remaining, best], True
+            exchanged = add_best(selection[:position] + selection[position + 1 :])
+            if score(exchanged) < score(selection) - 1e-9:
+                selection, improved = exchanged, True
     return selection
 
 

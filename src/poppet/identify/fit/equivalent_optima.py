@@ -18,9 +18,9 @@ from poppet.identify.free_parameter import by_name
 from poppet.identify.result import CONFIDENCE, VERDICTS, Estimate
 
 ALIKE = 0.02
-"""Conductances that differ by less are told as one."""
+"""Relative difference below which two conductances are reported as one."""
 Local = Sequence[Mapping[str, Estimate]]
-"""Estimates at each optimum, as if there were no other; the lowest one first."""
+"""Separate estimates at each optimum; the lowest one first."""
 
 
 def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]]:
@@ -47,7 +47,7 @@ def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:
         low, high = min(table[f.name].low for table in local), max(table[f.name].high for table in local)
         half = max(best.value - low, high - best.value)
         verdicts = verdict(f, best.value, half), best.verdict
-        # At a bound of this optimum, not of all.
+        # The bound is active at this optimum only.
         joint_verdict = verdicts[0] if best.verdict == "at bound" else max(verdicts, key=VERDICTS.index)
         error = max(best.standard_error, half / float(ndtri(0.5 + 0.5 * CONFIDENCE)))
         is_wider = (low, high) != (best.low, best.high)
@@ -71,7 +71,7 @@ def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
     walls = next((values for name, values in differing.items() if name.endswith(WALL)), ())
     flow = next((f for f in plan.free if f.name in differing and f.address.endswith(CONDUCTANCES)), None)
     if walls and flow:
-        # Along the isothermal end the wall heat is flat: several optima there are one answer.
+        # Near the isothermal limit the cost does not depend on the wall conductance: merge these optima.
         distinct: dict[float, float] = {}
         for value, wall in zip(differing[flow.name], walls, strict=True):
             if all(abs(value - conductance) > ALIKE * conductance for conductance in distinct):

@@ -1,7 +1,7 @@
 """Model of one recording: from parameter values to modelled channels and their derivatives.
 
-A run of the model is a compiled kernel on plain arrays. Derivatives with respect to the numbers come from runs that
-share the step sequence of the base run: they differ smoothly, so that forward differences are good to 1e-6.
+A run of the model is a compiled kernel on plain arrays. Derivatives with respect to the parameters are differences of
+runs with the step sequence of the base run. The outputs are then smooth, and forward differences are accurate to 1e-6.
 """
 
 from __future__ import annotations
@@ -31,32 +31,32 @@ from poppet.timeseries.measurements import Channel, Measurement
 DIFFERENCE = 1e-6
 """Relative step of the forward differences over a shared step sequence."""
 SAMPLED_DIFFERENCE = 0.1
-"""Relative step of the central differences of whole runs where a program samples: decisions at instants make
-a run smooth in its numbers on the whole only. A search tries other widths; the statistics take this one."""
+"""Relative step of the central differences of whole runs for sampled circuits, whose outputs are not smooth at small
+scale. A search also uses other widths; the statistics use this one."""
 DELAY_STEP = 1e-3
-"""Step of the central differences in a delay, as a fraction of the recording, for it moves the breakpoints."""
+"""Step of the central differences in a delay, as a fraction of the recording; a delay moves the breakpoints."""
 FINE = 1000
-"""Least number of rows where a sensor's lag is modelled between sparse samples."""
+"""Minimum number of rows for the model of a sensor lag between sparse samples."""
 SCRIPT_LENGTH = 50_000
 FAILED = 1e6
-"""Residual, in sigmas, of samples that a failed run did not reach."""
+"""Residual of samples that a failed run did not reach, in sigmas."""
 
 
 class ChannelSensor(NamedTuple):
     """Sensor between an output of the circuit and a channel."""
 
-    places: slice | NDArray[np.int64]  # rows of the grid at which there are samples
+    places: slice | NDArray[np.int64]  # rows of the grid with samples
     lag: float  # known time constant [s]
-    free_lag: str  # names of the free numbers of the sensor; empty for none
+    free_lag: str  # names of the free parameters of the sensor; empty for none
     free_offset: str
 
 
 class _LastRun(NamedTuple):
     """Result of the most recent run."""
 
-    repeated: RepeatedCall | None  # what made it, where it is alone
-    tables: FloatArray  # (n_runs, n_outputs, n_times), those with a number moved behind it where it went in lanes
-    steps: FloatArray  # by which these were moved
+    repeated: RepeatedCall | None  # call of the run; None for runs in lanes
+    tables: FloatArray  # (n_runs, n_outputs, n_times); in lanes, runs with one shifted parameter follow
+    steps: FloatArray  # shifts of these parameters
 
 
 class Experiment:
@@ -82,7 +82,11 @@ class Experiment:
                 location = f"recordings.{measurement.name}.{channel.address}"
                 near = NameSuggestion(channel.address, outputs)
                 raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
-        started = _with_start(measurement, instance)
+        starts = start_values(measurement, instance)
+        try:
+            started = instance.with_values(starts) if starts else instance
+        except InputError as error:
+            raise relocated(error, f"recordings.{measurement.name}.start.{{}}".format) from None
         driven = driving_signals(measurement, {})
         self.instance = started.with_signals({**instance.signals, **driven}) if driven else started
         rows = tuple(outputs.index(channel.address) for channel in measurement.channels)
@@ -93,12 +97,20 @@ class Experiment:
         self.base = self._problem_of(self.instance)
         self.slots = _slots(self.instance, [f for f in self.free if f.role in ("number", "start")])
         self._sensors = [_sensor(channel, self.grid, self.free) for channel in measurement.channels]
-        # What only numbers of p and inputs held at them change is run in the same arrays again and again.
+        # If parameters change only p and constant inputs, all runs use the same arrays.
         self._rebuilds = None in self.slots.values() or any(
             f.role in ("delay", "dead_time", "input_lag") for f in self.free
         )
-        self._lanes = None if self._rebuilds or not LockstepLanes.takes(self.base) else self._make_lanes()
-        self._repeated = None if self._rebuilds or self._lanes else RepeatedCall(self.base, np.empty(SCRIPT_LENGTH))
+        self._lanes: LockstepLanes | None = None
+        self._repeated: RepeatedCall | None = None
+        if not self._rebuilds and LockstepLanes.takes(self.base):
+            # The base values and one shifted value per parameter run together.
+            slots = [slot for slot in self.slots.values() if slot is not None]
+            driven_inputs = tuple((k, index) for index, inputs in slots for k in inputs)
+            indices = np.array([index for index, _ in slots], dtype=np.int64)
+            self._lanes = LockstepLanes(self.base, len(slots) + 1, indices, driven_inputs)
+        elif not self._rebuilds:
+            self._repeated = RepeatedCall(self.base, np.empty(SCRIPT_LENGTH))
         self.samples = self.instance.model.n_timers > 0
         self._last: tuple[tuple[float, ...], _LastRun] | None = None
 
@@ -109,7 +121,7 @@ class Experiment:
         measurement = dataclasses.replace(self.measurement, channels=resampled)
         if self._lanes is None or "first" in measurement.start.values():
             return Experiment(self.instance, measurement, free, relative_tolerance=self.run.tolerance)
-        # What runs does not depend on the samples, and no later run writes over the last one.
+        # The run does not depend on the samples, and a later run does not overwrite the last one.
         experiment, parameters = copy.copy(self), {f.name: f for f in free}
         experiment.measurement, experiment.free = measurement, tuple(parameters[f.name] for f in self.free)
         return experiment
@@ -160,19 +172,6 @@ class Experiment:
             if driven:
                 coefficients[:, driven, 0] = values[name]
 
-    def _make_lanes(self) -> LockstepLanes:
-        """Return the call that runs the base values and one shifted value per parameter together."""
-        slots = [slot for slot in self.slots.values() if slot is not None]
-        driven = tuple((k, index) for index, inputs in slots for k in inputs)
-        return LockstepLanes(self.base, len(slots) + 1, np.array([index for index, _ in slots], dtype=np.int64), driven)
-
-    def _prepare_call(self, values: Mapping[str, float]) -> RepeatedCall:
-        """Return the call of a run with other parameter values."""
-        if self._repeated is None:
-            return RepeatedCall(self.problem(values), np.empty(SCRIPT_LENGTH))
-        self._write(values, self._repeated.p, self._repeated.coefficients)
-        return self._repeated
-
     def all_outputs(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
         """Run the circuit; return all its outputs and their names."""
         kernel = self.instance.kernel
@@ -188,17 +187,17 @@ class Experiment:
 
         The last run is stored, because the derivatives at the same point follow. A run that stalls is not repeated with
         a slower solver.
-
-        The last one is kept, for slopes follow at the same place.
-
-        Where it stalls, that place is a bad one, and not worth a slower method.
         """
         key = tuple([values[f.name] for f in self.free])
         if self._last is None or self._last[0] != key:
-            # Whatever ends this run early, the arrays of the last one are written over.
+            # If this run ends early, the arrays of the last run are already overwritten.
             self._last = None
             if self._lanes is None:
-                repeated = self._prepare_call(values)
+                repeated = self._repeated
+                if repeated is None:
+                    repeated = RepeatedCall(self.problem(values), np.empty(SCRIPT_LENGTH))
+                else:
+                    self._write(values, repeated.p, repeated.coefficients)
                 self._last = key, _LastRun(repeated, repeated.run()[np.newaxis], np.zeros(0))
             else:
                 self._lanes.values[:] = [values[name] for name in self.slots]
@@ -209,12 +208,15 @@ class Experiment:
         return self._last[1]
 
     def _channels(self, table: FloatArray, values: Mapping[str, float]) -> list[FloatArray]:
-        result = []
-        for series, sensor in zip(table, self._sensors, strict=True):
-            lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
-            sensed = apply_lag(self.grid, series, lag)
-            result.append(sensed[sensor.places] + (values[sensor.free_offset] if sensor.free_offset else 0.0))
-        return result
+        return [
+            self._sense(series, sensor, values) + (values[sensor.free_offset] if sensor.free_offset else 0.0)
+            for series, sensor in zip(table, self._sensors, strict=True)
+        ]
+
+    def _sense(self, series: FloatArray, sensor: ChannelSensor, values: Mapping[str, float]) -> FloatArray:
+        """Return output series, (..., n_times), as the sensor reads them at its samples, without an offset."""
+        lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
+        return apply_lag(self.grid, series, lag)[..., sensor.places]
 
     def outputs_and_slopes(
         self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
@@ -225,10 +227,10 @@ class Experiment:
     def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
         """Return the derivatives of the modelled channels, (n_samples, n_free) each.
 
-        `width` is that of the differences where a program samples, relative to the numbers.
+        `width` is the relative width of the differences for sampled circuits.
         """
         repeated, tables, steps = self._run_at(values)
-        # By columns: each is written whole.
+        # Column order, because each column is written as a whole.
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
         remaining = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
         if len(tables) > 1:
@@ -247,9 +249,7 @@ class Experiment:
         """Compute the derivatives from the differences of runs in lanes."""
         columns = [k for k, f in enumerate(self.free) if f.name in self.slots]
         for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
-            lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
-            sensed = apply_lag(self.grid, series, lag)
-            sensed = sensed[:, sensor.places]
+            sensed = self._sense(series, sensor, values)
             differences = np.subtract(sensed[1:], sensed[0], out=slope.T if len(columns) == len(self.free) else None)
             differences /= steps[:, np.newaxis]
             if len(columns) < len(self.free):
@@ -266,7 +266,15 @@ class Experiment:
         step = _difference_step(f, values)
         shifted_values = {**values, f.name: values[f.name] + step}
         if f.role not in ("lag", "offset"):
-            table = self._shifted_run(f, shifted_values, repeated)
+            # Run with one shifted parameter over the steps of the base run.
+            assert repeated is not None
+            if not repeated.is_scripted:
+                table = RepeatedCall(self.problem(shifted_values), repeated.script).run()
+            elif self.slots[f.name] is None:
+                table = RepeatedCall(self.problem(shifted_values), repeated.script).replay()
+            else:
+                self._write(shifted_values, repeated.p, repeated.coefficients)
+                table = repeated.replay()
         return [(a - b) / step for a, b in zip(self._channels(table, shifted_values), base, strict=True)]
 
     def _difference_ends(
@@ -275,8 +283,6 @@ class Experiment:
         """Return the ends of a central difference of whole runs, or None if unnecessary.
 
         A parameter stays within its bounds. An input can be recorded early or late.
-
-        A number stays within its bounds, a record may be early as well as late.
         """
         value = values[f.name]
         if f.role in ("delay", "dead_time", "input_lag"):
@@ -295,7 +301,7 @@ class Experiment:
         if not pairs:
             return {}
         trials = [{**values, name: value} for name, pair in pairs.items() for value in pair]
-        # In arrays of their own: nothing is written over where an interruption leaves a thread behind.
+        # Separate arrays: after an interruption, a remaining thread cannot overwrite the results.
         runs = [RepeatedCall(self.problem(trial), np.empty(0)) for trial in trials]
         with ThreadPoolExecutor(min(usable_cores(), len(runs))) as threads:
             channels = [
@@ -305,16 +311,6 @@ class Experiment:
             name: [(b - a) / (high - low) for a, b in zip(*channels[2 * k : 2 * k + 2], strict=True)]
             for k, (name, (low, high)) in enumerate(pairs.items())
         }
-
-    def _shifted_run(self, f: FreeParameter, values: Mapping[str, float], repeated: RepeatedCall | None) -> FloatArray:
-        """Return the run with one shifted parameter, over the steps of the base run."""
-        assert repeated is not None
-        if not repeated.is_scripted:
-            return RepeatedCall(self.problem(values), repeated.script).run()
-        if self.slots[f.name] is None:
-            return RepeatedCall(self.problem(values), repeated.script).replay()
-        self._write(values, repeated.p, repeated.coefficients)
-        return repeated.replay()
 
 
 def _difference_step(f: FreeParameter, values: Mapping[str, float]) -> float:
@@ -356,15 +352,6 @@ def _with_dead_times(
         for f in free
     )
     return parameters, instance.with_values(dict.fromkeys(shifting, 0.0)) if shifting else instance
-
-
-def _with_start(measurement: Measurement, instance: Instance) -> Instance:
-    """Return a model with the start values of a recording."""
-    values = start_values(measurement, instance)
-    try:
-        return instance.with_values(values) if values else instance
-    except InputError as error:
-        raise relocated(error, f"recordings.{measurement.name}.start.{{}}".format) from None
 
 
 def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]:
@@ -414,12 +401,10 @@ def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple
     """Return the index in p and the driven inputs of each free parameter.
 
     The result is None for a parameter on which others depend.
-
-    The result is None for a parameter on which others depend.
     """
     inputs, values = instance.model.inputs, instance.parameters
     tied = instance.tied({f.address: _probe(f, values[f.address]) for f in free if f.address in values})
-    # A delay moves breakpoints: the segments of its input are made anew.
+    # A delay moves breakpoints: the segments of its input must be computed again.
     tied |= {item.delay for item in inputs}
     slots: dict[str, tuple[int, list[int]] | None] = {}
     for f in free:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.file import load
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, relocated
 from poppet.core.tables import Field, read_fields
@@ -45,12 +45,12 @@ def read_fit_file(path: str | Path) -> FitPlan:
     Returns
     -------
     FitPlan
-        Everything read and checked, nothing fitted.
+        Checked plan; nothing is fitted.
 
     Raises
     ------
     InputErrors
-        With all mistakes, each with its line where it can be told.
+        With all errors, each with its line if available.
     """
     file = TomlFile.read(path, "recordings")
     with file.errors():
@@ -75,7 +75,7 @@ def _read_plan(file: TomlFile) -> FitPlan:
     return plan_fit(circuits, measurements, roles, free, settings=settings, title=title)
 
 
-def read_circuit(data: Mapping[str, Any], folder: Path) -> Circuit:
+def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
     """Return the circuit of a file with the values of its table `set`.
 
     Errors refer to the location in that file.
@@ -114,7 +114,7 @@ def _search(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
         raise relocated(error, lambda key: settings[key][1]) from None
 
 
-def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> tuple[list[Measurement], list[str]]:
+def _measurements(tables: Mapping[str, Any], folder: Path, circuit: BaseCircuit) -> tuple[list[Measurement], list[str]]:
     """Return the recordings and their roles."""
     measurements, roles = [], []
     with ErrorCollector() as errors:
@@ -122,18 +122,12 @@ def _measurements(tables: Mapping[str, Any], folder: Path, circuit: Circuit) -> 
             fields = dict(table) if isinstance(table, Mapping) else table
             role = fields.pop("use", ROLES[0]) if isinstance(fields, dict) else ROLES[0]
             if role not in ROLES:
-                errors.add(
-                    "fields.not_an_option",
-                    f"recordings.{name}.use",
-                    value=role,
-                    meaning="use",
-                    near=NameSuggestion(str(role), ROLES),
-                )
+                near, address = NameSuggestion(str(role), ROLES), f"recordings.{name}.use"
+                errors.add("fields.not_an_option", address, value=role, meaning="use", near=near)
             with errors.collecting():
+                ambient = circuit.surroundings.pressure
                 measurements.append(
-                    read_measurement(
-                        name, fields, folder, ambient_pressure=circuit.surroundings.pressure, other_fields=("use",)
-                    )
+                    read_measurement(name, fields, folder, ambient_pressure=ambient, other_fields=("use",))
                 )
                 roles.append(role)
     return measurements, roles

@@ -10,10 +10,9 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.identify.fit.experiment import Experiment, FittedChannel, channels_of
-from poppet.identify.fit.rounding import Staircase, staircase
+from poppet.identify.fit.residuals import correlation_time, is_white, staircase
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import ChannelFit, ErrorModel, SensorLimits, channel_fits
-from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free_parameter import FreeParameter, by_name, with_starts
 from poppet.identify.result import Estimate, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray
@@ -21,22 +20,22 @@ from poppet.timeseries.measurements import noise_of
 from poppet.timeseries.measurements.verdicts import is_evacuated
 
 MISFIT_NOISE, MISFIT_RANGE = 5.0, 0.02
-"""A channel is missed when its rms is more than so many times its noise and more than that part of its range."""
+"""Limits above which a channel is not explained: rms over its noise, and rms over its range."""
 TRIAL_RATIOS = (0.3, 0.53, 0.7)
-"""Critical ratios at which the fit is repeated where the data do not determine one."""
+"""Critical ratios of repeated fits if the data do not determine the critical ratio."""
 BELOW = 0.5
-"""Part of the ambient pressure: circuits for compressed air seldom rest below."""
+"""Fraction of the ambient pressure below which a steady pressure is unusual."""
 UNSEEN_TOGETHER = 4.0
-"""Change of the fit, in sigmas over all samples per relative change of one, below which a direction is unseen."""
+"""Sensitivity to a relative change, in sigmas, below which a combination is not identifiable."""
 TOLD, VISIBLE = 0.1, 0.4
-"""An offset is named where it widens an interval by that part, or where the model is off by so many sigmas."""
+"""Limits for the report of an offset: relative increase of an interval, and bias in sigmas."""
 LOCAL = 1.5
-"""Factor on an interval from which misfit in few samples is named."""
+"""Factor on an interval above which a local lack of fit is reported."""
 LOST = ("at bound", "not determined")
 LARGEST_OFFSET = 0.1
-"""Of the range of a recording: how far a sensor may be off of which nothing is known."""
+"""Largest offset of a sensor without a stated offset, as a fraction of the range of the recording."""
 SURELY = 3.0
-"""Sigmas of a sensor's zero as stated that it may be off."""
+"""Largest offset of a sensor, in stated standard deviations."""
 
 
 @dataclass(frozen=True)
@@ -166,20 +165,15 @@ def error_model_of(experiments: Sequence[Experiment], optimum: Optimum, settings
 def _sensor_limits(fitted: FittedChannel, residual: FloatArray, sigma: float) -> SensorLimits:
     """Return the resolution and the largest possible offset of the sensor of a channel."""
     stated, span = fitted.channel.offset, float(np.ptp(fitted.channel.values))
-    # Of a sensor that does not move nothing is known at all.
+    # A constant reading gives no limit.
     largest = SURELY * stated if stated is not None else LARGEST_OFFSET * span or np.inf
-    return SensorLimits(_rounding_of(fitted, residual, sigma), largest / sigma)
-
-
-def _rounding_of(fitted: FittedChannel, residual: FloatArray, sigma: float) -> Staircase | None:
-    """Return the effect of the resolution of a sensor, in sigmas, or None."""
     values, quantum = fitted.channel.values, fitted.channel.quantum
     if not quantum > 0.0:
-        return None
-    # Rounding is part of both; a misfit is part of the residuals only.
+        return SensorLimits(None, largest / sigma)
+    # Both contain the rounding; only the residuals contain a lack of fit.
     total_noise = min(noise_of(values, fitted.channel.time), sigma * float(np.sqrt(np.mean(residual**2))))
     noise = float(np.sqrt(max(0.0, total_noise**2 - quantum**2 / 12.0)))
-    return staircase(values / sigma + residual, quantum / sigma, noise / sigma)
+    return SensorLimits(staircase(values / sigma + residual, quantum / sigma, noise / sigma), largest / sigma)
 
 
 # Numbers ----------------------------------------------------------------------------------------------------------
@@ -196,7 +190,7 @@ def parameter_notes(fit: CompletedFit) -> Iterator[Note]:
             "not_moved": e.value == f.start,
             "weak": e.verdict == "weak",
         }
-        # The first that holds: of a number at its bound nothing else is worth a word.
+        # Report only the first case that is true.
         if case := next((case for case, holds in cases.items() if holds), None):
             facts = {"value": e.value, "error": e.standard_error, "low": e.low, "high": e.high, "unit": f.unit}
             yield Note(f"finding.number.{case}", f.name, **facts, **({"is_low": is_low} if case == "bound" else {}))
@@ -208,7 +202,11 @@ def choking_notes(fit: CompletedFit) -> Iterator[Note]:
         owner, _, local = f.address.rpartition(".")
         if local != "critical_ratio":
             continue
-        regimes = np.concatenate([_regimes(e, owner, fit.values) for e in fit.experiments] or [np.zeros(0)])
+        regimes = np.zeros(0)
+        for experiment in fit.experiments:
+            run, outputs = experiment.all_outputs(fit.values)
+            if f"{owner}.regime" in outputs:
+                regimes = np.append(regimes, run.values[outputs.index(f"{owner}.regime")])
         flowing = np.abs(regimes[regimes != 0.0])  # 0: no flow
         if flowing.size and np.all(flowing == 3.0):
             yield Note("finding.choking.throughout", f.name, passage=owner)
@@ -217,18 +215,11 @@ def choking_notes(fit: CompletedFit) -> Iterator[Note]:
             yield Note("finding.choking.never", owner, number=f.name, value=e.value, low=e.low, high=e.high)
 
 
-def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> FloatArray:
-    run, outputs = experiment.all_outputs(values)
-    return np.asarray(run.values[outputs.index(f"{owner}.regime")]) if f"{owner}.regime" in outputs else np.zeros(0)
-
-
 def gauge_reference_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield notes on gauge pressures that were probably read as absolute.
 
     The sign is a tank that seems to empty to a vacuum while the critical ratio is not determined. Tanks that start
     evacuated and circuits with an evacuated part are excluded.
-
-    Not where it was evacuated indeed: it rises from there, or the circuit knows of a pressure as low.
     """
     undetermined = [
         f.name for f in fit.free if f.address.endswith(".critical_ratio") and fit.estimates[f.name].verdict in LOST
@@ -277,11 +268,11 @@ def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
     yield Note(f"finding.tell_apart.{_remedy(changes)}", names=tuple(changes))
     if not is_scaled:
         return
-    # Ratios of numbers that are scaled together, where the data determine these; in logarithms a ratio is a difference.
+    # Report the ratios that the data do determine; in logarithms a ratio is a difference.
     influence = (vt[:-1].T / s[:-1]) @ u[:, :-1].T
     denominator = next((k for k in weights if names[k].endswith(".volume")), next(iter(weights)))
     for numerator in weights:
-        # Only where both move by the same factor does their ratio stay as it is.
+        # The ratio is constant only if both change by the same factor.
         if numerator == denominator or not 0.9 < weights[numerator] / weights[denominator] < 1.1:
             continue
         error = 1.96 * fit.spread.deviation(influence[numerator] - influence[denominator])

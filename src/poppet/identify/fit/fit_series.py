@@ -11,7 +11,7 @@ from poppet.timeseries.checks import FloatArray as Array
 from poppet.timeseries.signals import SampledSignal, Steps
 
 PER_START = 75
-"""Samples of a recording for each one that its first value is taken from."""
+"""Ratio of all samples to the samples from which the first value is estimated."""
 
 
 def apply_lag(time: Array, values: Array, lag: float) -> Array:
@@ -30,7 +30,7 @@ def apply_lag(time: Array, values: Array, lag: float) -> Array:
     steps = np.diff(time)
     decay = np.exp(-steps / lag)
     slope = np.diff(values) / steps
-    # Exact for straight pieces: the sensor trails a ramp by slope * lag.
+    # Exact for linear segments: the error of the sensor on a ramp is slope * lag.
     push = slope * steps - slope * lag * (1.0 - decay)
     term = np.concatenate([values[..., :1], values[..., :-1] * (1.0 - decay) + push], axis=-1)
     return recursion(np.append(0.0, decay), term)
@@ -73,7 +73,7 @@ def driving_signals(
     for item in measurement.inputs:
         values = item.values
         lag = lags.get(item.address, item.lag or 0.0)
-        if lag:  # the law of the sensor turned round: u = y + lag dy/dt
+        if lag:  # inverse of the sensor model: u = y + lag dy/dt
             values = values + lag * np.gradient(values, item.time)
         time, values = shift_series(item.time, values, delays.get(item.address, item.delay or 0.0), hold=item.hold)
         if item.hold:

@@ -18,7 +18,7 @@ from poppet.identify.fit.equivalent_optima import (
     search_tables,
     unite_estimates,
 )
-from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.fit.experiment import channels_of
 from poppet.identify.fit.fit_file import read_fit_file
 from poppet.identify.fit.fit_findings import (
     CompletedFit,
@@ -36,10 +36,10 @@ from poppet.identify.free_parameter import by_name
 from poppet.identify.result import Result
 
 Progress = Callable[[int, float], Any]
-"""Told the number of evaluations and the least cost so far."""
+"""Called with the number of evaluations and the least cost so far."""
 
 CLEAR, STRONG = 2.0, 10.0
-"""Differences of AICc below which two models are alike, and above which one is clearly better."""
+"""Differences of AICc below which two models are equivalent, and above which one is clearly better."""
 
 
 def identify_fit(
@@ -57,19 +57,19 @@ def identify_fit(
     Parameters
     ----------
     plan : FitPlan, str or Path
-        What to fit, or a fit file.
+        Plan of the fit, or a fit file.
     compare : FitPlan, str or Path, optional
-        Another one over the same recordings, to be judged against this one.
+        Another plan for the same recordings, which is compared with this one.
     profile : sequence of str, optional
-        Free numbers whose interval is to be found by profile likelihood.
+        Free parameters whose intervals are computed from the profile likelihood.
     repeats : int, optional
         Number of bootstrap fits; 0 for none.
     contour : bool, optional
-        Whether the misfit is wanted over conductance and wall heat: `contour` of the series, and findings.
+        If True, add the chi-square contour over conductance and wall conductance to the series, and its findings.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
     stages : callable, optional
-        Called with what follows the fit (profiles, bootstrap), how much of it is done, and of how much.
+        Called with the stage after the fit (profiles, contour, bootstrap), the completed steps and their total number.
 
     Returns
     -------
@@ -145,7 +145,7 @@ def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = Tru
         correlation=correlation(plan.free, optimum),
         comparison={
             "aicc": criterion,
-            "AICc": criterion,  # as it is written in the literature
+            "AICc": criterion,  # spelling of the literature
             "free_numbers": len(plan.free),
             "samples": sum(piece.size for piece in residuals),
         },
@@ -171,6 +171,8 @@ def _series_table(channel_fit: ChannelFit, band: ConfidenceBand | None) -> dict[
 
 def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
     sigmas = zip(channels_of(plan.experiments), optimum.sigmas, strict=True)
+    first = plan.experiments[0]
+    free = {name for f in first.free for name in (f.address, f.name)}
     return {
         "recordings": [e.name for e in (*plan.experiments, *plan.validation)],
         "validation": [e.name for e in plan.validation],
@@ -178,21 +180,15 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
         "starts": plan.settings.starts,
         "seed": plan.settings.seed,
         "kicks": kick_rounds(plan.settings, plan.experiments),
-        "fixed": _fixed_parameters(plan.experiments[0]),
+        "fixed": {
+            address: f"{number.display()} ({number.source.kind})"
+            for address, number in first.instance.sources.items()
+            if address not in free and ".characteristic." not in address
+        },
         "evaluations": optimum.evaluations,
         "noise": {fitted.name: float(sigma) for fitted, sigma in sigmas},
         "interrupted": optimum.interrupted,
         "searches": search_tables(plan, optimum),
-    }
-
-
-def _fixed_parameters(experiment: Experiment) -> dict[str, str]:
-    """Return the fixed parameters of the parts with their sources."""
-    free = {name for f in experiment.free for name in (f.address, f.name)}
-    return {
-        address: f"{number.display()} ({number.source.kind})"
-        for address, number in experiment.instance.sources.items()
-        if address not in free and ".characteristic." not in address
     }
 
 

@@ -1,8 +1,8 @@
 """Search for all equivalent optima of a fit.
 
-A tank that fills without wall heat and one that is isothermal have the same pressure at all times where the flow
-comes from a supply of fixed temperature and C differs by kappa T_s/T_w. No local analysis sees that: every fit of wall
-heat from pressures alone is begun from both ends.
+An adiabatic and an isothermal tank have the same pressure curve if the supply temperature is constant and C differs by
+the factor kappa T_s/T_w. A local analysis cannot detect this. Each fit of a wall conductance from pressures alone
+therefore starts from both limits.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ import numpy as np
 
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.fit_findings import error_model_of
-from poppet.identify.fit.losses import costs_of
+from poppet.identify.fit.residuals import costs_of
 from poppet.identify.fit.search import KnownOptimum, Optimum, SearchSettings, initial_sigmas, optimise, random_point
 from poppet.identify.fit.statistics import RANK, UNFELT, errors, estimates
 from poppet.identify.free_parameter import FreeParameter
@@ -26,17 +26,17 @@ from poppet.timeseries.measurements import Channel
 
 WALL, CONDUCTANCES = ".wall_conductance", (".sonic_conductance", ".effective_area")
 ISOTHERMAL, NEARLY_ISOTHERMAL, NEARLY_ADIABATIC = 1e4, 10.0, 0.01
-"""Transfer units h A tau/(m c_v): of the isothermal limit, and where searches begin. One or the other search from the
-last two found the best optimum of each of 78 seeded charges and discharges; alone each found two thirds."""
+"""Transfer units h A tau/(m c_v) of the isothermal limit and of two start points. In each of 78 simulated charges and
+discharges, one of the two start points led to the best optimum; either one alone did so in two thirds of them."""
 TIE = 2
-"""Decimals of the cost to which exact twins are equal: the adiabatic one is then the answer."""
+"""Decimals to which costs are compared; of equal optima, the first is selected: the adiabatic one."""
 HOPELESS = 4.0
-"""Times the least cost above which a place is not looked at again: twice the misfit."""
+"""Ratio to the least cost above which an optimum is not searched again: twice the rms of the residuals."""
 SHALLOW = 0.01
-"""Least singular value of the slopes, each over its norm, below which a valley may be longer than its slopes say."""
+"""Relative singular value of the normalised Jacobian below which the linear model can underestimate a valley."""
 DITHERED, STUCK = 0.5, 5
-"""Noise over the step of a gauge below which it does not blur the steps, and equal samples in a row of a gauge that
-stands on one: a difference of models below a step is no evidence there."""
+"""Ratio of noise to sensor resolution below which the steps are visible; equal successive samples that make a step. A
+difference of models below the resolution is not evidence there."""
 
 
 @dataclass
@@ -120,7 +120,7 @@ def find_optima(
     lowest = searches.lowest(searches.optima)
     if searches.is_stopped:
         return replace(lowest, interrupted=True)
-    # Now with the noise as the residuals show it, and kicks where these are not white.
+    # Repeat with the noise of the residuals, and with restarts if these are not white.
     best = replace(
         searches.run(lowest.name, lowest.x, settings=settings, joinable=searches.optima), start_point=lowest.start_point
     )
@@ -181,7 +181,7 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
         return {free[k].name: float(x[k]) for k in walls}
 
     kappa = kappa_of(searches.experiments[0])
-    # C of the start is that of an isothermal tank.
+    # The start value of C is that of an isothermal tank.
     point = at(start, 0.0, 1.0 / kappa)
     adiabatic = searches.add("adiabatic", point, fixed(point))
     point = at(adiabatic, ISOTHERMAL, kappa)
@@ -222,7 +222,7 @@ def _points_along_valley(
     if indices.size < 2:
         return
     _, sizes, directions = np.linalg.svd(slopes / norms, full_matrices=False)
-    # What is not seen at all needs no search: it is not determined.
+    # A direction that is not identifiable needs no search.
     if not RANK * sizes[0] < sizes[-1] < SHALLOW * sizes[0]:
         return
     direction = directions[-1] / norms
@@ -234,7 +234,7 @@ def _points_along_valley(
         yield point, {free[indices[dominant]].name: float(point[indices[dominant]])}
 
 
-# What the data cannot tell apart ----------------------------------------------------------------------------------
+# Equivalent optima ----------------------------------------------------------------------------------------------
 
 
 def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> Optimum:
@@ -245,7 +245,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
     from scipy.special import chdtri
 
     candidates = [best]
-    # Over the weights of the best; a single search has led to the best.
+    # Use the weights of the best optimum; a single search has no others.
     for first in searches.optima if len(searches.optima) > 1 else []:
         if first.cost <= HOPELESS * least:
             joinable = [] if first.fixed else [best]
@@ -257,7 +257,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
         candidates.append(searches.run("along", point, fixed=fixed, weights=best.sigmas))
     best = searches.lowest(candidates)
     spread = error_model_of(searches.experiments, best, searches.settings)
-    # The cost is half a sum of squares, which exceeds its least value by chi-square.
+    # The cost is half a sum of squares, whose increase is chi-square.
     limit = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * spread.variance_factor
     equivalent: list[Optimum] = []
     for rival in sorted(candidates, key=lambda o: o.cost):
@@ -279,8 +279,6 @@ def evidence(
     """Return the evidence against another optimum: a difference of cost, at least 0.
 
     Differences that an offset in the channels `off` explains do not count, nor those below the resolution of a sensor.
-
-    Whatever a constant in the channels that are `off` explains is no evidence, nor what a coarse gauge does not show.
     """
     channels = channels_of(experiments)
     is_visible = np.ones(best.residual.size, dtype=bool)

@@ -11,27 +11,26 @@ from numpy.typing import NDArray
 
 from poppet.core.errors import InputError, NameSuggestion, collect
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
-from poppet.identify.fit.losses import LOSSES, costs_of, curvatures_of, weights_of
-from poppet.identify.fit.whiteness import whiteness
+from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of, whiteness
 from poppet.identify.free_parameter import FreeParameter, by_name
 from poppet.identify.least_squares import LocalModel, condense, search
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel, noise_of
 
 ROUNDS = 12
-"""Rounds of weighing: where no noise is given, the residuals of a round say how large it is in the next."""
+"""Maximum rounds of weighting: unless the noise is stated, each round estimates it from the last residuals."""
 KICKS = 3
-"""Most rounds of trying to leave a false minimum, where nothing is said."""
+"""Default of the maximum number of restart rounds."""
 SUSPICIOUS = 0.05
-"""Probability of white residuals below which other places are tried; a false alarm costs time only."""
+"""Probability of white residuals below which the search is restarted; a false alarm only costs time."""
 JOINED = 0.1
-"""Part of a sigma, and of the cost, within which a search has come to where another one ended."""
+"""Tolerances, in standard errors and in the cost, within which a point belongs to a known optimum."""
 INEXACT = 1e-5
-"""Part of the slopes that is not right, as differences have it."""
+"""Relative error of the derivatives from finite differences."""
 WIDTHS = (SAMPLED_DIFFERENCE, 0.02, 0.002)
-"""Relative widths of the differences where a program samples: the residuals are smooth in the numbers on the whole and
-broken in small pieces. Fits of a complete valve came within 1 % of the truth with the first and stayed 10 % away from
-it with the last; fits of a loop with a steep gain did it the other way round."""
+"""Relative widths of the finite differences for sampled circuits, whose residuals are not smooth at small scale. In
+fits of a complete valve, the error of the estimates was 1 % with the first width and 10 % with the last. In fits of a
+loop with a steep gain, the last width gave the smaller error."""
 
 
 Places = NDArray[np.int64] | slice
@@ -46,12 +45,12 @@ class SearchSettings:
     loss : str
         `linear`, or a robust one: `soft_l1`, `huber`, `cauchy`.
     starts : int
-        Number of places to start_point at; the first is the given one.
+        Number of start points; the first has the start values, the others are random.
     seed : int
-        Of the other places.
+        Seed of the random start points.
     kicks : int or None
-        Most rounds of trying to leave a false minimum, where the residuals are not white. None: 3, and none in circuits
-        that sample, whose residuals are hardly ever white and whose runs take long.
+        Maximum number of restart rounds if the residuals are not white. None is 3, or 0 for sampled circuits: their
+        residuals are seldom white, and their runs take long.
     """
 
     loss: str = "linear"
@@ -62,14 +61,9 @@ class SearchSettings:
     def __post_init__(self) -> None:
         problems = []
         if self.loss not in LOSSES:
+            near = NameSuggestion(str(self.loss), LOSSES)
             problems.append(
-                InputError(
-                    "fields.not_an_option",
-                    "loss",
-                    value=self.loss,
-                    meaning="loss function",
-                    near=NameSuggestion(str(self.loss), LOSSES),
-                )
+                InputError("fields.not_an_option", "loss", value=self.loss, meaning="loss function", near=near)
             )
         for name, low, high in (("starts", 1, 1000), ("seed", 0, 2**63 - 1), ("kicks", 0, 1000)):
             value = getattr(self, name)
@@ -83,7 +77,7 @@ class KnownOptimum(NamedTuple):
     """Optimum of another search over the same residuals."""
 
     x: FloatArray
-    errors: FloatArray  # one sigma of each number, infinite where it is not felt
+    errors: FloatArray  # standard error of each parameter, infinite if the data are insensitive to it
     cost: float
 
     def holds(self, x: FloatArray, cost: float) -> bool:
@@ -103,21 +97,21 @@ class _JoinedError(Exception):
 class Optimum:
     """Result of a search; the priors follow the samples."""
 
-    x: FloatArray  # values of the free numbers, (n_free,), SI
+    x: FloatArray  # values of the free parameters, (n_free,), SI
     cost: float  # half the sum of squares, in sigmas
-    jacobian: FloatArray  # derivatives of the weighted residuals, (n_samples, n_free), in SI units of the numbers
+    jacobian: FloatArray  # derivatives of the weighted residuals, (n_samples, n_free), per SI unit of the parameters
     residual: FloatArray  # weighted residuals, (n_samples,)
     sigmas: list[float]  # noise of each channel, in the order of experiments and channels
     active: NDArray[np.int64]  # -1 at the lower bound, 1 at the upper, 0 between, (n_free,)
     interrupted: bool = False  # by the user
-    evaluations: int = 0  # runs of the search, slopes included
-    name: str = "given"  # of the place where its search began
-    start_point: FloatArray = field(default_factory=lambda: np.zeros(0))  # that place
-    fixed: Mapping[str, float] = field(default_factory=dict)  # numbers that were fixed there
-    excess: float = 0.0  # by how much the data speak for the lowest optimum, as a difference of cost
-    limit: float = np.inf  # of the excess, up to which 95 % of the truth lies
-    others: tuple[Optimum, ...] = ()  # places that the data cannot tell from this one
-    searches: tuple[Optimum, ...] = ()  # all that were made over the first weights, in their order
+    evaluations: int = 0  # evaluations of the residuals
+    name: str = "given"  # name of the start point
+    start_point: FloatArray = field(default_factory=lambda: np.zeros(0))
+    fixed: Mapping[str, float] = field(default_factory=dict)  # parameters fixed in this search
+    excess: float = 0.0  # evidence for the lowest optimum: a difference of cost
+    limit: float = np.inf  # largest excess within the 95 % confidence region
+    others: tuple[Optimum, ...] = ()  # equivalent optima
+    searches: tuple[Optimum, ...] = ()  # searches with the first weights, in their order
 
 
 @dataclass
@@ -130,18 +124,15 @@ class FitObjective:
     experiments: Sequence[Experiment]
     free: tuple[FreeParameter, ...]  # in the order of x
     sigmas: list[float]  # noise of each channel
-    progress: Callable[[int, float], Any] | None = None  # told the number of evaluations and the least cost
+    progress: Callable[[int, float], Any] | None = None  # called with the number of evaluations and the least cost
     evaluations: int = 0
-    fixed: Mapping[str, float] = field(default_factory=dict)  # free numbers fixed at a value, for profiles and trials
+    fixed: Mapping[str, float] = field(default_factory=dict)  # parameters fixed at a value, for profiles and trials
     joinable: Sequence[KnownOptimum] = ()
-    # Least cost so far, and where it was found: what an interrupt keeps.
+    # Least cost so far and its point: the result if the user interrupts the search.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
-    _last_residual: tuple[bytes, FloatArray, float] = (
-        b"",
-        np.zeros(0),
-        np.inf,
-    )  # the last place, its residuals, half their squares
-    _slopes: tuple[tuple[bytes, float], FloatArray] = ((b"", 0.0), np.zeros((0, 0)))  # with their place and width
+    # last point, its residuals, half the sum of their squares
+    _last_residual: tuple[bytes, FloatArray, float] = (b"", np.zeros(0), np.inf)
+    _slopes: tuple[tuple[bytes, float], FloatArray] = ((b"", 0.0), np.zeros((0, 0)))  # point and width, derivatives
 
     def __post_init__(self) -> None:
         self.channels = channels_of(self.experiments)
@@ -247,7 +238,7 @@ def optimise(
 ) -> Optimum:
     """Return the optimum of a search from the start values or from `start_point`.
 
-    `sigmas` are those of an earlier search; one that comes to a `joinable` place ends there.
+    `sigmas` are those of an earlier search. The search ends if it reaches an optimum in `joinable`.
     """
     settings = settings or SearchSettings()
     stated_noise = [fitted.channel.noise for fitted in channels_of(experiments)]
@@ -259,7 +250,7 @@ def optimise(
     interrupted = False
     try:
         x = _search_locally(objective, x, settings)[0]
-        # Profiles and trials start_point at the optimum: there is no false minimum to leave.
+        # Profiles and trials start from the optimum: a restart is not necessary.
         x = x if fixed else _leave_false_minimum(objective, x, settings)
         for _ in range(ROUNDS - 1 if sigmas is None and not all(stated_noise) else 0):
             refined = _refine_sigmas(objective, x, stated_noise)
@@ -273,9 +264,9 @@ def optimise(
         x = objective.best[1] if objective.best[1].size else x
     residual, jacobian = objective.residual_and_jacobian(x)
     cost = 0.5 * float(residual @ residual)
-    return Optimum(
-        x, cost, jacobian, residual, objective.sigmas, _active_bounds(free, x), interrupted, objective.evaluations
-    )
+    low, high, scale = np.array([(f.low, f.high, f.scale) for f in free]).reshape(-1, 3).T
+    active = np.where(x <= low + 1e-6 * scale, -1, np.where(x >= high - 1e-6 * scale, 1, 0))
+    return Optimum(x, cost, jacobian, residual, objective.sigmas, active, interrupted, objective.evaluations)
 
 
 def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator) -> FloatArray:
@@ -292,8 +283,8 @@ def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator
 def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: SearchSettings) -> FloatArray:
     """Restart from other points while the residuals are not white; return the best point.
 
-    Conductance and wall heat trade against each other, so that a discharge has a second, wrong minimum near the
-    isothermal or the adiabatic limit; a misfit that is not noise gives it away.
+    Conductance and wall conductance compensate each other. A discharge therefore has a false minimum near the
+    isothermal or the adiabatic limit, where the residuals are not white.
     """
     max_rounds = kick_rounds(settings, objective.experiments)
     if max_rounds == 0:
@@ -332,14 +323,14 @@ def _is_suspicious(objective: FitObjective, x: FloatArray) -> bool:
 def _search_locally(objective: FitObjective, x: FloatArray, settings: SearchSettings) -> tuple[FloatArray, float]:
     """Return the best point of local searches: one, or several for sampled circuits.
 
-    Which width of differences sees the slope and not the pieces depends on the circuit, and a search may end in a
-    piece: all are tried, from x and again from the best place found.
+    The best width of the differences depends on the circuit, and a search can end at a false minimum. All widths are
+    therefore tried, first from x and then from the best point.
     """
     if not any(experiment.samples for experiment in objective.experiments):
         return _search_downhill(objective, x, settings, SAMPLED_DIFFERENCE)
     best, cost = x, np.inf
-    for begins_again in (False, True):
-        start_point = best if begins_again else x
+    for _ in range(2):
+        start_point = best
         for width in WIDTHS:
             point, local_cost = _search_downhill(objective, start_point, settings, width)
             if local_cost < cost:
@@ -355,7 +346,7 @@ def _search_downhill(
     if indices.size == 0:
         return x, objective.cost(x)
     units, low, high = np.array([(f.scale, f.low, f.high) for f in objective.free])[indices].T
-    # A view where none is fixed.
+    # A slice makes a view if no parameter is fixed.
     searched = slice(indices.size) if indices.size == x.size else indices
     joined: KnownOptimum | None = None
 
@@ -388,11 +379,6 @@ def initial_sigmas(experiments: Sequence[Experiment]) -> list[float]:
     return [fitted.channel.noise or _estimate_noise(fitted.channel) for fitted in channels_of(experiments)]
 
 
-def _active_bounds(free: tuple[FreeParameter, ...], x: FloatArray) -> NDArray[np.int64]:
-    low, high, scale = np.array([(f.low, f.high, f.scale) for f in free]).reshape(-1, 3).T
-    return np.where(x <= low + 1e-6 * scale, -1, np.where(x >= high - 1e-6 * scale, 1, 0))
-
-
 def _estimate_noise(channel: Channel) -> float:
     """Return the noise of a channel, at least that of its resolution."""
     noise = max(noise_of(channel.values), channel.quantum / np.sqrt(12.0))
@@ -402,7 +388,7 @@ def _estimate_noise(channel: Channel) -> float:
 def _refine_sigmas(objective: FitObjective, x: FloatArray, stated_noise: Sequence[float | None]) -> list[float]:
     """Return the noise of each channel; if not stated, from its residuals."""
     residual = objective.residual(x)
-    # Every free number takes its part of the noise away.
+    # Each free parameter removes one degree of freedom.
     freedom = max(0.1, 1.0 - len(objective.free) / max(1, residual.size))
     return [
         sigma if stated else sigma * float(np.sqrt(np.mean(residual[fitted.rows] ** 2) / freedom))

@@ -10,10 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.losses import weights_of
-from poppet.identify.fit.rounding import Staircase
+from poppet.identify.fit.residuals import Staircase, correlation_time, weights_of
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.whiteness import correlation_time
 from poppet.identify.free_parameter import FreeParameter
 from poppet.identify.gum import corrected_penalty, correlations, coverage_factor
 from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, judged
@@ -21,25 +19,24 @@ from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel
 
 RANK = 1e-5
-"""Least singular value of the slopes, each over its norm, as part of the largest: the slopes are exact to no more than
-this, and below it a direction is not seen at all. C, V and h A of one tank scaled together come to 1e-6, the weakest
-direction of numbers that tests do determine to 0.01 or more."""
+"""Least singular value of the normalised Jacobian, as a fraction of the largest, that counts as not zero. The
+derivatives have this relative error. For C, V and h A of one tank, the least singular value is 1e-6; for parameters
+that tests do determine, it is at least 0.01."""
 PART = 1e-4
-"""Square of a number's part in such a direction from which it is not determined."""
+"""Squared component in a singular direction above which a parameter is not determined."""
 UNFELT = 1e-4
-"""Sigmas over all samples per relative change of one below which a number is not felt at all."""
+"""Norm of the sensitivity to a relative change, in sigmas, below which a parameter has no effect."""
 CHANCE = 6e-5
-"""Probability with which noise alone makes a constant that is taken for an offset: four sigmas of many samples."""
+"""Probability that noise alone is reported as an offset: four sigmas for many samples."""
 UNSEEN = 1e-6
-"""Part of a constant that the numbers leave over below which they imitate it: a free offset does."""
+"""Least fraction of a constant that the parameters cannot imitate; below it, the offset is not visible."""
 EDGE = 1e-3
-"""Least part of a sample's misfit that the fit leaves over; below it the sample is all that determines a number."""
+"""Lower limit on 1 - leverage; below it, one sample alone determines a parameter."""
 OF_RATIOS = 0.05, 0.15
-"""Limits of the verdict on dimensionless numbers of finite range, as part of it: critical ratios lie between 0.1 and
-0.55."""
+"""Limits of the verdict on dimensionless parameters of finite range, as fractions of the range."""
 
 
-# How far samples move numbers -------------------------------------------------------------------------------------
+# Influence of samples on parameters -------------------------------------------------------------------------------
 
 
 def influences(optimum: Optimum) -> FloatArray:
@@ -50,7 +47,7 @@ def influences(optimum: Optimum) -> FloatArray:
     scale = _scale(optimum)
     relative, is_inside = optimum.jacobian * scale, optimum.active == 0
     result = np.empty((optimum.x.size, optimum.jacobian.shape[0]))
-    # A number at its bound is held for the others, but has a row of its own, as if the bound were not there.
+    # A parameter at a bound is fixed for the others; its row ignores the bound.
     if not np.all(is_inside):
         result[~is_inside] = _pseudo_inverse(relative)[~is_inside]
     result[is_inside] = _pseudo_inverse(relative[:, is_inside])
@@ -83,7 +80,7 @@ def _decompose(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], Flo
     norms = np.linalg.norm(jacobian, axis=0)
     felt = norms > UNFELT
     u, s, vt = np.linalg.svd(jacobian[:, felt] / norms[felt], full_matrices=False)
-    # Directions that the data do not see at all stay finite, and then dominate every sum they are in.
+    # A lower limit keeps the directions finite that are not identifiable; they then dominate each sum.
     return norms[felt], felt, u, np.maximum(s, 1e-9 * s[0] if s.size else 0.0), vt
 
 
@@ -97,9 +94,9 @@ class SensorLimits(NamedTuple):
 class SensorOffset(NamedTuple):
     """Constant difference between a channel and its model, in sigmas of its noise.
 
-    `bias` is the mean of model - measurement, `size` by how much its sensor reads too high if it alone is off, and
-    `error` one sigma of that. Both are no larger than its sensor may be off; `is_possible` is false where it would
-    have to be off by more, so that something else is wrong.
+    `bias` is the mean of model - measurement. `size` is the offset of the sensor if it alone has one, and `error` is
+    its standard deviation. Both are limited to the largest possible offset of the sensor. `is_possible` is false if the
+    estimate exceeds this limit; the cause is then different.
     """
 
     channel: int
@@ -148,7 +145,7 @@ class ErrorModel:
         ends = np.cumsum([0, *sizes])  # of the channels, in the order of the residual
         self.rows = [slice(int(a), int(b)) for a, b in pairwise(ends)]
         self._priors = slice(int(ends[-1]), None)
-        # A robust loss counts outliers less, here as in the search.
+        # A robust loss reduces the weight of outliers, as in the search.
         residual = optimum.residual * weights_of(optimum.residual, loss)
         self._seen = _decompose((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
@@ -225,7 +222,7 @@ class ErrorModel:
         rows = self.rows[channel]
         constant = np.zeros(residual.size)
         constant[rows] = 1.0
-        # What the free numbers imitate of a constant in this channel is theirs.
+        # Remove the part of the constant that the free parameters can imitate.
         constant -= self._seen @ (self._seen.T @ constant)
         remaining = float(constant @ constant)
         if remaining < UNSEEN * (rows.stop - rows.start):
@@ -256,19 +253,19 @@ def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: 
         piece = moves[rows]
         for lag in range(1, reach + 1):
             correlated += 2.0 * (1.0 - lag / (reach + 1.0)) * float(piece[lag:] @ piece[:-lag])
-    # Misfit that alternates would make the sum quieter than its terms: nobody should rely on that.
+    # An alternating lack of fit would give a smaller variance than independent terms: do not use that.
     return max(independent, correlated)
 
 
 def _correlation_length(residual: FloatArray) -> int:
     """Return the number of correlated samples: Bartlett weights, first-order process (Andrews)."""
     time = correlation_time(residual)
-    # Andrews' 4 a^2/(1 - a^2)^2 of a first-order process, whose correlation time is (1 + a)/(1 - a).
+    # 4 a^2/(1 - a^2)^2 (Andrews) for a first-order process with a correlation time of (1 + a)/(1 - a).
     steepness = (time**2 - 1.0) ** 2 / (4.0 * time**2)
     return min(int(np.ceil(1.1447 * (steepness * residual.size) ** (1.0 / 3.0))), residual.size // 3)
 
 
-# What is told of them ---------------------------------------------------------------------------------------------
+# Estimates and bands ----------------------------------------------------------------------------------------------
 
 
 def estimates(free: Sequence[FreeParameter], optimum: Optimum, spread: ErrorModel) -> dict[str, Estimate]:
@@ -290,7 +287,7 @@ def _quantile(optimum: Optimum) -> float:
 def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
     """Return the verdict on half an interval of a parameter.
 
-    A sensor that reads right has an offset of no size.
+    The half width is compared with the range for offsets and dimensionless parameters, else with the value.
     """
     span = f.high - f.low
     is_ratio = (f.unit == "1" or f.role == "offset") and np.isfinite(span)

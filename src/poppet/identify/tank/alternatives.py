@@ -1,4 +1,4 @@
-"""Fits of a tank test with other models: one fixed parameter is free."""
+"""Fits of a tank test with other models: one fixed parameter is free, or another thermal law."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from poppet.core.codes import Note
 from poppet.identify.fit.experiment import channels_of
 from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.identify_fit import STRONG
+from poppet.identify.fit.identify_fit import CLEAR, STRONG
+from poppet.identify.fit.residuals import correlation_time, is_white
 from poppet.identify.fit.search import FitObjective, Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
-from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free_parameter import FreeParameter, with_starts
 from poppet.identify.result import Estimate, Result
 from poppet.identify.tank.tank_plan import TankRun, is_free, plan_tank_fit, plausible_wall
@@ -30,27 +30,27 @@ HELD = (
     "pressure_lag",
     "pressure_offset",
 )
-"""What may be free instead of held, by the name of its field."""
+"""Fixed fields of a tank test that can be free."""
 ASKED_FOR = 2.5
-"""Sigmas of a step towards another value from which it is worth a fit; chance costs time only."""
+"""Step to another value that requires a fit, in sigmas; a false alarm only costs time."""
 BY_STEPS = 0.5
-"""Of the step of a gauge: residuals up to there are its rounding, which is a staircase where noise does not blur it."""
+"""Residuals up to this fraction of the sensor resolution count as rounding."""
 CONSTANT = 1e3
-"""Times a plausible heat capacity: a wall that keeps its temperature."""
+"""Factor on a plausible heat capacity that makes the wall temperature constant."""
 LIGHTER = ((1.0, 1.0), (0.1, 1.0), (0.01, 1.0), (0.1, 10.0))
-"""Times a plausible heat capacity and a common conductance of a wall where the searches for its capacity begin."""
+"""Start points of the wall capacity: factors on a plausible heat capacity and on a usual wall conductance."""
 WARMS = 0.05
-"""Part of the greatest difference of temperature between gas and wall by which a wall may warm unseen."""
+"""Negligible warming of the wall, as a fraction of the largest temperature difference of gas and wall."""
 
 
 @dataclass(frozen=True)
 class Alternative:
     """Fit of a model with more free parameters."""
 
-    name: str  # of the field that is free
+    name: str  # name of the free field
     estimates: Mapping[str, Estimate]
-    difference: float  # of AICc to that of the fit; negative: better
-    samples: float  # of its residuals that count as one
+    difference: float  # AICc minus that of the fit; negative if better
+    samples: float  # number of residuals per independent one
 
     @property
     def gain(self) -> float:
@@ -80,16 +80,12 @@ def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, res
         misfit_channels(plan, result)
         or any(_largest_step(alternative_plan, result) > ASKED_FOR for alternative_plan in plans.values())
     ):
-        # Pressures without wall heat and with a light wall may look alike, whatever the slopes say.
+        # Pressures with and without a light wall can be equal although the derivatives differ.
         is_blind = all(len(run.measurement.channels) == 1 for run in runs)
-        plans = {
-            name: alternative_plan
-            for name, alternative_plan in plans.items()
-            if is_blind and name == "wall_heat_capacity"
-        }
+        plans = {name: plans[name] for name in plans if is_blind and name == "wall_heat_capacity"}
     alternatives = []
     for name, alternative_plan in plans.items():
-        # A light wall has minima of its own: the heat that it does not take looks like no wall at all.
+        # A light wall has additional minima: a wall that takes little heat resembles an adiabatic tank.
         starts = LIGHTER if name == "wall_heat_capacity" else ((1.0, 1.0),)
         optimum = min(
             (_fit_plan(alternative_plan, result, *times) for times in starts), key=lambda alternative: alternative.cost
@@ -99,7 +95,7 @@ def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, res
         alternatives.append(_to_alternative(name, alternative_plan, optimum, result))
     alternatives.sort(key=lambda alternative: alternative.difference)
     if alternatives:
-        # The best is searched as thoroughly as the fit was: where that ended need not be near.
+        # Search the best one as thoroughly as the fit: its optimum can be far from that of the fit.
         best = plans[alternatives[0].name]
         optimum = _fit_plan(best, result, kicks=best.settings.kicks)
         thorough = _to_alternative(alternatives[0].name, best, optimum, result)
@@ -132,16 +128,12 @@ def wall_temperature_notes(
     lighter = plan_tank_fit(replace(test, wall_heat_capacity=capacity), runs)
     optimum = _fit_plan(lighter, result)
     if optimum.cost > cost_before + 0.5 * STRONG:
-        return []  # the recordings speak against it
+        return []  # the recordings contradict a lighter wall
     simple, value = result.parameters[number], optimum.x[[f.name for f in lighter.free].index(number)]
     if simple.low <= value <= simple.high:
         return []
-    facts = {
-        "capacity": capacity,
-        "rise": rise,
-        "number": number,
-        "percent": 100.0 * (float(value) / simple.value - 1.0),
-    }
+    percent = 100.0 * (float(value) / simple.value - 1.0)
+    facts = {"capacity": capacity, "rise": rise, "number": number, "percent": percent}
     return [Note("finding.wall", "tank.wall_heat_capacity", **facts)]
 
 
@@ -167,7 +159,7 @@ def _alternative_plan(test: TankTest, runs: Sequence[TankRun], name: str) -> Fit
         if not any(run.direction == "charge" and not is_free(run.supply_pressure) for run in runs):
             return None
         freed = [replace(run, supply_pressure=_free_table(run.supply_pressure)) for run in runs]
-        # Off by the same, the gauge would hide it: one of the two is right.
+        # An equal offset of the sensor would compensate it: free only one of the two.
         offset = 0.0 if test.pressure_offset is None else test.pressure_offset
         return plan_tank_fit(
             replace(test, supply_pressure=_free_table(test.supply_pressure), pressure_offset=offset), freed
@@ -206,7 +198,7 @@ def _largest_step(plan: FitPlan, result: Result) -> float:
         column = column - basis @ (basis.T @ column)
         length = float(np.linalg.norm(column))
         step = -float(column @ residual)
-        # Held at a bound, it can go one way only.
+        # A parameter at a bound can move in one direction only.
         is_outward = (step < 0.0 and _fixed_value(f) <= f.low) or (
             step > 0.0 and f.address == "tank.wall_heat_capacity"
         )
@@ -231,7 +223,7 @@ def _fit_plan(
 ) -> Optimum:
     """Return the optimum of a search from the end of the fit.
 
-    Added parameters begin at a multiple of their usual start.
+    Added parameters start from a multiple of their usual start value.
     """
     is_walled = any(f.address == "tank.wall_heat_capacity" for f in plan.free)
 
@@ -239,7 +231,7 @@ def _fit_plan(
         if f.name not in result.parameters:
             return times * f.start
         ended = float(np.clip(result.parameters[f.name].value, f.low, f.high))
-        # Without wall heat its capacity would not be felt.
+        # Without wall heat, the data are insensitive to the wall capacity.
         return max(ended, conducts * f.start) if is_walled and f.address == "tank.wall_conductance" else ended
 
     settings = SearchSettings(plan.settings.loss, kicks=kicks)
@@ -248,15 +240,61 @@ def _fit_plan(
     )
 
 
-def _to_alternative(name: str, plan: FitPlan, optimum: Optimum, result: Result) -> Alternative:
-    sigmas = _sigmas(plan, result)
-    residuals = [
-        optimum.residual[fitted.rows] * s for fitted, s in zip(channels_of(plan.experiments), sigmas, strict=True)
-    ]
+def _evaluate(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dict[str, FloatArray], float]:
+    """Return the estimates, the residuals of each channel in SI units, and the AICc of an optimum."""
+    channels = zip(channels_of(plan.experiments), optimum.sigmas, strict=True)
+    residuals = {fitted.name: sigma * optimum.residual[fitted.rows] for fitted, sigma in channels}
     parameters = estimates(plan.free, optimum, error_model_of(plan.experiments, optimum, plan.settings))
-    difference = aicc(residuals, len(plan.free)) - float(result.comparison["aicc"])
-    return Alternative(name, parameters, difference, max(map(_samples_per_independent, residuals)))
+    return parameters, residuals, aicc(list(residuals.values()), len(plan.free))
 
 
-def _samples_per_independent(residual: FloatArray) -> float:
-    return 1.0 if is_white(residual) else correlation_time(residual)
+def _to_alternative(name: str, plan: FitPlan, optimum: Optimum, result: Result) -> Alternative:
+    parameters, residuals, criterion = _evaluate(plan, optimum)
+    difference = criterion - float(result.comparison["aicc"])
+    samples = max(1.0 if is_white(residual) else correlation_time(residual) for residual in residuals.values())
+    return Alternative(name, parameters, difference, samples)
+
+
+# Thermal laws -----------------------------------------------------------------------------------------------------
+
+
+def compare_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
+    """Add the estimates and the AICc under each law in `compare` to a result."""
+    names = [fitted.name for fitted in channels_of(plan.experiments)]
+    first_row = _law_row(result.comparison["aicc"], result.parameters, {k: result.residuals[k].rms for k in names})
+    laws: dict[str, dict[str, Any]] = {test.thermal: first_row}
+    for name in test.compare:
+        if name in laws:
+            continue
+        law = {"wall_conductance": 0.0, "thermal": "energy"} if name == "adiabatic" else {"thermal": name}
+        law_plan = plan_tank_fit(replace(test, compare=(), **law), runs)
+        settings, sigmas = SearchSettings(test.loss), _sigmas(law_plan, result)
+        optimum = optimise(law_plan.experiments, law_plan.free, settings, sigmas=sigmas)
+        if optimum.interrupted:
+            conditions = {**result.conditions, "interrupted": True}
+            return replace(result, conditions=conditions, remarks=(*result.remarks, Note("finding.stopped.laws")))
+        parameters, residuals, criterion = _evaluate(law_plan, optimum)
+        rms = {channel: float((piece @ piece / piece.size) ** 0.5) for channel, piece in residuals.items()}
+        laws[name] = _law_row(criterion, parameters, rms)
+    number = f"{test.part}.sonic_conductance"
+    remarks = [_law_note(laws, number)] if len(laws) > 1 and number in first_row["numbers"] else []
+    comparison = {**result.comparison, "thermal_laws": laws}
+    return replace(result, comparison=comparison, remarks=(*remarks, *result.remarks))
+
+
+def _law_row(criterion: float, parameters: Mapping[str, Estimate], rms: Mapping[str, float]) -> dict[str, Any]:
+    return {
+        "aicc": criterion,
+        "rms": dict(rms),
+        "numbers": {name: vars(estimate).copy() for name, estimate in parameters.items()},
+    }
+
+
+def _law_note(laws: Mapping[str, dict[str, Any]], number: str) -> Note:
+    """Return a note on the spread of C between the laws."""
+    least = min(law["aicc"] for law in laws.values())
+    values = {name: float(law["numbers"][number]["value"]) for name, law in laws.items()}
+    left = tuple(name for name, law in laws.items() if law["aicc"] - least < CLEAR)
+    facts = {"values": values, "factor": max(values.values()) / min(values.values()), "left": left}
+    unit = next(iter(laws.values()))["numbers"][number]["unit"]
+    return Note(f"finding.laws.{'one' if len(left) == 1 else 'several'}", number, **facts, unit=unit)

@@ -34,22 +34,22 @@ CAPPING = (
     "finding.unusual.conductance",
     "finding.unusual.wall",
 )
-"""Findings after which no number that depends on the model is determined."""
+"""Codes of findings that limit the verdicts of all parameters that depend on the model."""
 MISREAD = ("finding.unexplained.", "suspicion.", "finding.gauge")
-"""How findings begin after which other models are of no interest."""
+"""Code prefixes of findings on invalid data, which come first."""
 DOUBTFUL = 6.0
-"""AICc by which another model has to be better for its number to count where it lies outside the interval; chance does
-so once in 200 times."""
+"""Least improvement of AICc of another model whose estimate is outside the interval; its probability by chance is
+0.5 %."""
 ALIKE = 3.0
-"""AICc by which another model may be worse, which is what its number costs, and is as good."""
+"""Largest excess of AICc of an equivalent model, about the penalty of its additional parameter."""
 LOOK_ALIKE = ("wall_heat_capacity", "supply_pressure")
-"""Models that a fit without them imitates. (A leak shares C with the valve in any discharge, if nothing shows it.)"""
+"""Free parameters whose effect the other parameters can imitate. (A leak always shares C with the valve.)"""
 USUAL_TRANSFER = 0.1, 1000.0
-"""Heat transfer of air in tanks, generously [W/(m^2 K)]."""
+"""Wide range of the heat transfer coefficient of air in tanks [W/(m^2 K)]."""
 LARGE_VOLUME = 1.0
-"""Above it litres may have been meant [m^3]."""
+"""Volume above which the unit was probably litres [m^3]."""
 READ_OFF = ("initial_pressure", "initial_temperature")
-"""Numbers that the first samples say, whatever the model."""
+"""Parameters that the first samples determine for each model."""
 
 
 def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
@@ -58,10 +58,9 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
     if result.conditions["interrupted"] or number not in result.parameters:
         return result
     alternatives = fit_alternatives(test, runs, plan, result)
-    comparison = {
-        **result.comparison,
-        **({"alternatives": alternatives_table(alternatives, number)} if alternatives else {}),
-    }
+    comparison = dict(result.comparison)
+    if alternatives:
+        comparison["alternatives"] = alternatives_table(alternatives, number)
     remarks = _alternative_notes(alternatives, result, number)
     if test.bore:
         coefficient = _discharge_coefficient(test, result.parameters[number])
@@ -96,45 +95,27 @@ def _alternative_notes(alternatives: Sequence[Alternative], result: Result, numb
     if not alternatives:
         return []
     simple, best = result.parameters[number], alternatives[0]
-    changes = {
-        alternative.name: 100.0 * (alternative.estimates[number].value / simple.value - 1.0)
-        for alternative in alternatives
-    }
-
-    def is_outside(alternative: Alternative) -> bool:
-        return not simple.low <= alternative.estimates[number].value <= simple.high
-
-    rival = next(
-        (
-            alternative
-            for alternative in alternatives
-            if _is_equivalent_model(alternative, result, number) and is_outside(alternative)
-        ),
-        None,
-    )
+    values = {alternative.name: alternative.estimates[number].value for alternative in alternatives}
+    changes = {name: 100.0 * (value / simple.value - 1.0) for name, value in values.items()}
+    outside = [a for a in alternatives if not simple.low <= values[a.name] <= simple.high]
+    rival = next((a for a in outside if _is_equivalent_model(a, result, number)), None)
     if best.gain > STRONG:
         degree = "clear"
-    elif best.gain > DOUBTFUL and is_outside(best):
+    elif best.gain > DOUBTFUL and best in outside:
         degree = "doubt"
     elif rival:
         degree, best = "alike", rival
     elif len(alternatives) == 1 and best.gain < CLEAR:
-        return []  # nothing asked for it
+        return []  # no evidence for another model
     else:
         degree = "somewhat" if best.gain > CLEAR else "none"
-    alike = tuple(
-        alternative.name for alternative in alternatives if abs(alternative.difference - best.difference) < CLEAR
-    )
+    sizes = {alternative.name: alternative.difference for alternative in alternatives}
+    alike = tuple(name for name, size in sizes.items() if abs(size - best.difference) < CLEAR)
     facts = {"models": alike, "size": -best.difference, "percent": changes[best.name]}
-    facts |= {"value": best.estimates[number].value, "unit": simple.unit}
+    facts |= {"value": values[best.name], "unit": simple.unit}
     return [
         Note(f"finding.other_model.{degree}", number, **facts),
-        Note(
-            "finding.other_models",
-            number,
-            changes=changes,
-            sizes={alternative.name: alternative.difference for alternative in alternatives},
-        ),
+        Note("finding.other_models", number, changes=changes, sizes=sizes),
     ]
 
 
@@ -176,9 +157,14 @@ def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
         if note.code not in CAPPING or (note.code == MISFIT and note.address not in missed):
             continue
         if note.code == "finding.wall" and abs(note.facts["percent"]) <= 100.0 * DETERMINED:
-            continue  # it moves C by no more than a verdict allows
-        for name in _capped_parameters(note, result):
-            if note.code not in reasons.setdefault(name, []):
+            continue  # the change of C is below the limit of a verdict
+        recording, names = note.address.partition(".")[0], result.conditions["recordings"]
+        for name, estimate in result.parameters.items():
+            owner, field = name.partition(".")[0], name.rpartition(".")[2]
+            # A lack of fit of one recording does not affect the parameters of another.
+            is_of_other = recording in names and owner in names and owner != recording
+            is_capped = estimate.verdict == "determined" and field not in READ_OFF and not is_of_other
+            if is_capped and note.code not in reasons.setdefault(name, []):
                 reasons[name].append(note.code)
     if not reasons:
         return result
@@ -186,16 +172,3 @@ def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
     cap_note = Note("finding.capped", names=tuple(reasons))
     conditions = {**result.conditions, "capped": reasons}
     return replace(result, parameters=parameters, remarks=(cap_note, *result.remarks), conditions=conditions)
-
-
-def _capped_parameters(note: Note, result: Result) -> list[str]:
-    """Return the determined parameters that a note affects."""
-    recording, names = note.address.partition(".")[0], result.conditions["recordings"]
-    return [
-        name
-        for name, estimate in result.parameters.items()
-        if estimate.verdict == "determined"
-        and name.rpartition(".")[2] not in READ_OFF
-        # A recording's misfit says nothing of the numbers that belong to another.
-        and not (recording in names and name.partition(".")[0] in names and name.partition(".")[0] != recording)
-    ]

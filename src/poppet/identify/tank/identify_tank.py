@@ -6,15 +6,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from poppet.core.codes import Note
 from poppet.core.toml_file import TomlFile
 from poppet.identify.fit.identify_fit import Progress, run_fit
 from poppet.identify.fit.intervals import Stages
+from poppet.identify.gum import SPREAD, widened
 from poppet.identify.result import Result
+from poppet.identify.tank.alternatives import compare_laws
 from poppet.identify.tank.caps import apply_caps
-from poppet.identify.tank.laws import compare_laws
-from poppet.identify.tank.tank_ambient import widen_for_ambient
-from poppet.identify.tank.tank_plan import plan_tank_fit, read_runs
-from poppet.identify.tank.test import TankTest, read_test
+from poppet.identify.tank.tank_plan import TEMPERATURE, TankRun, plan_tank_fit, read_runs
+from poppet.identify.tank.test import ROOM, TankTest, read_test
+
+POWERS = {"sonic_conductance": 0.5, "wall_conductance": 1.0, "wall_heat_capacity": 1.0}
+"""Exponents of the temperature: with all temperatures times r, C / r^0.5 and h A / r give the same pressures."""
 
 
 def identify_tank(
@@ -31,33 +35,33 @@ def identify_tank(
     Parameters
     ----------
     test : TankTest, str or Path
-        The test, or its file.
+        Tank test, or its file.
     profile : sequence of str, optional
-        Free numbers whose interval is to be found by profile likelihood.
+        Free parameters whose intervals are computed from the profile likelihood.
     repeats : int, optional
         Number of bootstrap fits; 0 for none.
     contour : bool, optional
-        Whether the misfit is wanted over conductance and wall heat: `contour` of the series, and findings.
+        If True, add the chi-square contour over conductance and wall conductance to the series, and its findings.
     progress : callable, optional
         Called with the number of evaluations and the least cost so far.
     stages : callable, optional
-        Called with what follows the fit (profiles, bootstrap), how much of it is done, and of how much.
+        Called with the stage after the fit (profiles, contour, bootstrap), the completed steps and their total number.
 
     Returns
     -------
     Result
-        Estimates under `valve.sonic_conductance`, `valve.critical_ratio`, `tank.wall_conductance` ...; nuisance
-        numbers of a recording under its name: `first.valve.delay`, `first.tank.pressure.offset`.
+        Estimates by address, such as `valve.sonic_conductance`, `valve.critical_ratio`, `tank.wall_conductance`. The
+        name of a nuisance parameter begins with its recording: `first.valve.delay`, `first.tank.pressure.offset`.
 
     Raises
     ------
     InputErrors
-        If the test cannot be read, or a recording does not fit its direction: a pressure that rises in a discharge,
-        one that hardly changes, one above its supply.
+        If the test is invalid, or if a recording contradicts its direction. Examples are a pressure that rises in a
+        discharge, that is almost constant, or that exceeds the supply pressure.
 
     Notes
     -----
-    The integrated equations are fitted; no pressure is differentiated.
+    The fit integrates the equations; it does not differentiate the recorded pressure.
 
     Examples
     --------
@@ -86,3 +90,27 @@ def identify_tank(
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)
     return widen_for_ambient(test, runs, result)
+
+
+def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
+    """Widen the intervals of a result for an unknown ambient temperature."""
+
+    def is_known(run: TankRun) -> bool:
+        """Return True if the temperature of the flowing gas is known."""
+        if run.direction == "charge":
+            return run.supply_temperature is not None
+        return test.initial_temperature is not None or any(c.address == TEMPERATURE for c in run.measurement.channels)
+
+    if test.ambient_temperature is not None or all(map(is_known, runs)):
+        return result
+    wider = {
+        name: widened(estimate, POWERS[field] * SPREAD / ROOM)
+        for name, estimate in result.parameters.items()
+        if (field := name.rpartition(".")[2]) in POWERS and estimate.verdict in ("determined", "weak")
+    }
+    number = f"{test.part}.sonic_conductance"
+    if number not in wider:
+        return result
+    facts = {"celsius": ROOM - 273.15, "percent": 50.0 / ROOM, "spread": SPREAD, "names": tuple(wider)}
+    note = Note("finding.room", number, **facts)
+    return replace(result, parameters={**result.parameters, **wider}, remarks=(note, *result.remarks))

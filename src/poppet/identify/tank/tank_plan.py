@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.options import Ambient
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, relocated
@@ -28,7 +28,7 @@ from poppet.parts.flow_path import Orifice
 from poppet.parts.part import Part
 from poppet.parts.sources import Reservoir
 from poppet.timeseries.measurements import Channel, InputChannel, Measurement, noise_of, quantum_of, read_measurement
-from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, ordered
+from poppet.timeseries.measurements.measurement import LEAST_SAMPLES, ordered
 from poppet.timeseries.measurements.verdicts import verdicts
 
 OWN = {
@@ -40,7 +40,7 @@ OWN = {
     "closes": Field(unit="s"),
     "use": Field(choices=ROLES),
 }
-"""What a recording may state for itself; all else in its table is read as in a fit file."""
+"""Fields of a tank test in a recording; the other fields of its table are those of a fit file."""
 PRESSURE, TEMPERATURE, SUPPLY = "tank.pressure", "tank.temperature", "supply.pressure"
 ARRAYS = {PRESSURE: "Pa", TEMPERATURE: "K"}
 OF_ARRAYS = {"time": Field(), **dict.fromkeys(ARRAYS, Field()), "start": Field(type="table")}
@@ -56,29 +56,29 @@ _SUPPLY = Field(
 )
 
 COMMON_RATIO = 0.3
-"""Where the search for b begins: the middle of what catalogues list."""
+"""Start value of b: the mean of catalogue values."""
 COMMON_EXPONENT, EXPONENTS = 1.2, {"min": 1.0, "max": AIR_ISENTROPIC_EXPONENT}
-"""Where the search for n begins, and its bounds unless others are given: isothermal and adiabatic."""
+"""Start value of n, and its default bounds: isothermal and adiabatic."""
 AREA_FACTOR, COMMON_COEFFICIENT = 6.0, 8.0
-"""Where the search for h A begins: the surface of a cube of the volume, and 8 W/(m^2 K), free convection in air."""
+"""Start value of h A: the surface of a cube of the volume, and 8 W/(m^2 K) for free convection in air."""
 LEAK = 0.01
-"""Where the search for a leak begins, as a part of the passage's conductance."""
+"""Start value of the leak, as a fraction of the conductance of the valve."""
 PLAUSIBLE_WALL = 5e3
-"""Heat capacity of a light vessel over its surface, that of 2 mm of aluminium [J/(m^2 K)]; 2 mm of steel have 7.4e3."""
+"""Heat capacity per surface of a light vessel, 2 mm of aluminium [J/(m^2 K)]; it is 7.4e3 for 2 mm of steel."""
 ONSET, COURSE = 0.02, 0.4
-"""Shares of the whole change between which the first guess of C is made; the first marks the start as well."""
+"""Fractions of the total change that limit the window for the start value of C; the first also marks the onset."""
 LEAST_CHANGE, CONTRARY = 20.0, 5.0
-"""In sigmas of the noise: a change that is too small to fit, and one that has the wrong direction."""
+"""Limits in sigmas of the noise: least change that can be fitted, and change in the wrong direction."""
 NARROW_ZONE = 0.99999
-"""Laminar ratio of the valve: a tank that cools beside an open valve stays close to equal pressures, where the usual
-zone would move its pressure by up to 240 Pa and its wall heat by several sigmas."""
+"""Laminar ratio of the valve. While a tank cools with an open valve, the pressures are almost equal; the usual laminar
+zone would change the pressure by up to 240 Pa and the wall conductance by several sigmas."""
 RESTING, STIRRED = 0.1, 0.05
-"""An open valve moves the pressure at once: the longest rest over the time of the first guess's course, and the
-share of the whole change that noise may hide for it to be told."""
+"""Check that the valve is open from the start: longest rest as a fraction of the window of the start value, and largest
+fraction of the total change that noise can hide."""
 ABOVE_SUPPLY = 1.02
-"""Of the supply's pressure; a tank that is fuller than that does not fill from it."""
+"""Largest final pressure of a charge, as a fraction of the supply pressure."""
 USUAL_ZERO = 0.01
-"""Of the range of a recording: one sigma of a sensor's zero, where it is free because the record tells it."""
+"""Default standard deviation of a free sensor offset, as a fraction of the range of the recording."""
 
 
 @dataclass(frozen=True)
@@ -250,7 +250,7 @@ def _check_start(run: TankRun) -> None:
         return
     samples = [_index_of_change(channel, fraction) for fraction in (share, 4.0 * share, ONSET, COURSE)]
     stirred, later, onset, course = (float(fraction) for fraction in channel.time[samples] - channel.time[0])
-    # A slow gauge begins like a parabola: it is at four times the share after twice the time.
+    # The response of a slow sensor starts as a parabola: four times the fraction after twice the time.
     if samples[0] > 3 and later < 1.5 * stirred and stirred > (RESTING + share / (COURSE - ONSET)) * (course - onset):
         rest_time = float(channel.time[samples[0] - 1] - channel.time[0])
         raise InputError("tank.rests", f"{run.place}.{PRESSURE}", rest=rest_time)
@@ -264,7 +264,7 @@ def _pressure(argument: Any, ambient_pressure: float) -> float:
 # The circuit ------------------------------------------------------------------------------------------------------
 
 
-def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
+def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     volume = _start_value(run.volume, None)
     if volume is None:
         raise InputError("tank.no_start", "volume", value=run.volume)
@@ -301,7 +301,7 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> Circuit:
         common = LEAK * float(valve.sonic_conductance)  # type: ignore[arg-type]
         leak = {"sonic_conductance": _start_value(test.leak_conductance, common), "critical_ratio": COMMON_RATIO}
         parts["leak"] = Orifice(from_="tank", to="ambient", **leak)
-    return Circuit(parts, ambient=ambient, title=test.title)
+    return BaseCircuit(parts, ambient=ambient, title=test.title)
 
 
 def plausible_wall(volume: float) -> float:
@@ -325,7 +325,7 @@ def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float
     """Return a start value of C for choked flow and isothermal gas."""
     channel = run.pressure
     first, last = (_index_of_change(channel, share) for share in (ONSET, COURSE))
-    first = min(first, max(0, last - 1))  # one step may do both
+    first = min(first, max(0, last - 1))  # one sample can reach both fractions
     span = max(float(channel.time[last] - channel.time[first]), 1e-9)
     high, low = float(channel.values[first]), float(channel.values[last])
     temperature = float(ambient.temperature)  # type: ignore[arg-type]
@@ -339,10 +339,10 @@ def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float
 
 def _index_of_change(channel: Channel, share: float) -> int:
     """Return the index of the first sample at a fraction of the total change."""
-    # Of few samples the first is the start: by the third a tank may be half empty.
+    # With few samples use only the first one: at the third, a tank can be half empty.
     begin = np.median(channel.values[: min(3, 1 + channel.time.size // 50)])
     change = np.abs(channel.values - begin)
-    # However steep it is, there is a sample for the onset before the one for the course.
+    # Even in a steep curve, the onset is at an earlier sample than the end of the window.
     return min(int(np.argmax(change >= share * np.max(change))), channel.time.size - 2 + (share > ONSET))
 
 
@@ -360,7 +360,7 @@ def _complete_recording(test: TankTest, run: TankRun) -> Measurement:
     times, values = [run.opens - edge, run.opens], [0.0, 1.0]
     if run.closes < math.inf:
         times, values = [*times, run.closes - edge, run.closes], [*values, 1.0, 0.0]
-    # What acts late is, for an input, a record that is early.
+    # An input with a delayed effect is equivalent to an early recording.
     command = InputChannel(f"{test.part}.opening", np.array(times), np.array(values), "1", -delay)
     return replace(measurement, inputs=(*measurement.inputs, command))
 
@@ -372,10 +372,12 @@ def _with_lag(test: TankTest, channel: Channel) -> Channel:
     return replace(channel, lag=None if free else quantity(test.pressure_lag, "s", name="pressure_lag").value)
 
 
-# What is free -----------------------------------------------------------------------------------------------------
+# Free parameters --------------------------------------------------------------------------------------------------
 
 
-def _free_parameters(test: TankTest, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> tuple[FreeParameter, ...]:
+def _free_parameters(
+    test: TankTest, runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
+) -> tuple[FreeParameter, ...]:
     shared = {
         f"{test.part}.sonic_conductance": test.sonic_conductance,
         f"{test.part}.critical_ratio": test.critical_ratio,
@@ -392,21 +394,29 @@ def _free_parameters(test: TankTest, runs: Sequence[TankRun], circuits: Sequence
         _read_free(address, argument, circuits[0]) for address, argument in shared.items() if is_free(argument)
     ]
     if test.thermal == "energy" and is_free(test.wall_conductance):
-        parameters += _free_walls(test.wall_conductance, runs, circuits)
+        if len({(run.direction, str(run.volume)) for run in runs}) == 1:
+            parameters.append(_read_free("tank.wall_conductance", test.wall_conductance, circuits[0]))
+        else:
+            walls = [test.wall_conductance] * len(runs)
+            parameters += _free_by_recording("tank.wall_conductance", walls, runs, circuits)
     for local in ("pressure", "temperature"):
-        parameters += _free_supplies(
-            f"supply.{local}", [getattr(run, f"supply_{local}") for run in runs], runs, circuits
-        )
+        supplies = [getattr(run, f"supply_{local}") for run in runs]
+        parameters += _free_supplies(f"supply.{local}", supplies, runs, circuits)
     if is_free(test.initial_temperature):
-        parameters += _free_by_recording(
-            "tank.initial_temperature", [test.initial_temperature] * len(runs), runs, circuits
-        )
+        temperatures = [test.initial_temperature] * len(runs)
+        parameters += _free_by_recording("tank.initial_temperature", temperatures, runs, circuits)
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     parameters += recording_parameters(measurements, circuits, roles)
     for run in runs:
         name = run.measurement.name
         if test.valve_delay == "free":
-            parameters.append(_free_delay(f"{name}.{test.part}.delay", f"{test.part}.opening", run))
+            # The delay starts from the onset of the change.
+            latest = run.measurement.duration - run.opens
+            onset = run.pressure.time[_index_of_change(run.pressure, ONSET)] - run.opens
+            delay, address = float(np.clip(onset, 0.0, 0.5 * latest)), f"{test.part}.opening"
+            parameters.append(
+                FreeParameter(f"{name}.{test.part}.delay", address, "s", delay, 0.0, latest, "dead_time", name)
+            )
         parameters += _free_offsets(test, run)
     return tuple(parameters)
 
@@ -424,15 +434,8 @@ def _free_offsets(test: TankTest, run: TankRun) -> list[FreeParameter]:
     return [offset_parameter(run.measurement.name, run.pressure, prior)]
 
 
-def _free_walls(argument: Any, runs: Sequence[TankRun], circuits: Sequence[Circuit]) -> list[FreeParameter]:
-    address = "tank.wall_conductance"
-    if len({(run.direction, str(run.volume)) for run in runs}) == 1:
-        return [_read_free(address, argument, circuits[0])]
-    return _free_by_recording(address, [argument] * len(runs), runs, circuits)
-
-
 def _free_supplies(
-    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
+    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
 ) -> list[FreeParameter]:
     """Return one free supply if all charges share it, else one per charge."""
     if all(run.direction == "charge" for run in runs) and len({str(argument) for argument in arguments}) == 1:
@@ -442,7 +445,7 @@ def _free_supplies(
 
 
 def _free_by_recording(
-    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[Circuit]
+    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
 ) -> list[FreeParameter]:
     """Return a free parameter for each recording; a single one has no prefix."""
     names = [run.measurement.name for run in runs]
@@ -454,14 +457,7 @@ def _free_by_recording(
     return parameters if len(runs) > 1 else [replace(f, name=address) for f in parameters]
 
 
-def _read_free(address: str, argument: Any, circuit: Circuit, *, recording: str = "") -> FreeParameter:
+def _read_free(address: str, argument: Any, circuit: BaseCircuit, *, recording: str = "") -> FreeParameter:
     table = argument if isinstance(argument, Mapping) else {}
     name = f"{recording}.{address}" if recording else ""
     return read_free(address, table, circuit, recording=recording, name=name, where=address.rpartition(".")[2])
-
-
-def _free_delay(name: str, address: str, run: TankRun) -> FreeParameter:
-    """Return the free delay of the valve, from the onset of the change."""
-    latest = run.measurement.duration - run.opens
-    begin = float(np.clip(run.pressure.time[_index_of_change(run.pressure, ONSET)] - run.opens, 0.0, 0.5 * latest))
-    return FreeParameter(name, address, "s", begin, 0.0, latest, "dead_time", run.measurement.name)

@@ -15,9 +15,9 @@ from poppet.core.units import quantity
 DIRECTIONS = ("discharge", "charge")
 THERMAL = ("energy", "isothermal", "polytropic")
 COMPARED = (*THERMAL, "adiabatic")
-"""Laws that may be compared; adiabatic is the energy balance without wall heat."""
+"""Thermal laws for a comparison; adiabatic is the energy balance without wall heat."""
 ROOM = 293.15
-"""Temperature of a room of which nothing is said [K]."""
+"""Default ambient temperature [K]."""
 _RECORDINGS = Field(
     type="table",
     is_required=True,
@@ -35,85 +35,85 @@ class TankTest:
     Parameters
     ----------
     recordings : mapping
-        Name to recording: a table as in a fit file (`file`, `time`, `"tank.pressure"`, `"tank.temperature"`, `skip`,
-        `until`, `inputs`, `start` ...), or one with arrays in SI units: `time` [s], `"tank.pressure"` [Pa],
-        `"tank.temperature"` [K], each (n,). It may name its own `direction`, `volume`, `supply_pressure`,
-        `supply_temperature`, `opens`, `closes` and `use = "validation"`.
+        Recordings by name. A recording is a table as in a fit file (`file`, `time`, `"tank.pressure"`,
+        `"tank.temperature"`, `skip`, `until`, `inputs`, `start` ...), or a table of arrays in SI units, (n,) each:
+        `time` [s], `"tank.pressure"` [Pa], `"tank.temperature"` [K]. It can also have `direction`, `volume`,
+        `supply_pressure`, `supply_temperature`, `opens`, `closes` and `use = "validation"`.
     volume : number
-        Of the tank with its lines [m^3].
+        Volume of the tank with its lines [m^3].
     direction : str
         `discharge` to the ambient air or `charge` from a supply.
     thermal : str
-        `energy` (default: wall heat is fitted as well), `isothermal` or `polytropic`.
+        Thermal law: `energy` (default, with a fitted wall conductance), `isothermal` or `polytropic`.
     sonic_conductance : number
-        C [m^3/(s Pa)]; free unless given.
+        Sonic conductance C [m^3/(s Pa)]; default `free`.
     critical_ratio : number
-        b; free unless given.
+        Critical back-pressure ratio b; default `free`.
     subsonic_index : number
-        m; default 0.5.
+        Subsonic index m; default 0.5.
     wall_conductance : number
-        h A, with `energy` [W/K]; free unless given. One for all recordings of the same direction and volume, else one
-        for each.
+        Wall conductance h A for `energy` [W/K]; default `free`. All recordings share it if they have the same direction
+        and volume; else each recording has its own value.
     polytropic_exponent : number
-        n, with `polytropic`; free unless given.
+        Exponent n for `polytropic`; default `free`.
     supply_pressure : number
-        Absolute pressure of the supply of a charge [Pa].
+        Absolute supply pressure of a charge [Pa].
     supply_temperature : number
-        Its temperature [K]; default the ambient one.
+        Supply temperature of a charge [K]; default ambient temperature.
     initial_temperature : number
-        Of the gas in the tank [K]; default the first sample of a recorded temperature, else the ambient one.
+        Initial gas temperature in the tank [K]. The default is the first sample of a recorded temperature, else the
+        ambient temperature.
     wall_temperature : number
-        Of the tank's wall [K]; default the ambient one.
+        Temperature of the tank wall [K]; default ambient temperature.
     wall_heat_capacity : number
-        Of the tank's wall, which warms and cools by the heat that it takes and gives [J/K]; default: it keeps its
-        temperature.
+        Heat capacity of the tank wall [J/K]. By default the wall temperature is constant.
     ambient_pressure : number
-        Absolute; what gauge values refer to and a discharge ends at [Pa].
+        Absolute ambient pressure, the reference of gauge values and the outlet pressure of a discharge [Pa].
     ambient_temperature : number
-        Around the tank [K]; default 20 degC, and intervals then allow for another one.
+        Ambient temperature [K]. The default is 20 degC with wider intervals for its uncertainty.
     valve_delay : number
         Time from `opens` until the component is open [s]; default 0, `free` for an unknown start time.
     leak_conductance : number
-        Sonic conductance of a leak from the tank to the room [m^3/(s Pa)]; default 0.
+        Sonic conductance of a leak from the tank to the ambient [m^3/(s Pa)]; default 0.
     pressure_lag : number
-        Time constant of a gauge whose channel does not state its own [s]; default 0.
+        Time constant of a pressure sensor whose channel does not state one [s]; default 0.
     bore : number
-        Diameter of the component's narrowest section, if it is known [m]: its conductance cannot exceed that of a
-        nozzle of this bore.
+        Diameter of the narrowest section of the component, optional [m]. The conductance cannot exceed that of a nozzle
+        of this bore.
     bore_uncertainty : number
-        One sigma of it [m].
+        Standard deviation of the bore [m].
     pressure_offset : str
-        `free` where the sensor's zero is not known: one for each recording; 0 where it is right. Left out, it is free
-        where the valve closes within the recording, with a standard deviation of 1 % of the range, and where the
-        pressure states its `offset`, with that one.
+        Offset of the pressure sensor: `free` (one for each recording) or 0. By default it is free in two cases: if the
+        pressure states its `offset`, with that standard deviation, and if the valve closes within the recording, with
+        a standard deviation of 1 % of the range.
     part : str
-        What the component is called in the result: `valve`.
+        Name of the component in the result; default `valve`.
     title : str
-        For people.
+        Title of the result.
     loss : str
-        `linear`, or a robust one.
+        Loss function: `linear` or a robust one.
     starts : int
-        Places to begin the search at.
+        Number of start points of the search.
     seed : int
-        Of the other places.
+        Seed of the random start points.
     compare : sequence of str
-        Thermal laws under which the same recordings are fitted as well: `isothermal`, `adiabatic` (no wall heat),
-        `energy`, `polytropic`.
+        Thermal laws that are also fitted for comparison: `isothermal`, `adiabatic` (no wall heat), `energy`,
+        `polytropic`.
     folder : str or Path
-        What the files' paths refer to.
+        Base folder of relative file paths.
 
     Raises
     ------
     InputErrors
-        With all mistakes.
+        With all errors.
 
     Notes
     -----
-    A number is a value with its unit, which is kept; `free`; or a table `{ start, min, max, prior }`, which is free.
-    What holds for the room and the bore are values.
-    The initial pressure is free unless `start` says otherwise. The component is open from the first used sample on;
-    `opens` and `closes` [s] are the times of the command, `"tank.temperature"` may have `lag = "free"`. Not for
-    components with internal feedback (regulators) or a cracking pressure, as ISO 6358-2 says.
+    A number is a value with its unit, `free`, or a table `{ start, min, max, prior }` for a free parameter. The ambient
+    conditions and the bore must be values. The initial pressure is free unless `start` sets it. The component is open
+    from the first used sample. `opens` and `closes` [s] are the times of the command. `"tank.temperature"` can have
+    `lag = "free"`. According to ISO 6358-2, the method is not applicable to components with internal feedback
+    (regulators) or a cracking pressure.
 
     References
     ----------
@@ -152,27 +152,16 @@ class TankTest:
 
     def __post_init__(self) -> None:
         with ErrorCollector() as errors:
-            for name, valid in (("direction", DIRECTIONS), ("thermal", THERMAL)):
-                argument = getattr(self, name)
-                if argument not in valid:
-                    errors.add(
-                        "fields.not_an_option",
-                        name,
-                        value=argument,
-                        meaning=name,
-                        near=NameSuggestion(str(argument), valid),
-                    )
             laws = tuple(self.compare) if isinstance(self.compare, list | tuple) else (self.compare,)
             object.__setattr__(self, "compare", laws)
-            for name in laws:
-                if name not in COMPARED:
-                    errors.add(
-                        "fields.not_an_option",
-                        "compare",
-                        value=name,
-                        meaning="thermal law",
-                        near=NameSuggestion(str(name), COMPARED),
-                    )
+            for name, meaning, argument, valid in (
+                ("direction", "direction", self.direction, DIRECTIONS),
+                ("thermal", "thermal", self.thermal, THERMAL),
+                *(("compare", "thermal law", law, COMPARED) for law in laws),
+            ):
+                if argument not in valid:
+                    near = NameSuggestion(str(argument), valid)
+                    errors.add("fields.not_an_option", name, value=argument, meaning=meaning, near=near)
             if self.pressure_offset not in ("free", 0.0, None):
                 errors.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             for name in ("bore", "bore_uncertainty"):
@@ -207,19 +196,19 @@ def read_tank_file(path: str | Path) -> TankTest:
     Returns
     -------
     TankTest
-        Not yet fitted; the recordings are read by `identify_tank`.
+        Tank test; `identify_tank` reads its recordings.
 
     Raises
     ------
     InputErrors
-        With all mistakes, each with its line where it can be told.
+        With all errors, each with its line if available.
 
     Examples
     --------
     >>> import tempfile
     >>> text = '''
     ... direction = "discharge"
-    ... volume = "16.2 l"                      # "free" or { start = "16 l" } where it is not known
+    ... volume = "16.2 l"                      # "free" or { start = "16 l" } if it is unknown
     ... ambient_pressure = "1.013 bar"
     ... initial_temperature = "25 degC"
     ... [recordings.first]

@@ -67,7 +67,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
     if kind not in _FIELDS:
         code = "curves.kind" if "kind" in table else "curves.no_kind"
         raise InputError(code, name, value=kind, near=NameSuggestion(str(kind), _FIELDS))
-    reader = _Reader(table, name, str(kind))
+    reader = _CharacteristicReader(table, name, str(kind))
     # From here on, errors are collected, so one pass over the file reports all of them.
     reader.refuse_unknown()
     fields = reader.common()
@@ -80,7 +80,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
         raise problem.within(name) from None
 
 
-class _Reader:
+class _CharacteristicReader:
     """Reader of the fields of one table, with a list of their errors."""
 
     def __init__(self, table: Mapping[str, Any], name: str, kind: str) -> None:
@@ -110,7 +110,7 @@ class _Reader:
         return None
 
     def numbers(self, field: str, unit: str) -> tuple[Number, ...] | None:
-        """Return the entries of a list, None if an entry is invalid."""
+        """Return the entries of a list as numbers, or None if any entry is invalid."""
         read = [self.number(entry, unit, f"{field}[{i}]") for i, entry in enumerate(self.table[field])]
         numbers = tuple(number for number in read if number is not None)
         return numbers if len(numbers) == len(read) else None

@@ -9,7 +9,7 @@ import numpy as np
 
 from poppet.bench.iso10094.bench_result import BenchResult
 from poppet.bench.iso10094.characteristic import RANGE
-from poppet.bench.iso10094.evaluation import Curve
+from poppet.bench.iso10094.evaluation import PlottedCurve
 from poppet.bench.iso10094.frequency import GAIN_DB, PHASE_DEG
 from poppet.bench.iso10094.step import BAND
 from poppet.core.number_format import readable_unit
@@ -26,11 +26,11 @@ _HALF = (_WIDTH - _LEFT - _RIGHT - _GAP) / 2.0
 _UP, _DOWN = PALETTE[0], PALETTE[1]
 _OTHER: dict[str, Any] = {"linestyle": (0, (4, 2)), "linewidth": 1.0, "alpha": 0.75}
 _MAX_CASES = 6
-CurveValues = list[tuple[Curve, Any, Any]]
+CurveValues = list[tuple[PlottedCurve, Any, Any]]
 """Curves with abscissas and ordinates in the units of the figure."""
 
 
-def curves_of(result: BenchResult | None, test: str) -> list[Curve]:
+def curves_of(result: BenchResult | None, test: str) -> list[PlottedCurve]:
     """Return the curves of a test; without a result there are none."""
     return list(result.curves.get(test, ())) if result is not None else []
 
@@ -56,7 +56,7 @@ def _key(axes: Any, columns: int = 4) -> None:
         )  # fmt: skip
 
 
-def _cases(curves: Iterable[Curve]) -> list[str]:
+def _cases(curves: Iterable[PlottedCurve]) -> list[str]:
     return list(dict.fromkeys(curve.case for curve in curves))[:_MAX_CASES]
 
 
@@ -95,7 +95,7 @@ def characteristic_figure(result: BenchResult, reference: BenchResult | None = N
     return figure
 
 
-def _focus(axes: Any, curves: Sequence[Curve]) -> None:
+def _focus(axes: Any, curves: Sequence[PlottedCurve]) -> None:
     """Set the ordinates to the evaluated range; a dead zone at zero can exceed them."""
     errors = [c.y - c.x for c in curves]
     evaluated = [d[(c.x >= RANGE[0]) & (c.x <= RANGE[1])] for c, d in zip(curves, errors, strict=True)]
@@ -159,7 +159,7 @@ def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> 
     """Draw the outlet pressure versus the supply pressure."""
     figure, axes = _single(2.4)
 
-    def deviations(curves: list[Curve]) -> CurveValues:
+    def deviations(curves: list[PlottedCurve]) -> CurveValues:
         middle = {case: float(np.mean([np.mean(c.y) for c in curves if c.case == case])) for case in _cases(curves)}
         return [(c, convert(c.x, "Pa", "bar"), c.y - middle[c.case]) for c in curves if c.case in middle]
 

@@ -7,14 +7,13 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.bench.iso10094.bench_result import BenchResult
-from poppet.bench.iso10094.definitions import TESTS
+from poppet.bench.iso10094.bench_result import TESTS, BenchResult
 from poppet.bench.iso10094.evaluation import VERIFY, CharacteristicValue
 from poppet.report.bench import bench_figures
 from poppet.report.bench.bench_text import DESCRIPTIONS, NOTHING, conditions_text, figure_text, value_text, verdict
 from poppet.report.html_page import Section, document, findings, head, paragraph, picture, write_page
 from poppet.report.styles import stylesheet
-from poppet.report.tables import Column, Markup, Table, numeric, with_detail
+from poppet.report.tables import Column, Markup, ReportTable, numeric, with_detail
 from poppet.timeseries.plotting.figures import style
 
 if TYPE_CHECKING:
@@ -72,7 +71,7 @@ def _head(result: BenchResult, reference: BenchResult | None, tests: list[str]) 
     return f'{head(result.title, lead)}{warning}<div class="summary">{lines}</div>\n{findings(notes)}'
 
 
-def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | Table]:
+def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | ReportTable]:
     description, meaning = DESCRIPTIONS[test], TESTS[test].meaning
     figure = ""
     if result.curves.get(test) and test in _FIGURES:
@@ -83,7 +82,7 @@ def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list
     return [text, figure, findings(result.notes.get(test, ())), _case_table(result, test)]
 
 
-def figure_table(result: BenchResult, reference: BenchResult | None = None) -> Table:
+def figure_table(result: BenchResult, reference: BenchResult | None = None) -> ReportTable:
     """Return every characteristic value with its definition, and the values of a reference valve."""
     rows: list[list[Any]] = []
     headings = ["value ± 95 %"] if reference is None else [*map(_short, (result.title, reference.title)), "ratio"]
@@ -99,7 +98,7 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> T
             cells = [_unbroken(figure_text(v)) for v in values[: 1 if reference is None else 2]]
             cells += [] if reference is None else [_ratio(*values)]
             rows.append([name.replace("_", " "), *cells, with_detail(conditions_text(value), value.definition)])
-    return Table(("quantity", *numeric(*headings), "conditions; definition"), rows, css_class="figures")
+    return ReportTable(("quantity", *numeric(*headings), "conditions; definition"), rows, css_class="figures")
 
 
 def _unbroken(text: str) -> str:
@@ -119,13 +118,15 @@ def _ratio(value: CharacteristicValue | None, reference: CharacteristicValue | N
     return "-" if is_zero else f"{value.value / reference.value:.2f}"
 
 
-def _case_table(result: BenchResult, test: str) -> Table:
+def _case_table(result: BenchResult, test: str) -> ReportTable:
     """Return the cases of a test."""
     description, rows = DESCRIPTIONS[test], result.rows.get(test, ())
     keys = [key for key in description.columns if any(key in row for row in rows)]
     columns = [description.column(key) for key in keys]
     cells = [[_unbroken(_cell(row, key, unit)) for key, (_, unit) in zip(keys, columns, strict=True)] for row in rows]
-    return Table([Column(heading, "" if unit == "word" else "s") for heading, unit in columns], cells if keys else ())
+    return ReportTable(
+        [Column(heading, "" if unit == "word" else "s") for heading, unit in columns], cells if keys else ()
+    )
 
 
 def _cell(row: Mapping[str, Any], key: str, unit: str) -> str:
@@ -134,7 +135,7 @@ def _cell(row: Mapping[str, Any], key: str, unit: str) -> str:
     return str(row[key]) if unit == "word" else value_text(row[key], unit, row.get(f"{key}_bound", ""))
 
 
-def _condition_table(result: BenchResult) -> Table:
+def _condition_table(result: BenchResult) -> ReportTable:
     """Return the conditions of the tests."""
     c = result.conditions
     unit = str(c.get("setpoint_unit", ""))
@@ -155,7 +156,7 @@ def _condition_table(result: BenchResult) -> Table:
         rows.append(("sweep of the setpoint", f"{sweep['sweep_rate']:.3g} % FS/s, {branches}"))
     directions = ("flow_drawn", "out"), ("flow_fed", "in")
     rows += [(f"rated flow {text}", value_text(flow[key], "kg/s")) for key, text in directions if key in flow]
-    return Table(("", ""), rows)
+    return ReportTable(("", ""), rows)
 
 
 def _range(ends: Any, unit: str) -> str:

@@ -9,7 +9,7 @@ from poppet.bench.limits.bandwidth import WORTH
 from poppet.bench.limits.maps import INTERRUPTED, LOAD, PARTS, LimitsResult
 from poppet.report.bench import limits_figures as figures
 from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
-from poppet.report.tables import Table, numeric
+from poppet.report.tables import ReportTable, numeric
 from poppet.timeseries.plotting.figures import style
 
 _IDEALISATIONS = {
@@ -75,7 +75,7 @@ def _bandwidth(result: LimitsResult) -> list[str]:
     ]
 
 
-def _point_table(result: LimitsResult) -> Table:
+def _point_table(result: LimitsResult) -> ReportTable:
     rows = []
     for (volume, amplitude), p in result.points.items():
         frequencies = (
@@ -87,22 +87,22 @@ def _point_table(result: LimitsResult) -> Table:
         case = f"{volume * 1e3:.3g} l, {amplitude / 1e3:.3g} kPa"
         rows.append((case, *frequencies, *times, noise, p.limiting or "-"))
     headings = "-3 dB [Hz]", "-90 deg [Hz]", "step up [ms]", "step down [ms]", "residual motion [%]"
-    return Table(("load, amplitude", *numeric(*headings), "limited by"), rows)
+    return ReportTable(("load, amplitude", *numeric(*headings), "limited by"), rows)
 
 
-def _ideal_parts(result: LimitsResult) -> list[str | Table]:
+def _ideal_parts(result: LimitsResult) -> list[str | ReportTable]:
     rows = []
     for part in (*PARTS, LOAD):
         gains = [value for row in result.gains(part) for value in row if math.isfinite(value)]
         n_limited = sum(point.limiting == part for point in result.points.values())
         span = f"{min(gains):.2g} to {max(gains):.2g}" if gains else "-"
         rows.append((part, _IDEALISATIONS[part], span, str(n_limited)))
-    table = Table(("part", "ideal form", *numeric("bandwidth, ideal / real", "limits at points")), rows)
+    table = ReportTable(("part", "ideal form", *numeric("bandwidth, ideal / real", "limits at points")), rows)
     caption = "Bandwidth with one ideal part divided by that of the real valve; blue: larger, red: smaller."
     return [table, picture(figures.ideal_figure(result), "ideal", caption)]
 
 
-def _stability(result: LimitsResult) -> list[str | Table]:
+def _stability(result: LimitsResult) -> list[str | ReportTable]:
     caption = (
         "Growth rate of the linear model; red: unstable. Second line: full model without bands after a small "
         "disturbance: calm, or the frequency of its limit cycle."
@@ -119,7 +119,7 @@ def _stability(result: LimitsResult) -> list[str | Table]:
         for (s, d, v), point in result.stability.items()
     ]
     cases, motion = numeric("growth [1/s]"), numeric("complete valve [Pa]", "at [Hz]")
-    values = Table(("spring, damping, volume", *cases, "after a disturbance", *motion), rows)
+    values = ReportTable(("spring, damping, volume", *cases, "after a disturbance", *motion), rows)
     differing = [
         (f"{s:g}", f"{d:g}", f"{v * 1e3:.3g} l", point.word)
         for (s, d, v), point in result.stability.items()
@@ -131,5 +131,5 @@ def _stability(result: LimitsResult) -> list[str | Table]:
         picture(figures.hum_figure(result), "hum", cycle_caption),
         folded("The values as a table", values),
         text,
-        Table((*numeric("spring", "damping", "volume"), "reason"), differing),
+        ReportTable((*numeric("spring", "damping", "volume"), "reason"), differing),
     ]

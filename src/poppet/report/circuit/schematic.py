@@ -28,7 +28,7 @@ from poppet.timeseries.plotting.figures import (
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
 
 # Sizes in inches, text in points.
 _NAME_TEXT, _TEXT, _NOTE_TEXT = 9.0, 7.5, 7.0
@@ -46,7 +46,7 @@ BODY = "body"
 """Port name of the edge from an actuator to its body."""
 
 
-def draw_circuit(circuit: Circuit, path: str | Path | None = None) -> Figure:
+def draw_circuit(circuit: BaseCircuit, path: str | Path | None = None) -> Figure:
     """Draw a circuit with the gas supplies at the left.
 
     Notes
@@ -82,7 +82,7 @@ class EmptyLine(NamedTuple):
 
 
 def draw_with_empty_lines(
-    circuit: Circuit, counts: Mapping[str, int], min_width: float
+    circuit: BaseCircuit, counts: Mapping[str, int], min_width: float
 ) -> tuple[Figure, list[EmptyLine]]:
     """Draw a circuit with empty lines in its boxes, at least `min_width` wide [in]; return the lines too."""
     with style("A picture of a circuit"):
@@ -95,7 +95,7 @@ def draw_with_empty_lines(
     ]
 
 
-def signal_caption(circuit: Circuit, address: str) -> str:
+def signal_caption(circuit: BaseCircuit, address: str) -> str:
     """Return the kind and the range of the signal that drives an input.
 
     Examples
@@ -116,7 +116,7 @@ def signal_caption(circuit: Circuit, address: str) -> str:
     return f"{local.replace('_', ' ')}: {type(signal).__name__.lower()}, {limits}"
 
 
-def part_caption(circuit: Circuit, name: str) -> list[str]:
+def part_caption(circuit: BaseCircuit, name: str) -> list[str]:
     """Return the caption of a part."""
     signals = frozenset(key.partition(".")[2] for key in circuit.signals if key.startswith(f"{name}."))
 
@@ -150,7 +150,7 @@ class _Box:
 
 
 class _Schematic:
-    def __init__(self, circuit: Circuit, counts: Mapping[str, int] | None = None, min_width: float = 0.0) -> None:
+    def __init__(self, circuit: BaseCircuit, counts: Mapping[str, int] | None = None, min_width: float = 0.0) -> None:
         self.circuit, self.counts, self.min_width = circuit, counts or {}, min_width
         self.empty_lines: list[tuple[str, float, float, float]] = []  # centres and widths [in]
         self.graph = _graph(circuit)
@@ -381,7 +381,7 @@ class _Schematic:
         self.axes.text(x, y, text, fontsize=size, parse_math=False, **properties)
 
 
-def _graph(circuit: Circuit) -> Graph:
+def _graph(circuit: BaseCircuit) -> Graph:
     """Return the graph of a circuit; each connection to the ambient is a node of its own."""
     edges = []
     for name, part in circuit.parts.items():

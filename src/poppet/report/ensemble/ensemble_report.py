@@ -22,7 +22,7 @@ from poppet.report.ensemble.ensemble_figures import (
     yield_figure,
 )
 from poppet.report.html_page import Section, document, findings, head, paragraph, picture, write_page
-from poppet.report.tables import Column, Table, code, numeric
+from poppet.report.tables import Column, ReportTable, code, numeric
 from poppet.timeseries.plotting.figures import style
 
 QUANTILES = (0.05, 0.5, 0.95)
@@ -36,16 +36,16 @@ _METHODS = {
 }
 
 
-def yield_table(ensemble: Ensemble) -> Table:
+def yield_table(ensemble: Ensemble) -> ReportTable:
     """Return the yield of each requirement with its confidence interval."""
     rows = [
         (y.name, y.text or "all requirements", y.good, 100.0 * y.share, f"{100.0 * y.low:.4g} ... {100.0 * y.high:.4g}")
         for y in ensemble.yields()
     ]
-    return Table(("requirement", "", Column("good runs", "d"), Column("yield [%]", ".4g"), "95 % [%]"), rows)
+    return ReportTable(("requirement", "", Column("good runs", "d"), Column("yield [%]", ".4g"), "95 % [%]"), rows)
 
 
-def metric_table(ensemble: Ensemble) -> Table:
+def metric_table(ensemble: Ensemble) -> ReportTable:
     """Return mean, standard deviation and quantiles of every metric."""
     rows = []
     for s in ensemble.summaries():
@@ -55,7 +55,9 @@ def metric_table(ensemble: Ensemble) -> Table:
         deviation = _in_usual_unit(s.mean + s.sd, s.unit) - mean
         rows.append((s.name, usual_unit(s.unit), mean, deviation, *others, s.never, s.failed))
     headings = "mean", "sd", *(f"{100 * q:g} %" for q in QUANTILES), "minimum", "maximum"
-    return Table(("metric", "unit", *numeric(*headings, digits=".4g"), *numeric("never", "no value", digits="d")), rows)
+    return ReportTable(
+        ("metric", "unit", *numeric(*headings, digits=".4g"), *numeric("never", "no value", digits="d")), rows
+    )
 
 
 def _in_usual_unit(value: float, unit: str) -> float:
@@ -91,7 +93,7 @@ def ensemble_page(ensemble: Ensemble) -> str:
     return document(title, sections)
 
 
-def _yield(ensemble: Ensemble) -> list[str | Table]:
+def _yield(ensemble: Ensemble) -> list[str | ReportTable]:
     yields, sampling = ensemble.yields(), ensemble.plan.sampling
     if not yields:
         return []
@@ -116,7 +118,7 @@ def _curves(ensemble: Ensemble) -> list[str]:
     ]
 
 
-def _metrics(ensemble: Ensemble, rows: Mapping[str, Array]) -> list[str | Table]:
+def _metrics(ensemble: Ensemble, rows: Mapping[str, Array]) -> list[str | ReportTable]:
     if not ensemble.plan.metrics:
         return []
     caption = "Distribution of each metric; dashed lines: bounds of requirements."
@@ -152,7 +154,7 @@ def _scatter(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping[str, 
     return picture(scatter_figure(ensemble, sample, units), "scatter", caption, is_still=True)
 
 
-def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | Table]:
+def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | ReportTable]:
     plan = ensemble.plan
     if not plan.requirements:
         return []
@@ -170,14 +172,14 @@ def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | Tab
             rows.append((requirement.name, case.run, value, *parameters))
     headings = (with_unit(address, units[address]) for address in plan.addresses)
     text = "<p>Runs with the smallest margins. <code>poppet ensemble FILE --worst FOLDER</code> writes files.</p>\n"
-    return [text, Table(("requirement", Column("run", "d"), "metric", *numeric(*headings, digits=".4g")), rows)]
+    return [text, ReportTable(("requirement", Column("run", "d"), "metric", *numeric(*headings, digits=".4g")), rows)]
 
 
-def _parameter_table(ensemble: Ensemble, units: Mapping[str, str]) -> Table:
+def _parameter_table(ensemble: Ensemble, units: Mapping[str, str]) -> ReportTable:
     plan, rows = ensemble.plan, []
     for address in plan.addresses:
         distribution = plan.alone.get(address)
         kind = distribution.kind if distribution else "file" if plan.table else "joint normal, from the fit"
         values = (_in_usual_unit(plan.quantile(address, u), units[address]) for u in QUANTILES)
         rows.append((code(address), kind, *values, usual_unit(units[address])))
-    return Table(("parameter", "distribution", *numeric("5 %", "median", "95 %", digits=".4g"), "unit"), rows)
+    return ReportTable(("parameter", "distribution", *numeric("5 %", "median", "95 %", digits=".4g"), "unit"), rows)

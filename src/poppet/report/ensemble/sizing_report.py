@@ -13,7 +13,7 @@ from poppet.core.number_format import number, pretty, readable_unit, scaled, wit
 from poppet.ensemble import Sizing
 from poppet.ensemble.statistics import wilson
 from poppet.report.html_page import Section, document, findings, head, paragraph, picture, write_page
-from poppet.report.tables import Column, Table
+from poppet.report.tables import Column, ReportTable
 from poppet.timeseries.plotting.figures import ACCENT, GREY, INK, PALETTE, axes_in, new_figure, style
 
 if TYPE_CHECKING:
@@ -73,9 +73,9 @@ def _value_text(sizing: Sizing, value: float) -> str:
     return with_unit(number(scaled(value, sizing.unit, unit)), unit)
 
 
-def _margin_table(sizing: Sizing) -> Table:
+def _margin_table(sizing: Sizing) -> ReportTable:
     rows = [(name, sizing.requirements[name], margin) for name, margin in sizing.margins.items()]
-    return Table(("requirement", "", Column("margin at the value", ".3g")), rows, "Requirements")
+    return ReportTable(("requirement", "", Column("margin at the value", ".3g")), rows, "Requirements")
 
 
 def curve_figure(sizing: Sizing) -> Figure:

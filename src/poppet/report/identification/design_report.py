@@ -11,7 +11,7 @@ from poppet.core.number_format import pretty, readable_unit, scaled
 from poppet.identify import Design, Prediction
 from poppet.report.html_page import Section, document, findings, head, items, picture, write_page
 from poppet.report.identification.identification_figures import VERDICT_COLOURS
-from poppet.report.tables import Column, Table, numeric
+from poppet.report.tables import Column, ReportTable, numeric
 from poppet.timeseries.plotting.figures import axes_in, new_figure, style, widest
 
 if TYPE_CHECKING:
@@ -53,7 +53,7 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
     return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks)])
 
 
-def _joint_table(design: Design) -> Table:
+def _joint_table(design: Design) -> ReportTable:
     """Return the expected intervals after all recommended tests."""
     rows = []
     for name, p in design.together.items():
@@ -61,15 +61,15 @@ def _joint_table(design: Design) -> Table:
         half = scaled(p.value + p.half, p.unit, unit) - scaled(p.value, p.unit, unit)
         rows.append((name, scaled(p.value, p.unit, unit), "" if unit == "1" else unit, half, p.verdict))
     columns = "parameter", Column("about", ".4g"), "unit", Column("+/- 95 %", ".2g"), "verdict"
-    return Table(columns, rows, "After these tests, if the circuit is correct")
+    return ReportTable(columns, rows, "After these tests, if the circuit is correct")
 
 
-def _candidate_table(design: Design, n_max: int) -> Table:
+def _candidate_table(design: Design, n_max: int) -> ReportTable:
     """Return half of the relative 95 % intervals after each of the best candidates alone."""
     names = next(iter(design.tests.values())).keys()
     rows = [(test, *(_percent(row[name]) for name in names)) for test, row in design.tests.items()]
     columns = numeric(*(f"{name} [%]" for name in names), digits=".2g")
-    return Table(("test", *columns), rows[:n_max], "Each test alone, +/- 95 % of the parameter")
+    return ReportTable(("test", *columns), rows[:n_max], "Each test alone, +/- 95 % of the parameter")
 
 
 def _percent(p: Prediction) -> float:

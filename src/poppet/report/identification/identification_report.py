@@ -21,7 +21,7 @@ from poppet.report.identification.cost_figures import contour_figure, profile_fi
 from poppet.report.identification.headline import headline, next_step, split_notes
 from poppet.report.identification.method_sections import MethodReport
 from poppet.report.styles import stylesheet
-from poppet.report.tables import Table, code
+from poppet.report.tables import ReportTable, code
 from poppet.timeseries.plotting.figures import style
 
 _BACKGROUNDS = {"determined": "#e3f3e8", "weak": "#fdf0d9", "not determined": "#fbe4e1", "at bound": "#f1e6f6"}
@@ -82,7 +82,7 @@ def _head(result: Result, method: MethodReport) -> str:
     description = declaration.description if declaration else result.method
     next_line = f"<p><strong>Next:</strong> {html.escape(step)}</p>\n" if step else ""
     # Without headings the table of the summary is not stacked.
-    summary = bands or Table(("", "", ""), rows).html().replace("scroll stack", "scroll")
+    summary = bands or ReportTable(("", "", ""), rows).html().replace("scroll stack", "scroll")
     kind = f"summary {worst.replace(' ', '-')}"
     return (
         f'{head(result.title, description)}<div class="{kind}"><p>{html.escape(headline(result))}</p>\n'
@@ -107,7 +107,7 @@ def _band_width(trace: figures.Trace) -> str:
     return f"The 95 % band of {trace.quantity} stays within ± {size} between the first and the last point."
 
 
-def _parameters(result: Result) -> list[str | Table]:
+def _parameters(result: Result) -> list[str | ReportTable]:
     if not result.parameters:
         return []
     outside = []
@@ -116,7 +116,7 @@ def _parameters(result: Result) -> list[str | Table]:
         if math.isfinite(e.start) and not low <= e.start <= high:
             outside.append(f"{name} {tables.value_text(e.start, e.unit)}")
     caption = _text("caption.intervals") + (f" Starts outside: {', '.join(outside)}." if outside else "")
-    content: list[str | Table] = [
+    content: list[str | ReportTable] = [
         tables.parameter_table(result.parameters),
         picture(figures.interval_figure(result.parameters), "intervals", caption, is_still=True),
     ]
@@ -126,7 +126,7 @@ def _parameters(result: Result) -> list[str | Table]:
     return [*content, paragraph(tables.correlation_sentence(result.correlation))]
 
 
-def _laws(result: Result) -> list[str | Table]:
+def _laws(result: Result) -> list[str | ReportTable]:
     """Return the estimates under each thermal law, with the conductances as bars."""
     if "thermal_laws" not in result.comparison:
         return []
@@ -140,11 +140,11 @@ def _laws(result: Result) -> list[str | Table]:
     return [tables.law_table(result), drawing]
 
 
-def _optima(result: Result) -> list[str | Table]:
+def _optima(result: Result) -> list[str | ReportTable]:
     return [tables.optimum_table(result), f"<p>{_text('answers')}</p>\n"] if len(result.optima) > 1 else []
 
 
-def _searches(result: Result) -> list[str | Table]:
+def _searches(result: Result) -> list[str | ReportTable]:
     searches = result.conditions.get("searches", ())
     if len(searches) < 2:
         return []
@@ -163,11 +163,11 @@ def _profiles(result: Result) -> list[str]:
     ]
 
 
-def _residuals(result: Result) -> list[str | Table]:
+def _residuals(result: Result) -> list[str | ReportTable]:
     return [tables.residual_table(result), f"<p>{_text('residuals')}</p>\n"] if result.residuals else []
 
 
-def _comparison(result: Result) -> list[str | Table]:
+def _comparison(result: Result) -> list[str | ReportTable]:
     if "other" not in result.comparison:
         return []
     conclusion = str(result.comparison.get("verdict", ""))

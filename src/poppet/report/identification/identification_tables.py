@@ -20,7 +20,7 @@ from poppet.core.number_format import (
 from poppet.core.provenance import Number
 from poppet.identify import Estimate, Result
 from poppet.identify.friction.records import TURNING
-from poppet.report.tables import Column, Markup, Table, code, numeric, with_detail
+from poppet.report.tables import Column, Markup, ReportTable, code, numeric, with_detail
 
 _LABELS = {
     "validation": "Recordings for validation",
@@ -120,13 +120,13 @@ def _unit_of(e: Estimate) -> str:
     return readable_unit(e.unit, e.value) if e.value else readable_unit(e.unit, e.start, e.high)
 
 
-def parameter_table(parameters: Mapping[str, Estimate]) -> Table:
+def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
     """Return every parameter with its value, confidence interval and verdict."""
     estimate, start = numeric("value ± error", "95 % interval"), numeric("relative", "start")
     columns: list[Column | str] = ["parameter", "verdict", *estimate, "unit", *start]
     rows = [_parameter_row(name, e) for name, e in parameters.items()]
     has_starts = any(math.isfinite(e.start) for e in parameters.values())
-    return Table(columns, rows) if has_starts else Table(columns[:-1], [row[:-1] for row in rows])
+    return ReportTable(columns, rows) if has_starts else ReportTable(columns[:-1], [row[:-1] for row in rows])
 
 
 def _parameter_row(name: str, e: Estimate) -> list[str]:
@@ -144,7 +144,7 @@ def _parameter_row(name: str, e: Estimate) -> list[str]:
     ]
 
 
-def residual_table(result: Result) -> Table:
+def residual_table(result: Result) -> ReportTable:
     """Return the statistics of model minus measurement for every channel."""
     noise, validation = (result.conditions.get(key, default) for key, default in (("noise", {}), ("validation", [])))
     rows = []
@@ -155,7 +155,7 @@ def residual_table(result: Result) -> Table:
         role = "validation" if name.partition(".")[0] in validation else "fitted"
         nrmse = f"{100.0 * r.nrmse:.3g} %" if math.isfinite(r.nrmse) else number(r.nrmse)
         rows.append((code(name), role, rms, nrmse, bias, noise_text, str(r.samples)))
-    return Table(("channel", "", *numeric("rms", "NRMSE", "bias", "noise, one sigma", "samples")), rows)
+    return ReportTable(("channel", "", *numeric("rms", "NRMSE", "bias", "noise, one sigma", "samples")), rows)
 
 
 def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> str:
@@ -166,7 +166,7 @@ def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> st
     return with_unit(text, unit) if math.isfinite(value) else text
 
 
-def comparison_table(result: Result) -> Table:
+def comparison_table(result: Result) -> ReportTable:
     """Return AICc and residuals of this model and the model it is compared with."""
     c = result.comparison
     rows = [
@@ -179,10 +179,10 @@ def comparison_table(result: Result) -> Table:
         for row, rms in zip(rows, sizes, strict=True):
             row.append(_residual_text(rms, r.unit, r.rms, unit))
     headings = "AICc", "free parameters", *(f"rms of {name}" for name in result.residuals)
-    return Table(("model", *numeric(*headings)), rows)
+    return ReportTable(("model", *numeric(*headings)), rows)
 
 
-def condition_table(result: Result) -> Table:
+def condition_table(result: Result) -> ReportTable:
     """Return the conditions of the tests and settings of the fit."""
     rows = [
         (_LABELS.get(key, key.replace("_", " ").capitalize()), _condition(result, key, value))
@@ -190,7 +190,7 @@ def condition_table(result: Result) -> Table:
         if key not in _OTHER_SECTIONS and value is not None
         if not isinstance(value, str | list | tuple | Mapping) or value
     ]
-    return Table(("", ""), rows)
+    return ReportTable(("", ""), rows)
 
 
 def _condition(result: Result, name: str, value: Any) -> str:
@@ -235,7 +235,7 @@ def main_parameters(result: Result) -> list[str]:
     return (names or list(result.parameters))[:4]
 
 
-def search_table(result: Result) -> Table:
+def search_table(result: Result) -> ReportTable:
     """Return start, end and increase in chi-square of every search."""
     searches, names = result.conditions["searches"], main_parameters(result)
     min_cost = min(search["cost"] for search in searches)
@@ -247,10 +247,10 @@ def search_table(result: Result) -> Table:
             unit = readable_unit(si_unit, *ends)
             cells.append(with_unit(" → ".join(number(scaled(value, si_unit, unit)) for value in ends), unit))
         rows.append(cells)
-    return Table(("start", *numeric("increase in chi-square", *names)), rows)
+    return ReportTable(("start", *numeric("increase in chi-square", *names)), rows)
 
 
-def optimum_table(result: Result) -> Table:
+def optimum_table(result: Result) -> ReportTable:
     """Return every equivalent optimum with its confidence intervals."""
     names, rows = main_parameters(result), []
     for index, optimum in enumerate(result.optima, 1):
@@ -259,17 +259,17 @@ def optimum_table(result: Result) -> Table:
             value, low, high = (float(optimum[key][name]) for key in ("values", "low", "high"))
             cells.append(_interval_cell(value, low, high, result.parameters[name].unit))
         rows.append(cells)
-    return Table(("optimum", *numeric("increase in chi-square", *names)), rows)
+    return ReportTable(("optimum", *numeric("increase in chi-square", *names)), rows)
 
 
-def alternative_table(result: Result) -> Table:
+def alternative_table(result: Result) -> ReportTable:
     """Return models with other free parameters, and their estimates."""
     names, rows = main_parameters(result), []
     for label, model in result.comparison["alternatives"].items():
         estimates = (model["free"].get(name) for name in names)
         cells = ("-" if e is None else _interval_cell(e["value"], e["low"], e["high"], e["unit"]) for e in estimates)
         rows.append((label.replace("_", " "), f"{model['aicc_difference']:+.1f}", *cells))
-    return Table(("free in addition", *numeric("AICc minus this fit", *names)), rows)
+    return ReportTable(("free in addition", *numeric("AICc minus this fit", *names)), rows)
 
 
 def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Markup:
@@ -277,7 +277,7 @@ def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Marku
     return with_detail(with_unit(number(scaled(value, si_unit, unit)), unit), interval(low, high, si_unit, unit))
 
 
-def law_table(result: Result) -> Table:
+def law_table(result: Result) -> ReportTable:
     """Return the estimates under each thermal law, and the difference in AICc."""
     laws, names = result.comparison["thermal_laws"], main_parameters(result)
     min_aicc = min(float(law["aicc"]) for law in laws.values())
@@ -293,17 +293,17 @@ def law_table(result: Result) -> Table:
         cells += [_residual_text(law["rms"][name], result.residuals[name].unit, law["rms"][name]) for name in channels]
         rows.append(cells)
     headings = "AICc above the best", *names, *(f"rms of {channel}" for channel in channels)
-    return Table(("thermal law", *numeric(*headings)), rows)
+    return ReportTable(("thermal law", *numeric(*headings)), rows)
 
 
-def statistics_table(result: Result) -> Table:
+def statistics_table(result: Result) -> ReportTable:
     """Return the tests on the residuals if the method made more than one."""
     values = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
     monotone = result.comparison.get("monotone")
     if isinstance(monotone, Mapping):
         values += [(label, monotone[key]) for key, label in _MONOTONE.items() if monotone.get(key) is not None]
     rows = [(label, _statistic(value)) for label, value in values]
-    return Table(("", Column("", "s")), rows if len(rows) > 1 else ())
+    return ReportTable(("", Column("", "s")), rows if len(rows) > 1 else ())
 
 
 def _statistic(value: Any) -> str:

@@ -15,7 +15,7 @@ from poppet.identify import Result
 from poppet.identify.friction.records import COORDINATES
 from poppet.report.html_page import Section
 from poppet.report.identification.identification_tables import error_text, estimate_text, plain_text
-from poppet.report.tables import Table, code, numeric
+from poppet.report.tables import ReportTable, code, numeric
 
 _CONDUCTANCE = "m^3/(s Pa)"
 _STANDARD_UNITS = {
@@ -44,7 +44,7 @@ def _steady_sections(result: Result) -> list[Section]:
     ]
 
 
-def _standard_content(result: Result) -> list[Table | str]:
+def _standard_content(result: Result) -> list[ReportTable | str]:
     """Return the results of the formulas in ISO 6358-1 and of the direct fit."""
     formulas, rows = result.comparison.get("standard_formulas") or {}, []
     for name, si_unit in _STANDARD_UNITS.items():
@@ -56,10 +56,10 @@ def _standard_content(result: Result) -> list[Table | str]:
         text = error_text(value, error, si_unit) if error > 0.0 else number(value)
         rows.append((code(name), text, estimate_text(fit) if fit else f"{fixed}, fixed"))
     note = "<p>The errors are standard uncertainties.</p>\n" if rows else ""
-    return [Table(("parameter", "formulas of the standard", "direct fit"), rows), note]
+    return [ReportTable(("parameter", "formulas of the standard", "direct fit"), rows), note]
 
 
-def _budget_table(result: Result) -> Table:
+def _budget_table(result: Result) -> ReportTable:
     """Return the contributions to the standard errors."""
     rows = []
     for name, budget in result.comparison.get("uncertainty", {}).items():
@@ -70,16 +70,16 @@ def _budget_table(result: Result) -> Table:
             fraction = f"{100.0 * (size / total) ** 2:.0f} %" if 0.0 < total < math.inf else "-"
             text = with_unit(f"{scaled(size, si_unit, unit):.2g}", unit) if math.isfinite(size) else number(size)
             rows.append((code(name), source, text, fraction))
-    return Table(("parameter", "source", *numeric("standard uncertainty", "fraction of the variance")), rows)
+    return ReportTable(("parameter", "source", *numeric("standard uncertainty", "fraction of the variance")), rows)
 
 
-def _stroke_table(result: Result) -> Table:
+def _stroke_table(result: Result) -> ReportTable:
     """Return stroke, C and b of each test."""
     rows = [
         (str(name), plain_text(stroke, "m"), error_text(c, u_c, _CONDUCTANCE), error_text(b, u_b, "1"))
         for name, (stroke, c, b, u_c, u_b) in result.conditions.get("tests", {}).items()
     ]
-    return Table(("test", *numeric("stroke", "C ± error", "b ± error")), rows)
+    return ReportTable(("test", *numeric("stroke", "C ± error", "b ± error")), rows)
 
 
 def _force_sections(result: Result) -> list[Section]:
@@ -101,7 +101,7 @@ def _force_sections(result: Result) -> list[Section]:
     relative = "relative to the largest force"
     validation = ("rms of the validation", relative, *(f"validation by {axis}" for axis in axes))
     columns = numeric(*validation, "rms of the fit", relative, "maximum error", "parameters")
-    return [Section("Force laws", Table(("law", *columns), rows))]
+    return [Section("Force laws", ReportTable(("law", *columns), rows))]
 
 
 def _friction_sections(result: Result) -> list[Section]:
@@ -133,9 +133,9 @@ def _friction_sections(result: Result) -> list[Section]:
     ]
     headings = f"validation by {c['held_out_by']}", "rms of the fit", "parameters"
     efforts = f"offset of the {effort}", f"half of the {effort}s"
-    content: list[str | Table] = [
-        Table(("law", *numeric(*headings), ""), laws),
-        Table(("recording", *numeric("pressure", "mean speeds", "friction", "by the law", *efforts)), recordings),
+    content: list[str | ReportTable] = [
+        ReportTable(("law", *numeric(*headings), ""), laws),
+        ReportTable(("recording", *numeric("pressure", "mean speeds", "friction", "by the law", *efforts)), recordings),
         f"<p>In a circuit file:</p>\n<pre>{html.escape(c['ready'])}</pre>\n",
     ]
     return [Section("Friction laws", content)]

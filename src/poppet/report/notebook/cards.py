@@ -20,13 +20,13 @@ from poppet.core.units import convert
 from poppet.report.html_page import folded, inline_svg, paragraph
 from poppet.report.notebook.card import MAX_ROWS, card, note_list, plural
 from poppet.report.notebook.plot import plot
-from poppet.report.tables import Table, code, numeric
+from poppet.report.tables import ReportTable, code, numeric
 from poppet.timeseries.recording import Recording
 
 if TYPE_CHECKING:
     from poppet.bench.iso10094.bench_result import BenchResult
     from poppet.bench.limits.maps import LimitsResult
-    from poppet.circuit.circuit import Circuit
+    from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.linear_model import LinearModel
     from poppet.ensemble import Ensemble
     from poppet.identify.result import Result
@@ -52,11 +52,11 @@ _SCALE = 1.12
 """Size of a drawing in pixels relative to points."""
 
 
-def circuit_card(circuit: Circuit) -> str:
+def circuit_card(circuit: BaseCircuit) -> str:
     """Return a circuit as HTML: drawing, assumed values and notes."""
     assumed = {address: number for address, number in circuit.numbers().items() if number.source.kind == "assumed"}
     rows = [(code(address), number.display(), number.source.note) for address, number in assumed.items()]
-    table = Table(("parameter", *numeric("value"), "reason"), rows)
+    table = ReportTable(("parameter", *numeric("value"), "reason"), rows)
     summary = f"{len(rows)} assumed value{'s' * (len(rows) != 1)}"
     values = folded(summary, table, is_open=len(rows) <= MAX_ROWS)
     values = values or paragraph("No value is assumed.", css_class="lead")
@@ -64,7 +64,7 @@ def circuit_card(circuit: Circuit) -> str:
     return card(circuit.title, lead, _drawing(circuit), values, note_list(circuit.static_notes))
 
 
-def _drawing(circuit: Circuit) -> str:
+def _drawing(circuit: BaseCircuit) -> str:
     from poppet.report.circuit.schematic import draw_circuit
     from poppet.timeseries.plotting.figures import figure_bytes
 
@@ -92,7 +92,7 @@ def recording_card(recording: Recording) -> str:
     rows, columns = recording.time.size, len(recording)
     span = f"{recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if rows else "no samples"
     lead = f"Recording: {rows} rows, {columns} series, {span}. {recording.outcome}".rstrip()
-    blocks: list[str | Table] = []
+    blocks: list[str | ReportTable] = []
     if rows and columns:
         names = sorted(recording.names, key=recording.inner.__contains__)
         more = names[MAX_ROWS:]
@@ -101,7 +101,7 @@ def recording_card(recording: Recording) -> str:
     return card(recording.title, lead, *blocks, note_list(recording.remarks))
 
 
-def _series_table(recording: Recording, names: Sequence[str]) -> Table:
+def _series_table(recording: Recording, names: Sequence[str]) -> ReportTable:
     rows = []
     for name in names:
         si_unit, values = recording.unit(name), recording[name]
@@ -113,7 +113,7 @@ def _series_table(recording: Recording, names: Sequence[str]) -> Table:
         threshold = ROUNDING * float(np.max(np.abs(ends[2:])))
         texts = ("0" if abs(value) < threshold else f"{value:z.5g}" for value in ends)
         rows.append((code(name), "" if unit == "1" else pretty(unit), *texts))
-    return Table(("series", "unit", *numeric("first", "last", "min", "max")), rows)
+    return ReportTable(("series", "unit", *numeric("first", "last", "min", "max")), rows)
 
 
 def linear_card(linear: LinearModel) -> str:
@@ -129,7 +129,7 @@ def linear_card(linear: LinearModel) -> str:
         for kind, names, values in (("state", linear.states, linear.x), ("input", linear.inputs, linear.u))
         for name, value in zip(names, values, strict=True)
     ]
-    point = Table(("", "address", *numeric("value")), rows)
+    point = ReportTable(("", "address", *numeric("value")), rows)
     operating_point = folded("operating point, SI", point, is_open=len(rows) <= MAX_ROWS)
     return card("Linear model", lead, mode_table(linear), operating_point, note_list(getattr(linear, "notes", ())))
 
@@ -181,4 +181,4 @@ def limits_card(result: LimitsResult) -> str:
         rows.append((f"{volume * 1e3:.3g} l", *cells))
     columns = "volume", *(f"± {amplitude / 1e5:.3g} bar" for amplitude in plan.amplitudes)
     lead = f"Dynamic limits of {plan.valve} at {plan.mean / 1e5:.3g} bar: -3 dB frequency and the limiting part."
-    return card(plan.circuit.title or plan.valve, lead, Table(columns, rows), note_list(result.findings))
+    return card(plan.circuit.title or plan.valve, lead, ReportTable(columns, rows), note_list(result.findings))

@@ -38,7 +38,7 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
     """
     if not figure.axes or any(_is_still(axes) for axes in figure.axes):
         return None
-    columns, width = _Columns(), float(figure.get_size_inches()[0])
+    columns, width = _PixelColumns(), float(figure.get_size_inches()[0])
     lefts = sorted({round(_box(figure, axes)[0], 3) for axes in figure.axes})
     edges = [0.0, *(left - lefts[0] for left in lefts[1:]), width]
     panels = []
@@ -70,7 +70,7 @@ def _box(figure: Figure, axes: Any) -> list[float]:
     return [float(v) for v in (box.x0 * width, (1.0 - box.y1) * height, box.width * width, box.height * height)]
 
 
-class _Columns:
+class _PixelColumns:
     """Collection of distinct series."""
 
     def __init__(self) -> None:
@@ -107,7 +107,7 @@ def _rounded(values: FloatArray, *, is_log: bool = False) -> list[float | None]:
     return [round(v, decimals) if math.isfinite(v) else None for v in values.tolist()]
 
 
-def _panel(axes: Any, columns: _Columns) -> dict[str, Any]:
+def _panel(axes: Any, columns: _PixelColumns) -> dict[str, Any]:
     panel: dict[str, Any] = {"group": _group(axes), "x": _axis(axes, "x"), "y": _axis(axes, "y")}
     title = axes.get_title(loc="left") or axes.get_title()
     panel["lines"], panel["rules"] = _lines(axes, columns)
@@ -174,7 +174,7 @@ def _pen(artist: Any) -> dict[str, Any]:
     return pen | ({"dash": [round(2.0 * float(v), 2) for v in dashes]} if dashes else {})
 
 
-def _lines(axes: Any, columns: _Columns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+def _lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """Return lines with their points, and lines across the whole panel."""
     lines, rules = [], []
     for line in axes.lines:
@@ -203,7 +203,7 @@ def _lines(axes: Any, columns: _Columns) -> tuple[list[dict[str, Any]], list[dic
     return lines, rules
 
 
-def _filled(axes: Any, columns: _Columns) -> tuple[list[Any], list[Any], list[Any]]:
+def _filled(axes: Any, columns: _PixelColumns) -> tuple[list[Any], list[Any], list[Any]]:
     """Return bands between two lines, boxes, and separate segments."""
     from matplotlib.collections import LineCollection
     from matplotlib.patches import Rectangle

@@ -20,7 +20,7 @@ from poppet.core.message_format import sentence
 from poppet.core.version import __version__
 from poppet.report.html_page import Section, document, head, paragraph, picture
 from poppet.report.styles import stylesheet
-from poppet.report.tables import Column, Markup, Table, numeric
+from poppet.report.tables import Column, Markup, ReportTable, numeric
 from poppet.report.varga2012 import runs
 from poppet.report.varga2012.statements import Statement, Verdict, statements
 from poppet.timeseries.plotting.figures import FAINT, GREY, INK, PALETTE, axes_in, figure_bytes, new_figure, style
@@ -52,7 +52,7 @@ class PaperResult:
     folder: Path
     files: tuple[Path, ...]  # `report.html` first
     findings: runs.Findings  # values in SI units
-    tables: dict[str, Table]  # by name: strokes, tank_laws, wall_conductances, statements
+    tables: dict[str, ReportTable]  # by name: strokes, tank_laws, wall_conductances, statements
     statements: tuple[Statement, ...]  # with their verdicts
 
     def table(self) -> str:
@@ -103,7 +103,10 @@ def _write_bytes(content: bytes, stream: IO[bytes]) -> object:
 
 
 def _files(
-    results: runs.Findings, pictures: Mapping[str, Figure], tables: Mapping[str, Table], checked: Sequence[Statement]
+    results: runs.Findings,
+    pictures: Mapping[str, Figure],
+    tables: Mapping[str, ReportTable],
+    checked: Sequence[Statement],
 ) -> Iterator[tuple[str, bytes]]:
     """Yield name and content of every file, the report first."""
     svgs = {name: figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
@@ -117,7 +120,7 @@ def _files(
     run = results.staircase
     headings = ["time [s]", *(f"{name} [{unit}]" for name, unit in zip(run.names, run.units, strict=True))]
     rows = tuple(tuple(map(float, row)) for row in zip(run.time, *run.values, strict=True))
-    yield "fig6.csv", Table(headings, rows).csv().encode()
+    yield "fig6.csv", ReportTable(headings, rows).csv().encode()
 
 
 def _numbers(results: runs.Findings, checked: Sequence[Statement]) -> dict[str, Any]:
@@ -140,9 +143,9 @@ def _numbers(results: runs.Findings, checked: Sequence[Statement]) -> dict[str, 
 # --- Tables ---
 
 
-def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Table]:
+def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[ReportTable]:
     conductances = zip(results.conductances, results.ratios, strict=True)
-    yield Table(
+    yield ReportTable(
         (Column("x [mm]", ".1f"), *numeric("C [1e-8 m^3/(s Pa)]", "b [1]", digits=".5f")),
         [(1e3 * x, 1e8 * c, b) for x, (c, b) in zip(runs.STROKES, conductances, strict=True)],
         "Sonic conductance and critical pressure ratio, polynomials of Table 1 as printed",
@@ -151,7 +154,7 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Ta
     )
     start, shortest = runs.START_TEMPERATURE, results.fillings["isentrope"].time
     headings = numeric("time to 5 bar [s]", "ratio to isentrope [1]", "end [K]", digits=".2f")
-    yield Table(
+    yield ReportTable(
         ("tank law", *headings, Column("rise [K]", ".1f"), Column("peak [K]", ".2f"), Column("peak at [s]", ".1f")),
         [
             (
@@ -165,7 +168,7 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Ta
         "plain",
     )  # fmt: skip
     rise = f"{runs.REPORTED_RISE:.0f} K"
-    yield Table(
+    yield ReportTable(
         numeric(
             "supply [bar]", f"h A, {rise} is the peak [W/K]", "peak at [s]", f"h A, {rise} at 5 bar [W/K]", digits=".1f"
         ),
@@ -174,7 +177,7 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Ta
         "wall_conductances",
         "plain",
     )
-    yield Table(
+    yield ReportTable(
         ("statement", "where", "finding", "verdict"),
         [(item.text, item.place, item.finding, item.verdict.value) for item in checked],
         "Statements of the paper",
@@ -201,7 +204,10 @@ def _headline(results: runs.Findings, checked: Sequence[Statement]) -> str:
 
 
 def _page(
-    results: runs.Findings, pictures: Mapping[str, Figure], tables: Mapping[str, Table], checked: Sequence[Statement]
+    results: runs.Findings,
+    pictures: Mapping[str, Figure],
+    tables: Mapping[str, ReportTable],
+    checked: Sequence[Statement],
 ) -> str:
     """Return the report as HTML: headline, figures, statements, tables and circuit."""
     texts = {name: sentence(f"paper.page.{name}", {}) for name in ("title", "source", "choices", "tanks")}
@@ -210,7 +216,7 @@ def _page(
         (item.text, item.place, item.finding, Markup(verdict.format(item.verdict.name.lower(), item.verdict.value)))
         for item in checked
     ]
-    statement_table = Table(("Statement", "Location", "Finding", "Verdict"), rows, css_class="statements")
+    statement_table = ReportTable(("Statement", "Location", "Finding", "Verdict"), rows, css_class="statements")
     figures = {
         name: picture(figure, name, sentence(f"paper.caption.{name}", {}), kind="narrow" if name in _NARROW else "")
         for name, figure in pictures.items()

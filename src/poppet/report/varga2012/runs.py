@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from poppet import library
-from poppet.circuit.circuit import Circuit
+from poppet.circuit.circuit import BaseCircuit
 from poppet.core.provenance import assumed
 from poppet.laws import iso6358
 from poppet.laws.curves import Characteristic
@@ -141,13 +141,13 @@ def find(progress: Callable[[str], Any]) -> Findings:
 # --- Circuits ---
 
 
-def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> Circuit:
+def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> BaseCircuit:
     """Return the right half of fig. 5: a supply, the main stage at a fixed stroke, and the tank."""
     valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
     return _between(supply, valve, tank, "Filling at a fixed stroke")
 
 
-def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> Circuit:
+def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> BaseCircuit:
     """Return a supply, the main stage with its mechanics, and the tank; port 3 is connected to ambient."""
     valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode)
     signals = {} if pilot is None else {"valve.pilot_pressure": pilot}
@@ -156,17 +156,17 @@ def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> Circuit:
 
 def _between(
     supply: float, valve: Any, tank: dict[str, Any], title: str, signals: dict[str, Signal] | None = None
-) -> Circuit:
+) -> BaseCircuit:
     started: dict[str, Any] = {"volume": VOLUME, "initial_pressure": START, "initial_temperature": START_TEMPERATURE}
     parts = {
         "supply": Reservoir(pressure=supply, temperature=START_TEMPERATURE),
         "valve": valve,
         "tank": Chamber(**(started | tank)),
     }
-    return Circuit(parts, signals or {}, title=title)
+    return BaseCircuit(parts, signals or {}, title=title)
 
 
-def staircase_circuit(**tank: Any) -> Circuit:
+def staircase_circuit(**tank: Any) -> BaseCircuit:
     """Return the circuit of fig. 6: the pilot pressure sets the required value of the regulator."""
     valve: Any = staged("regulator").parts["valve"]
     springs = valve.upper_spring, valve.lower_spring
@@ -233,7 +233,7 @@ def _filled(**options: Any) -> Recording:
     return _run_to_target(filling(**options))
 
 
-def _run_to_target(circuit: Circuit) -> Recording:
+def _run_to_target(circuit: BaseCircuit) -> Recording:
     return circuit.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE, stop_when=f"tank.pressure > {TARGET:.0f} Pa")
 
 
@@ -286,7 +286,7 @@ def _wall_conductance(supply: float) -> WallConductance:
 def _pressure_drop(wall: float, closing_time: float) -> float:
     """Return the pressure drop after the valve has closed at 5 bar, while the gas cools to the wall."""
     closing = Steps([0.0, closing_time], [1.0, 0.0])
-    closed = Circuit(filling(wall_conductance=wall).parts, {"valve.opening": closing})
+    closed = BaseCircuit(filling(wall_conductance=wall).parts, {"valve.opening": closing})
     return float(TARGET - closed.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE)["tank.pressure"][-1])
 
 

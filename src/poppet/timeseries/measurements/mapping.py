@@ -14,9 +14,16 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError, collect
 from poppet.core.units import Kind, check_unit, convert, quantity, same_dimension, sizes_of, with_state
 from poppet.timeseries.checks import FloatArray, split_heading
-from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, Samples, from_first, ordered
-from poppet.timeseries.measurements.measurement import Channel, InputChannel, Measurement
-from poppet.timeseries.measurements.noise import quantum_of
+from poppet.timeseries.measurements.measurement import (
+    LEAST_SAMPLES,
+    Channel,
+    InputChannel,
+    Measurement,
+    Samples,
+    from_first,
+    ordered,
+    quantum_of,
+)
 from poppet.timeseries.measurements.verdicts import heading_verdicts, verdicts
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.reading import Table, read_table
@@ -44,14 +51,9 @@ _T = TypeVar("_T")
 
 
 def read_measurement(
-    name: str,
-    table: Mapping[str, Any],
-    folder: Path,
-    *,
-    ambient_pressure: float,
-    other_fields: Sequence[str] = (),
+    name: str, table: Mapping[str, Any], folder: Path, *, ambient_pressure: float, other_fields: Sequence[str] = (),
     source: Table | None = None,
-) -> Measurement:
+) -> Measurement:  # fmt: skip
     """Read a `[recordings.NAME]` table and its files.
 
     `other_fields` are the other valid fields of the table, for suggestions if a field is misspelt. `source` has the
@@ -73,11 +75,11 @@ def read_measurement(
     >>> read.duration, float(read.channels[0].values[0]), read.channels[0].noise
     (0.17, 680000.0, 2000.0)
     """
-    return _Reader(name, table, folder, other_fields, source).measurement(ambient_pressure)
+    return _MeasurementReader(name, table, folder, other_fields, source).measurement(ambient_pressure)
 
 
 @dataclass(frozen=True)
-class _Column:
+class _MappedColumn:
     """Column of a file with the fields of its table. A free delay or lag is None."""
 
     address: str
@@ -94,7 +96,7 @@ class _Column:
         return self.unit == "Pa" and convert(0.0, self.written, "Pa", ambient_pressure=1.0) != 0.0
 
 
-class _Reader:
+class _MeasurementReader:
     """Reader of one table. It continues after an error and reports all errors together."""
 
     def __init__(
@@ -110,7 +112,11 @@ class _Reader:
     def measurement(self, ambient_pressure: float) -> Measurement:
         self._check_keys()
         self.ambient = self._ambient(ambient_pressure)
-        skip, end = self._window()
+        # The first and last used times, relative to the first sample.
+        skip = self._seconds(self.table, "skip", self.location)
+        end = self._seconds(self.table, "until", self.location, math.inf)
+        if end <= skip:
+            self.errors.add("measured.until_before_skip", f"{self.location}.until", value=self.table["until"])
         channels = self._columns(self.table, _OF_CHANNEL, self.location)
         inputs = self._columns(self._mapping("inputs"), _OF_INPUT, f"{self.location}.inputs")
         start = self._start()
@@ -121,15 +127,10 @@ class _Reader:
         self._refuse_all()
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
-            self.name,
-            read,
-            driving,
-            start,
-            self.ambient,
-            tuple(self.notes),
+            self.name, read, driving, start, self.ambient, tuple(self.notes),
             (*self.findings, *verdicts(read, driving, self.ambient, gauge)),
             max(float(channel.time[-1]) for channel in read),
-        )
+        )  # fmt: skip
 
     def recording(self, ambient_pressure: str | float, title: str) -> Recording:
         """Return the channels over their common time base; missing samples are NaN."""
@@ -144,14 +145,10 @@ class _Reader:
         for row, column in zip(values, columns, strict=True):
             row[np.searchsorted(base, column.samples.time)] = column.samples.values
         return Recording(
-            base,
-            tuple(column.address for column in columns),
-            tuple(column.unit for column in columns),
-            values,
-            title=title,
-            notes=(*self.findings, *(self.source.notes if self.source else ()), *self.notes),
+            base, tuple(column.address for column in columns), tuple(column.unit for column in columns), values,
+            title=title, notes=(*self.findings, *(self.source.notes if self.source else ()), *self.notes),
             ambient_pressure=self.ambient,
-        )
+        )  # fmt: skip
 
     def _refuse_all(self) -> None:
         # An error of the shared file or time occurs once per channel.
@@ -171,12 +168,8 @@ class _Reader:
             if isinstance(self.table[key], Mapping):  # TOML reads tank.pressure without quotes as a table
                 self.errors.add("measured.unquoted", location, key=key)
             else:
-                self.errors.add(
-                    "fields.unknown",
-                    location,
-                    table="recording",
-                    near=NameSuggestion(key, (*_FIELDS, *self.other_fields)),
-                )
+                near = NameSuggestion(key, (*_FIELDS, *self.other_fields))
+                self.errors.add("fields.unknown", location, table="recording", near=near)
         if not any("." in key for key in self.table):
             self.errors.add("measured.no_channel", self.location)
 
@@ -206,14 +199,6 @@ class _Reader:
             self.errors.add("measured.negative_time", location, value=fields[key])
         return read.value if read is not None else default
 
-    def _window(self) -> tuple[float, float]:
-        """Return the first and last used times, relative to the first sample [s]."""
-        skip = self._seconds(self.table, "skip", self.location)
-        end = self._seconds(self.table, "until", self.location, math.inf)
-        if end <= skip:
-            self.errors.add("measured.until_before_skip", f"{self.location}.until", value=self.table["until"])
-        return skip, end
-
     def _start(self) -> dict[str, str | float]:
         start = dict(self._mapping("start"))
         for address, value in start.items():
@@ -227,7 +212,7 @@ class _Reader:
                 self.errors.add("measured.no_first_sample", location, channel=measured)
         return start
 
-    def _columns(self, table: Mapping[str, Any], valid: tuple[str, ...], location: str) -> list[_Column]:
+    def _columns(self, table: Mapping[str, Any], valid: tuple[str, ...], location: str) -> list[_MappedColumn]:
         columns = []
         for address, value in table.items():
             if "." in address:
@@ -237,7 +222,9 @@ class _Reader:
                 self.errors.add("measured.no_address", f"{location}.{address}")
         return [column for column in columns if column is not None]
 
-    def _column(self, address: str, fields: Mapping[str, Any], valid: tuple[str, ...], location: str) -> _Column | None:
+    def _column(
+        self, address: str, fields: Mapping[str, Any], valid: tuple[str, ...], location: str
+    ) -> _MappedColumn | None:
         for key in (field for field in fields if field not in valid):
             near = NameSuggestion(key, valid)
             self.errors.add("fields.unknown", f"{location}.{key}", table="channel", near=near)
@@ -274,7 +261,7 @@ class _Reader:
             return None
         self.notes |= dict.fromkeys(note.within(address) for note in samples.notes)
         self.findings |= dict.fromkeys(heading_verdicts(address, table.names[index], table.units[index], written))
-        return _Column(address, location, unit, written, samples, fields, delay, lag)
+        return _MappedColumn(address, location, unit, written, samples, fields, delay, lag)
 
     def _file(self, fields: Mapping[str, Any], location: str) -> Table | None:
         name = fields.get("file")
@@ -326,7 +313,7 @@ class _Reader:
             self.findings |= dict.fromkeys(heading_verdicts(address, table.names[index], table.units[index], unit))
         return stamps
 
-    def _channel(self, column: _Column, samples: Samples) -> Channel:
+    def _channel(self, column: _MappedColumn, samples: Samples) -> Channel:
         count = samples.time.size
         if count < LEAST_SAMPLES:
             self.errors.add("measured.few_samples", column.location, samples=count, least=LEAST_SAMPLES)
@@ -335,7 +322,7 @@ class _Reader:
         quantum = quantum_of(samples.values)
         return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset)
 
-    def _refuse_slips(self, column: _Column, time: FloatArray, values: FloatArray) -> None:
+    def _refuse_slips(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
         """Report samples beyond the plausibility limit of their quantity.
 
         A typing error or a recorder fault would otherwise dominate the fit.
@@ -346,7 +333,7 @@ class _Reader:
             facts = {"value": float(values[slips[0]]), "unit": column.unit, "time": float(time[slips[0]])}
             self.errors.add("measured.too_large", column.location, largest=largest, count=int(slips.size), **facts)
 
-    def _deviation(self, column: _Column, key: str) -> float | None:
+    def _deviation(self, column: _MappedColumn, key: str) -> float | None:
         """Return the stated standard deviation of a channel, None if there is none."""
         location, raw = f"{column.location}.{key}", column.fields.get(key)
         if raw is None:
@@ -357,7 +344,7 @@ class _Reader:
             self.errors.add("measured.noise", location, value=raw)
         return value
 
-    def _input(self, column: _Column, origin: float) -> InputChannel:
+    def _input(self, column: _MappedColumn, origin: float) -> InputChannel:
         time, values, fields = column.samples.time - origin, column.samples.values, column.fields
         hold = fields.get("hold", False)
         if not isinstance(hold, bool):
@@ -374,14 +361,10 @@ class _Reader:
 
 
 def read_recording(
-    path: str | Path,
-    *,
-    time: str | int | Mapping[str, str] | None = None,
-    columns: Mapping[str, str | int | Mapping[str, str]] | None = None,
-    ambient_pressure: str | float = "1 bar",
-    title: str | None = None,
-    **options: Any,
-) -> Recording:
+    path: str | Path, *, time: str | int | Mapping[str, str] | None = None,
+    columns: Mapping[str, str | int | Mapping[str, str]] | None = None, ambient_pressure: str | float = "1 bar",
+    title: str | None = None, **options: Any,
+) -> Recording:  # fmt: skip
     r"""Read a measured file as a recording in SI units, pressures absolute.
 
     Parameters
@@ -431,7 +414,7 @@ def read_recording(
         columns = {name: name for name in source.names if "." in name}
     fields = {address: _column_fields(column, source) for address, column in columns.items()}
     clock = {} if time is None else {"time": _column_fields(time, source)}
-    reader = _Reader("columns", {**clock, **fields}, path.parent, (), source)
+    reader = _MeasurementReader("columns", {**clock, **fields}, path.parent, (), source)
     return reader.recording(ambient_pressure, path.stem if title is None else title)
 
 

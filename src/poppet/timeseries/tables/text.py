@@ -34,15 +34,13 @@ _SAID = {"\t": "tabs", " ": "spaces", ",": "commas", ";": "semicolons"}
 # Numbers of lines for guessing the layout: the last ones, which contain samples, and some before them.
 _LAST, _BETWEEN = 60, 200
 
-LARGEST_TEXT = 256 * 2**20
-"""Limit of the size of a text file [bytes]; reading needs ten times as much memory."""
+LARGEST_TEXT = 256 * 2**20  # limit of the size of a text file [bytes]; reading needs ten times as much memory
 
-Line = tuple[int, str]
-"""Line number in the file, counted from 1, and text of the line."""
+Line = tuple[int, str]  # line number in the file, counted from 1, and text of the line
 
 
 @dataclass(frozen=True)
-class _Layout:
+class _TextLayout:
     separator: str
     decimal: str
     width: int = 0
@@ -55,6 +53,9 @@ class _Layout:
 
     def is_number(self, cell: str) -> bool:
         return _NUMBER[self.decimal].fullmatch(cell) is not None
+
+    def has_number(self, text: str) -> bool:
+        return any(map(self.is_number, self.cells(text)))
 
     def is_sample(self, text: str) -> bool:
         """Return True for a line with a number first, or with numbers in all numeric columns.
@@ -84,7 +85,9 @@ def read(
     rest_lines = [line for line in lines if not line[1].lstrip().startswith("#")]
     if not rest_lines:
         raise InputError("table.empty")
-    layout = _guess(rest_lines, _separators(separator), _decimals(decimal))
+    if decimal not in (None, ".", ","):
+        raise InputError("table.decimal", "decimal", value=decimal)
+    layout = _guess(rest_lines, _separators(separator), (".", ",") if decimal is None else (decimal,))
     head, body = _parted(rest_lines, layout, header_rows)
     names, units, heading_notes = _headings(head, comments, layout, body)
     if separator is None or decimal is None:
@@ -112,7 +115,7 @@ def read_exact(path: Path) -> Table:
     lines = _lines(text)
     if len(lines) < 2:
         raise InputError("table.no_samples" if lines else "table.empty")
-    layout = _Layout(",", ".")
+    layout = _TextLayout(",", ".")
     (first, heading), body = lines[0], lines[1:]
     names = layout.cells(heading)
     if len(names) == 1 and ";" in names[0]:
@@ -161,26 +164,20 @@ def _separators(separator: str | None) -> Sequence[str]:
     return (character,)
 
 
-def _decimals(decimal: str | None) -> Sequence[str]:
-    if decimal not in (None, ".", ","):
-        raise InputError("table.decimal", "decimal", value=decimal)
-    return (".", ",") if decimal is None else (decimal,)
-
-
-def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _Layout:
+def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
     """Return the layout that reads most lines as numbers; on a tie, the one with more columns."""
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
     if not choices:
         raise InputError("table.same_sign", "separator", sign=separators[0])
-    scored = [_scored(sample, _Layout(*choice)) for choice in choices]
+    scored = [_scored(sample, _TextLayout(*choice)) for choice in choices]
     score, layout = max(scored, key=lambda pair: pair[0])
     if score[1] == 0.0:
         raise InputError("table.no_lines_of_numbers")
     return layout
 
 
-def _scored(sample: Sequence[str], layout: _Layout) -> tuple[tuple[bool, float, int], _Layout]:
+def _scored(sample: Sequence[str], layout: _TextLayout) -> tuple[tuple[bool, float, int], _TextLayout]:
     rows = [layout.cells(text) for text in sample]
     with_numbers = [row for row in rows if any(layout.is_number(cell) for cell in row)]
     if not with_numbers:
@@ -194,10 +191,10 @@ def _scored(sample: Sequence[str], layout: _Layout) -> tuple[tuple[bool, float, 
     share = (sum(numbers) + sum(empty)) / (width * len(fitting)) * len(fitting) / len(rows)
     # A single column, which has no time, is the last choice. Rounding ignores differences of a few cells.
     score = (width > 1 and share >= 0.5, round(share, 2), width)
-    return score, _Layout(layout.separator, layout.decimal, width, is_numeric)
+    return score, _TextLayout(layout.separator, layout.decimal, width, is_numeric)
 
 
-def _parted(lines: list[Line], layout: _Layout, header_rows: int | None) -> tuple[list[Line], list[Line]]:
+def _parted(lines: list[Line], layout: _TextLayout, header_rows: int | None) -> tuple[list[Line], list[Line]]:
     """Return header and samples. A `header_rows` that ends above the headings is extended."""
     if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
         raise InputError("table.header_rows", "header_rows", value=header_rows)
@@ -205,9 +202,7 @@ def _parted(lines: list[Line], layout: _Layout, header_rows: int | None) -> tupl
         first = next((k for k, (_, text) in enumerate(lines) if layout.is_sample(text)), None)
     else:
         first = next((k for k, (number, _) in enumerate(lines) if number > header_rows), None)
-        while (
-            first is not None and first < len(lines) and not any(map(layout.is_number, layout.cells(lines[first][1])))
-        ):
+        while first is not None and first < len(lines) and not layout.has_number(lines[first][1]):
             first += 1
     if first is None or first == len(lines):
         raise InputError("table.no_samples")
@@ -215,7 +210,7 @@ def _parted(lines: list[Line], layout: _Layout, header_rows: int | None) -> tupl
 
 
 def _headings(
-    head: list[Line], comments: list[Line], layout: _Layout, body: list[Line]
+    head: list[Line], comments: list[Line], layout: _TextLayout, body: list[Line]
 ) -> tuple[list[str], list[str], list[Note]]:
     """Return names and units from the last header line, or from it and a line of units below."""
     rows = [layout.cells(text) for _, text in head]
@@ -240,7 +235,7 @@ def _headings(
     return [name for name, _ in headings], units or [unit for _, unit in headings], notes + guessed
 
 
-def _columns(body: list[Line], layout: _Layout, names: list[str]) -> tuple[list[FloatArray], list[Note]]:
+def _columns(body: list[Line], layout: _TextLayout, names: list[str]) -> tuple[list[FloatArray], list[Note]]:
     texts = [text for _, text in body]
     if layout.decimal == ",":
         texts = [text.replace(",", ".") for text in texts]
@@ -276,7 +271,7 @@ def _refuse_widths(rows: list[tuple[int, list[str]]], width: int) -> None:
             raise InputError("table.cells", cells=len(cells), columns=width, line=line)
 
 
-def _column(cells: list[Line], layout: _Layout, name: str, notes: list[Note]) -> FloatArray:
+def _column(cells: list[Line], layout: _TextLayout, name: str, notes: list[Note]) -> FloatArray:
     invalid = [line for line in cells if not layout.is_number(line[1]) and line[1].lower() not in _EMPTY]
     if len(invalid) > 0.5 * len(cells):
         notes.append(Note("table.column_of_text", column=name, cell=invalid[0][1]))
