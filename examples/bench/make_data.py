@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import Trial
+from poppet.bench.iso10094.evaluation import Trial
 from poppet.bench.iso10094.flow import flow_trial
 from poppet.bench.iso10094.scale import Scale
 from poppet.bench.iso10094.virtual_valve import StandIn

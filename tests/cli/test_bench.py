@@ -12,8 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.bench_result import read_bench_result
-from poppet.bench.iso10094.definitions import DEFINITIONS
+from poppet.bench.iso10094.bench_result import DEFINITIONS, read_bench_result
 from poppet.bench.iso10094.rig import Rig
 from poppet.core.codes import Note
 from poppet.core.errors import SimulationError

@@ -6,8 +6,7 @@ import re
 from pathlib import Path
 
 from poppet.bench.iso10094 import valve_recordings
-from poppet.bench.iso10094.bench_result import BenchResult
-from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
+from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS, BenchResult
 from poppet.bench.iso10094.evaluation import VERIFY
 
 ROOT = Path(__file__).parents[2]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from exact.known_valves import FIGURES_OF, SCALE, TEST_OF, Known, valve
-from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
+from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS
 
 
 @dataclass

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from poppet.bench.iso10094.bench_settings import BenchSettings, Trial
 from poppet.bench.iso10094.characteristic import characteristic_trial
+from poppet.bench.iso10094.evaluation import BenchSettings, Trial
 from poppet.bench.iso10094.flow import flow_trial
 from poppet.bench.iso10094.frequency import frequency_trial
 from poppet.bench.iso10094.resolution import resolution_trial

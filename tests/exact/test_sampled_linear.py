@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from poppet import Circuit
-from poppet.bench.agreement import SineRig, agreement, without_bands
+from poppet.bench.sine_rig import SineRig, agreement, without_bands
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled.point import SampledPoint
 from poppet.circuit.sampled.sampled_model import SampledModel, sampled_model

@@ -19,7 +19,7 @@ from poppet.core.number_format import aligned
 
 if TYPE_CHECKING:
     from poppet.bench.iso10094.bench_result import BenchResult
-    from poppet.bench.iso10094.bench_settings import BenchSettings
+    from poppet.bench.iso10094.evaluation import BenchSettings
 
 CIRCUIT_OPTIONS = ("valve", "volume", "supply", "sweep_time", "frequencies", "values", "result")
 """Options that have no effect on recordings."""
@@ -98,9 +98,9 @@ def _evaluate_recordings(options: argparse.Namespace, path: Path) -> BenchResult
 def _prepare_circuit(
     options: argparse.Namespace, path: Path, values: list[str], *, is_comparison: bool
 ) -> Callable[[BenchProgress], BenchResult]:
-    from poppet.bench.iso10094.ranges import pressure, pressure_range
     from poppet.bench.iso10094.rig import rig_of, valve_of
     from poppet.bench.iso10094.run_bench import run_bench
+    from poppet.bench.iso10094.scale import pressure, pressure_range
     from poppet.circuit.file import load
 
     circuit, result_notes = with_result(load(path), None if is_comparison else options.result)
@@ -121,17 +121,17 @@ def _prepare_circuit(
 
 
 def _bench_settings(options: argparse.Namespace) -> BenchSettings:
-    from poppet.bench.iso10094 import ranges
-    from poppet.bench.iso10094.bench_settings import BenchSettings
+    from poppet.bench.iso10094.evaluation import BenchSettings
+    from poppet.bench.iso10094.scale import listed
 
     settings: dict[str, Any] = {"rated_flow": _rated_flow(options)}
     if options.volume:
-        settings["volumes"] = ranges.listed(options.volume, "m^3", "--volume")
+        settings["volumes"] = listed(options.volume, "m^3", "--volume")
     if options.frequencies:
-        settings["frequencies"] = ranges.listed(options.frequencies, "Hz", "--frequencies")
+        settings["frequencies"] = listed(options.frequencies, "Hz", "--frequencies")
     if options.sweep_time:
         # One value: a comma does not separate values here.
-        (settings["sweep_time"],) = ranges.listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
+        (settings["sweep_time"],) = listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
     return BenchSettings(**settings)
 
 
@@ -147,7 +147,7 @@ def _rated_flow(options: argparse.Namespace) -> float:
 
 
 def _tests(options: argparse.Namespace) -> list[str]:
-    from poppet.bench.iso10094.definitions import TESTS
+    from poppet.bench.iso10094.bench_result import TESTS
     from poppet.bench.iso10094.run_bench import check_tests
 
     if options.tests is None:

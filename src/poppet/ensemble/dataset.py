@@ -22,7 +22,7 @@ from poppet.core.version import __version__
 from poppet.engine.lane_kernel import kernel_of_this_machine
 from poppet.ensemble.designs import design_of
 from poppet.ensemble.ensemble_plan import EnsemblePlan
-from poppet.timeseries.tables.parquet import arrow, table_in
+from poppet.timeseries.tables.reading import arrow, table_in
 
 MANIFEST = "manifest.json"
 FORMAT = 1

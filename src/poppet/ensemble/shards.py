@@ -22,7 +22,7 @@ from poppet.engine.problem import Outcome, Problem
 from poppet.ensemble.bands import Bands, band_edges
 from poppet.ensemble.designs import design_of
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, Integers, varied_specs
-from poppet.timeseries.tables.parquet import arrow
+from poppet.timeseries.tables.reading import arrow
 
 REFUSED = "ensemble.refused_run"
 """Outcome of a run with inconsistent parameters."""

@@ -247,7 +247,7 @@ class Result(HtmlMixin):
         InputError
             If the result has no series, for example because it was read from a file.
         """
-        from poppet.timeseries.plotting.fitted_series import plot_fitted_series
+        from poppet.timeseries.plotting.plots import plot_fitted_series
 
         tables = {name: table for name, table in self.series.items() if "measured" in table}
         return plot_fitted_series(tables, path, title=self.title)

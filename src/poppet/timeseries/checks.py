@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from poppet.core.errors import InputError, NameSuggestion
 
 FloatArray = NDArray[np.float64]
-METADATA = "poppet"
-"""Name of the variable or key for the metadata of a recording (title, notes, units), in JSON."""
+METADATA = "poppet"  # name of the variable or key for the metadata of a recording (title, notes, units), in JSON
 
 _HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 
@@ -89,9 +88,7 @@ def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[Inp
 
 def not_finite(**fields: float) -> list[InputError]:
     """Return an error for each field that is not a finite number."""
-    return [
-        InputError("numbers.not_finite", name, value=value) for name, value in fields.items() if not _is_finite(value)
-    ]
+    return [InputError("numbers.not_finite", name, value=v) for name, v in fields.items() if not _is_finite(v)]
 
 
 def not_positive(unit: str, **fields: float) -> list[InputError]:

@@ -13,16 +13,13 @@ from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion, collect
 from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
-from poppet.timeseries.checks import (
-    FloatArray,
-    first_bad_time,
-    name_problems,
-    numbers,
-    split_heading,
-)
+from poppet.timeseries.checks import FloatArray, first_bad_time, name_problems, numbers, split_heading
 
-_NO_NAMES = ("time", "slice", "list", "int")
-"""Invalid keys of a recording; the error of each one has its own hint."""
+_SAME_NAME = (
+    "time", "names", "units", "values", "title", "statistics", "residuals", "ambient_pressure", "inner", "figures",
+)  # fmt: skip
+"""Arguments of the constructor that have an attribute with the same name."""
+_NO_NAMES = ("time", "slice", "list", "int")  # invalid keys of a recording; the error of each one has its own hint
 
 
 class Columns(HtmlMixin):
@@ -35,37 +32,17 @@ class Columns(HtmlMixin):
     """
 
     __slots__ = (
-        "_figures",
-        "_index",
-        "_remarks",
-        "_residuals",
-        "_time",
-        "_values",
-        "ambient_pressure",
-        "ending",
-        "inner",
-        "names",
-        "statistics",
-        "title",
-        "units",
-    )
+        "_figures", "_index", "_remarks", "_residuals", "_time", "_values", "ambient_pressure", "ending", "inner",
+        "names", "statistics", "title", "units",
+    )  # fmt: skip
 
     def __init__(
-        self,
-        time: FloatArray,
-        names: tuple[str, ...],
-        units: tuple[str, ...],
-        values: FloatArray,
-        *,
-        title: str = "",
-        notes: Iterable[Note | str] | Callable[[], Iterable[Note | str]] = (),
-        outcome: Note | str = "",
-        statistics: Mapping[str, float] | None = None,
-        residuals: tuple[Any, ...] | Callable[[], tuple[Any, ...]] = (),
-        ambient_pressure: float = 1e5,
-        inner: frozenset[str] = frozenset(),
-        figures: Any = None,
-    ) -> None:
+        self, time: FloatArray, names: tuple[str, ...], units: tuple[str, ...], values: FloatArray, *,
+        title: str = "", notes: Iterable[Note | str] | Callable[[], Iterable[Note | str]] = (),
+        outcome: Note | str = "", statistics: Mapping[str, float] | None = None,
+        residuals: tuple[Any, ...] | Callable[[], tuple[Any, ...]] = (), ambient_pressure: float = 1e5,
+        inner: frozenset[str] = frozenset(), figures: Any = None,
+    ) -> None:  # fmt: skip
         # Views: the caller's arrays remain writable.
         self._time, self._values = time.view(), values.view()
         self._time.flags.writeable = self._values.flags.writeable = False
@@ -80,15 +57,9 @@ class Columns(HtmlMixin):
 
     @classmethod
     def from_series(
-        cls,
-        time: ArrayLike,
-        series: Mapping[str, ArrayLike],
-        *,
-        units: Mapping[str, str] | None = None,
-        title: str = "",
-        notes: Iterable[Note | str] = (),
-        ambient_pressure: float = 1e5,
-    ) -> Self:
+        cls, time: ArrayLike, series: Mapping[str, ArrayLike], *, units: Mapping[str, str] | None = None,
+        title: str = "", notes: Iterable[Note | str] = (), ambient_pressure: float = 1e5,
+    ) -> Self:  # fmt: skip
         """Return a recording of measured or computed arrays, after checks.
 
         Parameters
@@ -121,8 +92,7 @@ class Columns(HtmlMixin):
         names = tuple(name for name, _ in headings)
         rows = [numbers(name, row) for name, row in series.items()]
         bad_time = first_bad_time(base)
-        problems = [bad_time[1]] if bad_time else []
-        problems += name_problems(names, units_by_name)
+        problems = ([bad_time[1]] if bad_time else []) + name_problems(names, units_by_name)
         problems += [
             InputError("series.length", name=name, shape=row.shape, times=base.size)
             for name, row in zip(names, rows, strict=True)
@@ -130,31 +100,15 @@ class Columns(HtmlMixin):
         ]
         collect(problems)
         return cls(
-            base,
-            names,
-            tuple(unit or units_by_name.get(name, "") for name, unit in headings),
-            np.array(rows, dtype=float).reshape(len(rows), len(base)),
-            title=title,
-            notes=notes,
+            base, names, tuple(unit or units_by_name.get(name, "") for name, unit in headings),
+            np.array(rows, dtype=float).reshape(len(rows), len(base)), title=title, notes=notes,
             ambient_pressure=ambient_pressure,
-        )
+        )  # fmt: skip
 
     def fields(self) -> dict[str, Any]:
         """Return the arguments of the constructor."""
-        return {
-            "time": self._time,
-            "names": self.names,
-            "units": self.units,
-            "values": self._values,
-            "title": self.title,
-            "notes": self.remarks,
-            "outcome": self.ending or "",
-            "statistics": self.statistics,
-            "residuals": self.residuals,
-            "ambient_pressure": self.ambient_pressure,
-            "inner": self.inner,
-            "figures": self.figures,
-        }
+        arguments = {name: getattr(self, name) for name in _SAME_NAME}
+        return arguments | {"notes": self.remarks, "outcome": self.ending or ""}
 
     def __reduce__(self) -> Any:
         # Values instead of functions, which can contain compiled code.

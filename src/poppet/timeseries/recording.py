@@ -179,7 +179,13 @@ class Recording(Columns):
         if isinstance(units, Mapping):
             unit_by_row = {self._row(name): unit for pattern, unit in units.items() for name in self.select(pattern)}
         else:
-            unit_by_row = self._fitting(units)
+            unit_by_row = {}
+            for unit in units:
+                check_unit(unit)
+                rows = [i for i, row_unit in enumerate(self.units) if same_dimension(row_unit, unit)]
+                if not rows:
+                    raise InputError("series.no_such_quantity", unit=unit, units=tuple(dict.fromkeys(self.units)))
+                unit_by_row.update(dict.fromkeys(rows, unit))
         values = self._values.copy()
         row_units = list(self.units)
         for row, unit in unit_by_row.items():
@@ -190,17 +196,6 @@ class Recording(Columns):
             values[row] = convert(values[row], self.units[row], unit, ambient_pressure=self.ambient_pressure)
             row_units[row] = unit
         return self._with(units=tuple(row_units), values=values)
-
-    def _fitting(self, units: Sequence[str]) -> dict[int, str]:
-        unit_by_row: dict[int, str] = {}
-        for unit in units:
-            check_unit(unit)
-            rows = [i for i, row_unit in enumerate(self.units) if same_dimension(row_unit, unit)]
-            if not rows:
-                valid_units = tuple(dict.fromkeys(self.units))
-                raise InputError("series.no_such_quantity", unit=unit, units=valid_units)
-            unit_by_row.update(dict.fromkeys(rows, unit))
-        return unit_by_row
 
     def to_pandas(self) -> Any:
         """Return the recording as a pandas table.

@@ -40,23 +40,18 @@ def write(recording: Columns, path: Path) -> Path:
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
     """Read a recording; for CSV, `time` names the time column and `time_unit` its unit."""
     # Imported here: writing a file does not need the readers.
-    from poppet.timeseries.tables import mat, parquet, text
-    from poppet.timeseries.tables.reading import read_with
+    from poppet.timeseries.tables.reading import read_mat, read_parquet, read_with
+    from poppet.timeseries.tables.text import read_exact
 
-    readers: dict[str, Callable[[Path], Table]] = {
-        ".csv": text.read_exact,
-        ".parquet": parquet.read,
-        ".mat": mat.read,
-    }
+    readers: dict[str, Callable[[Path], Table]] = {".csv": read_exact, ".parquet": read_parquet, ".mat": read_mat}
     reader = by_suffix(path, readers)
-    if reader is not text.read_exact and (time, time_unit) != ("time", ""):
+    if reader is not read_exact and (time, time_unit) != ("time", ""):
         raise InputError("files.time_is_fixed", path=str(path))
 
     def recording(path: Path) -> Columns:
+        is_csv = reader is read_exact
         table = reader(path)
-        if reader is text.read_exact:
-            return _of_headings(table, path.stem, time, time_unit)
-        return _of_metadata(table, path.suffix)
+        return _of_headings(table, path.stem, time, time_unit) if is_csv else _of_metadata(table, path.suffix)
 
     return read_with(recording, path)
 
@@ -138,7 +133,7 @@ def _write_csv(recording: Columns, stream: IO[bytes]) -> None:
 
 
 def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
-    from poppet.timeseries.tables.parquet import arrow
+    from poppet.timeseries.tables.reading import arrow
 
     pa = arrow()
     variables = _apart(recording.names)
@@ -152,20 +147,12 @@ def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
 def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
     from scipy.io import savemat
 
-    variables = _matlab_names(recording.names)
+    # Names for MATLAB have letters, digits and underscores, and at most 63 characters: 58 leave space for a counter.
+    stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in recording.names)
+    variables = _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
     content: dict[str, Any] = {"time": recording.time, METADATA: _metadata(recording, variables)}
     content.update(zip(variables, recording.values, strict=True))
     savemat(stream, content, oned_as="column")
-
-
-def _matlab_names(names: Sequence[str]) -> list[str]:
-    """Return unique names for MATLAB: letters, digits and underscores, at most 63 characters.
-
-    A dot becomes two underscores.
-    """
-    # At most 58 characters leave space for a counter.
-    stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in names)
-    return _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
 
 
 def _apart(names: Iterable[str]) -> list[str]:

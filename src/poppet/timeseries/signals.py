@@ -14,20 +14,9 @@ from poppet.timeseries.checks import not_finite, not_positive, numbers, path_pro
 from poppet.timeseries.segments import DelayedSegments, Floats, SegmentTable, Signal, held, lines, merge, polyline, wave
 
 __all__ = [
-    "Chirp",
-    "Constant",
-    "DelayedSegments",
-    "Points",
-    "Prbs",
-    "Pwm",
-    "SampledSignal",
-    "SegmentTable",
-    "Signal",
-    "Sine",
-    "Square",
-    "Steps",
-    "merge",
-]
+    "Chirp", "Constant", "DelayedSegments", "Points", "Prbs", "Pwm", "SampledSignal", "SegmentTable", "Signal",
+    "Sine", "Square", "Steps", "merge",
+]  # fmt: skip
 
 _MAX_BITS = 10_000_000  # the start times alone take 80 MB
 _MAX_PERIODS = _MAX_BITS // 2  # two edges per period

@@ -7,15 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.bench_settings import Trial
+from poppet.bench.iso10094.bench_result import TESTS
 from poppet.bench.iso10094.characteristic import characteristic_trial
-from poppet.bench.iso10094.clipping import clipped
-from poppet.bench.iso10094.definitions import TESTS
-from poppet.bench.iso10094.evaluation import Evaluation
+from poppet.bench.iso10094.evaluation import Evaluation, Trial
 from poppet.bench.iso10094.flow import flow_trial
 from poppet.bench.iso10094.frequency import frequency_trial
 from poppet.bench.iso10094.resolution import resolution_trial
 from poppet.bench.iso10094.scale import Record, Scale
+from poppet.bench.iso10094.valve_recordings import clipped
 from poppet.bench.iso10094.virtual_valve import StandIn
 from poppet.signals import Points, Steps
 

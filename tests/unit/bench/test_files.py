@@ -11,7 +11,7 @@ import pytest
 
 from poppet.bench.iso10094.bench_result import BenchResult, compared, is_result, read_bench_result
 from poppet.bench.iso10094.evaluation import CharacteristicValue, PlottedCurve
-from poppet.bench.iso10094.ranges import listed, pressure, pressure_range, setpoint_scale
+from poppet.bench.iso10094.scale import listed, pressure, pressure_range, setpoint_scale
 from poppet.bench.iso10094.valve_recordings import recorded
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, InputErrors

@@ -17,13 +17,12 @@ import pytest
 
 from pages import needs_nothing_else
 from poppet import Circuit
-from poppet.bench.agreement import without_bands
 from poppet.bench.limits import maps as room
 from poppet.bench.limits.bandwidth import GAIN, Point, bandwidth_point, crossing
 from poppet.bench.limits.limits_plan import PARTS, ideal, stage_changes
 from poppet.bench.limits.maps import LimitsResult, find_limits, limits_plan
 from poppet.bench.limits.stability import Stability
-from poppet.bench.sine_rig import SineRig, fundamental
+from poppet.bench.sine_rig import SineRig, fundamental, without_bands
 from poppet.cli.main import run
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, InputErrors

@@ -10,10 +10,8 @@ from html.parser import HTMLParser
 import pytest
 
 from pages import needs_nothing_else, plots
-from poppet.bench.iso10094.bench_result import BenchResult, compared, read_bench_result
-from poppet.bench.iso10094.bench_settings import BenchSettings
-from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
-from poppet.bench.iso10094.evaluation import CharacteristicValue
+from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS, BenchResult, compared, read_bench_result
+from poppet.bench.iso10094.evaluation import BenchSettings, CharacteristicValue
 from poppet.bench.iso10094.run_bench import run_bench
 from poppet.bench.iso10094.virtual_valve import StandIn
 from poppet.core.codes import Note

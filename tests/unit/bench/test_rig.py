@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, MainStage, Reservoir, library
-from poppet.bench.iso10094.bench_settings import BenchSettings
+from poppet.bench.iso10094.evaluation import BenchSettings
 from poppet.bench.iso10094.rig import rig_of, valve_of
 from poppet.bench.iso10094.run_bench import run_bench
 from poppet.bench.iso10094.step import step_trial

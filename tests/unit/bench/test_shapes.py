@@ -5,9 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.shapes import Branch, at_places, branches, jumps, rested, stairs
-from poppet.bench.iso10094.steady_values import hum_of
-from poppet.bench.iso10094.sweep import caught_up, lag_of
+from poppet.bench.iso10094.shapes import Branch, at_places, branches, caught_up, jumps, lag_of, rested, stairs
+from poppet.bench.iso10094.step import hum_of
 
 RANDOM = np.random.default_rng(7)
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.definitions import TESTS
+from poppet.bench.iso10094.bench_result import TESTS
 from poppet.bench.iso10094.evaluation import Evaluation
 from poppet.bench.iso10094.run_bench import run_bench, run_recordings
 from poppet.bench.iso10094.scale import Record, Scale

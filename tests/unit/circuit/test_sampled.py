@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from poppet import Circuit
-from poppet.bench.agreement import SineRig, agreement, without_bands
+from poppet.bench.sine_rig import SineRig, agreement, without_bands
 from poppet.circuit.linear_model import SteadyState
 from poppet.circuit.sampled import sampled_steady_state as rest_module
 from poppet.circuit.sampled.point import SampledPoint

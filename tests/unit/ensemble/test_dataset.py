@@ -16,7 +16,7 @@ from poppet import load
 from poppet.engine.solve import solve
 from poppet.ensemble import dataset as dataset_module
 from poppet.ensemble import shards
-from poppet.timeseries.tables.parquet import arrow
+from poppet.timeseries.tables.reading import arrow
 from refusals import refused
 
 

@@ -15,7 +15,7 @@ from poppet.ensemble import plan_of
 from poppet.ensemble.designs import design_of
 from poppet.ensemble.sampling import points
 from poppet.ensemble.statistics import sobol_indices, wilson
-from poppet.timeseries.tables.parquet import arrow
+from poppet.timeseries.tables.reading import arrow
 from refusals import refused
 
 

@@ -16,8 +16,7 @@ import numpy as np
 import pytest
 
 from poppet import Chamber, Circuit, Orifice, Recording, Reservoir
-from poppet.bench.iso10094.bench_result import BenchResult
-from poppet.bench.iso10094.definitions import DEFINITIONS
+from poppet.bench.iso10094.bench_result import DEFINITIONS, BenchResult
 from poppet.bench.iso10094.evaluation import CharacteristicValue
 from poppet.bench.limits.maps import LimitsResult
 from poppet.core import notebook

@@ -18,10 +18,8 @@ from poppet import Chamber, Circuit, Orifice
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, MissingDependencyError, OutOfRangeError, UnitError
 from poppet.timeseries.plotting.figures import PALETTE
-from poppet.timeseries.plotting.panels import readable, thinned
-from poppet.timeseries.plotting.plots import MOST_RECORDINGS, plot_recordings
-from poppet.timeseries.plotting.sheet import COLUMNS, LINE_STYLES, home_colours
-from poppet.timeseries.plotting.timeline import bands_of, spans_of
+from poppet.timeseries.plotting.panels import bands_of, readable, spans_of, thinned
+from poppet.timeseries.plotting.plots import COLUMNS, LINE_STYLES, MOST_RECORDINGS, home_colours, plot_recordings
 from poppet.timeseries.recording import Recording
 
 TIME = np.linspace(0.0, 10.0, 101)

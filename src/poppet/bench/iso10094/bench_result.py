@@ -5,18 +5,33 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import product
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.definitions import DEFINITIONS, TESTS
-from poppet.bench.iso10094.evaluation import CharacteristicValue, PlottedCurve
+from poppet.bench.iso10094.characteristic import CHARACTERISTIC
+from poppet.bench.iso10094.evaluation import BenchTest, CharacteristicValue, Definition, PlottedCurve
+from poppet.bench.iso10094.flow import FLOW
+from poppet.bench.iso10094.frequency import FREQUENCY
+from poppet.bench.iso10094.resolution import RESOLUTION
+from poppet.bench.iso10094.step import STEP
+from poppet.bench.iso10094.supply import LEAKAGE, SUPPLY
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError
 from poppet.core.files import by_suffix, write_whole
 from poppet.core.notebook import HtmlMixin
 from poppet.core.toml import from_json, json_text, toml_text
+
+_ALL = (CHARACTERISTIC, RESOLUTION, FLOW, SUPPLY, LEAKAGE, STEP, FREQUENCY)
+TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _ALL})  # tests by name, as in `--tests`
+DEFINITIONS: Mapping[str, Definition] = MappingProxyType(
+    {name: definition for test in _ALL for name, definition in test.definitions.items()}
+)
+"""All figures by name, in the order of the tests."""
+
 
 METHOD = "iso10094"
 MOST_POINTS = 240
@@ -52,21 +67,13 @@ class BenchResult(HtmlMixin):
             for test, test_curves in self.curves.items()
         }
         return {
-            "method": METHOD,
-            "title": self.title,
-            "source": self.source,
-            "outcome": self.outcome,
+            "method": METHOD, "title": self.title, "source": self.source, "outcome": self.outcome,
             "notes": [f"{test}: {note}" for test, notes in self.notes.items() for note in notes],
             "codes": [{"test": test} | note.plain() for test, notes in self.notes.items() for note in notes],
-            "conditions": dict(self.conditions),
-            "figures": figures,
-            "comparison": {
-                key: [str(note) for note in value] if key == "notes" else value
-                for key, value in self.comparison.items()
-            },
-            **tables,
-            "curves": curves,
-        }
+            "conditions": dict(self.conditions), "figures": figures,
+            "comparison": {k: [str(n) for n in v] if k == "notes" else v for k, v in self.comparison.items()},
+            **tables, "curves": curves,
+        }  # fmt: skip
 
     def save(self, path: str | Path) -> None:
         """Write the result as `.toml` or `.json`; replace a file completely or not at all."""
@@ -120,11 +127,7 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
         data["title"],
         data["source"],
         figures,
-        {
-            test: data[definition.table or test]
-            for test, definition in TESTS.items()
-            if (definition.table or test) in data
-        },
+        {name: data[test.table or name] for name, test in TESTS.items() if (test.table or name) in data},
         curves,
         _notes(data),
         data.get("conditions", {}),
@@ -161,26 +164,20 @@ def compared(result: BenchResult, other_result: BenchResult) -> dict[str, Any]:
         if value is None and reference is None:
             continue
         row: dict[str, Any] = {"unit": DEFINITIONS[name].unit}
-        row |= {key: f.value for key, f in (("value", value), ("other", reference)) if f is not None}
-        row |= {
-            f"{key}_bound": f.bound for key, f in (("value", value), ("other", reference)) if f is not None and f.bound
-        }
+        present = {key: f for key, f in (("value", value), ("other", reference)) if f is not None}
+        row |= {key: f.value for key, f in present.items()}
+        row |= {f"{key}_bound": f.bound for key, f in present.items() if f.bound}
         if value is not None and reference is not None and not value.bound and not reference.bound:
             row["difference"] = value.value - reference.value
         rows[name] = row
-    return {"other": other_result.title, "notes": _unfair(result, other_result), "figures": rows}
-
-
-def _unfair(result: BenchResult, other_result: BenchResult) -> list[Note]:
-    """Return notes on different conditions that affect the comparison."""
+    # Different conditions that affect the comparison.
     notes = []
     for key in ("full_scale", "supply_pressure", "volumes"):
-        value, reference = (candidate.conditions.get(key) for candidate in (result, other_result))
-        if value is not None and reference is not None and not np.allclose(value, reference, rtol=1e-3, atol=0.0):
-            notes.append(Note(f"bench.differs.{key}", here=value, there=reference))
-    for test in TESTS:
-        for key in ("flow_drawn", "flow_fed", "amplitude", "mean"):
-            value, reference = (candidate.conditions.get(test, {}).get(key) for candidate in (result, other_result))
-            if value and reference and abs(value - reference) > 0.02 * abs(value):
-                notes.append(Note(f"bench.differs.{key}", test, here=value, there=reference))
-    return notes
+        here, there = (candidate.conditions.get(key) for candidate in (result, other_result))
+        if here is not None and there is not None and not np.allclose(here, there, rtol=1e-3, atol=0.0):
+            notes.append(Note(f"bench.differs.{key}", here=here, there=there))
+    for test, key in product(TESTS, ("flow_drawn", "flow_fed", "amplitude", "mean")):
+        here, there = (candidate.conditions.get(test, {}).get(key) for candidate in (result, other_result))
+        if here and there and abs(here - there) > 0.02 * abs(here):
+            notes.append(Note(f"bench.differs.{key}", test, here=here, there=there))
+    return {"other": other_result.title, "notes": notes, "figures": rows}

@@ -8,11 +8,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import ROWS, Trial
-from poppet.bench.iso10094.evaluation import BenchTest, Evaluation, PlottedCurve
+from poppet.bench.iso10094.evaluation import ROWS, BenchTest, Evaluation, PlottedCurve, Trial
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
-from poppet.bench.iso10094.shapes import Branch, at_places, branches, rested, scatter_of, stairs
-from poppet.bench.iso10094.sweep import CHOSEN, caught_up, lags_of, moved_by
+from poppet.bench.iso10094.shapes import (
+    CHOSEN,
+    Branch,
+    at_places,
+    branches,
+    caught_up,
+    lags_of,
+    moved_by,
+    rested,
+    scatter_of,
+    stairs,
+)
 from poppet.bench.iso10094.uncertainty import (
     NORMAL,
     Uncertainty,
@@ -26,26 +35,22 @@ from poppet.bench.iso10094.uncertainty import (
 from poppet.timeseries.signals import Points
 
 CYCLES = 3
+# Part of the setpoint's range in which the characteristic is judged [% FS]; dead zone and ends are outside.
 RANGE = (10.0, 90.0)
-"""Part of the setpoint's range in which the characteristic is judged [% FS]; dead zone and ends are outside."""
-SWING = 5.0
-"""Smallest turn of the setpoint that ends a branch [% FS]."""
+SWING = 5.0  # smallest turn of the setpoint that ends a branch [% FS]
 GRID = np.linspace(0.0, 100.0, 101)
 INSIDE = (RANGE[0] <= GRID) & (RANGE[1] >= GRID)
+# Samples this near to a place of the grid count there: each to one place, so that these share no noise [% FS].
 HALF = 0.5
-"""Samples this near to a place of the grid count there: each to one place, so that these share no noise [% FS]."""
-COVERED = 0.75
-"""Part of the judged range that a branch must cover."""
+COVERED = 0.75  # part of the judged range that a branch must cover
 FEWEST_STAIRS = 8
+# Rise of the outlet that leaves zero, and the range above it from which it is continued back [% FS]; a rise this much
+# steeper than nominal is a jump.
 ZERO_STEP, ZERO_SPAN, JUMP = 0.5, 3.5, 5.0
-"""Rise of the outlet that leaves zero, and the range above it from which it is continued back [% FS]; a rise this much
-steeper than nominal is a jump."""
+# Lags of the sweep, as parts of the range, behind which its start is over, and what is left of it then.
 STARTED, UNDER_WAY = 3.0, 0.04
-"""Lags of the sweep, as parts of the range, behind which its start is over, and what is left of it then."""
-SHORT = 5.0
-"""Distance from the setpoint at which it counts as not reached [% FS]."""
-STOPPING = 70.0
-"""Setpoint above which a sweep shows its lag: no sample there may be clipped [% FS]."""
+SHORT = 5.0  # distance from the setpoint at which it counts as not reached [% FS]
+STOPPING = 70.0  # setpoint above which a sweep shows its lag: no sample there may be clipped [% FS]
 
 
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
@@ -71,11 +76,6 @@ class SetpointSweep:
     parts: list[Branch]
     cut: Mask  # samples of setpoint or outlet that are clipped
 
-    @property
-    def is_judged(self) -> bool:
-        """False if the evaluated range contains clipped samples."""
-        return not bool(np.any(self.cut & (self.x >= RANGE[0]) & (self.x <= RANGE[1])))
-
 
 @dataclass(frozen=True, eq=False)
 class Branches:
@@ -88,20 +88,19 @@ class Branches:
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
-    all_sweeps = [_swept(evaluation.scale, record) for record in records]
+    all_sweeps = []
+    for record in records:
+        x, y = evaluation.scale.percents(record)
+        cut = np.zeros(x.size, dtype=bool)
+        for name in ("setpoint", "outlet"):
+            cut |= record.clipped.get(name, False)
+        all_sweeps.append(SetpointSweep(record.time, x, x, y, branches(x, SWING), cut))
     # One lag for all: the same valve at the same rate, and not every sweep stops for long enough to show it.
-    complete = [
-        sweep_record for sweep_record in all_sweeps if not np.any(sweep_record.cut & (sweep_record.x > STOPPING))
-    ]
-    lags = [
-        lag
-        for sweep_record in complete
-        for lag in lags_of(sweep_record.time, sweep_record.x, sweep_record.y, sweep_record.parts)
-    ]
-    all_sweeps = [
-        replace(sweep_record, late=caught_up(sweep_record.time, sweep_record.x, lags)) for sweep_record in all_sweeps
-    ]
-    evaluated = [sweep_record for sweep_record in all_sweeps if sweep_record.is_judged]
+    complete = [item for item in all_sweeps if not np.any(item.cut & (item.x > STOPPING))]
+    lags = [lag for item in complete for lag in lags_of(item.time, item.x, item.y, item.parts)]
+    all_sweeps = [replace(item, late=caught_up(item.time, item.x, lags)) for item in all_sweeps]
+    # The evaluated range must not contain clipped samples.
+    evaluated = [s for s in all_sweeps if not np.any(s.cut & (s.x >= RANGE[0]) & (s.x <= RANGE[1]))]
     sweep = _on_grid(evaluated)
     up, down = (rows.mean(axis=0) if rows.size else np.full(GRID.size, np.nan) for rows in (sweep.up, sweep.down))
     evaluation.conditions |= {
@@ -114,9 +113,8 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     _repeatability(evaluation, sweep)
     _ends(evaluation, all_sweeps, lag_change, uncertainty.standard)
     if lags:
-        evaluation.add(
-            "sweep_lag", max(0.0, lag_change), uncertainty, time=max(0.0, float(np.mean([lag.time for lag in lags])))
-        )
+        delay = max(0.0, float(np.mean([lag.time for lag in lags])))
+        evaluation.add("sweep_lag", max(0.0, lag_change), uncertainty, time=delay)
     else:
         evaluation.note_absence("no_stop" if len(complete) == len(all_sweeps) else "clipped_stop", "sweep_lag")
     _curves(evaluation, sweep, up, down)
@@ -124,39 +122,26 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         evaluation.limit_to_bounds("linearity", "hysteresis", "repeatability", "accuracy")
 
 
-def _swept(scale: Scale, record: Record) -> SetpointSweep:
-    x, y = scale.percents(record)
-    cut = np.zeros(x.size, dtype=bool)
-    for name in ("setpoint", "outlet"):
-        cut |= record.clipped.get(name, False)
-    return SetpointSweep(record.time, x, x, y, branches(x, SWING), cut)
-
-
 def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares = [1]
-    for sweep in swept:
-        for branch in sweep.parts:
-            value, share = _branch(sweep, branch)
-            if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
-                rows[branch.sign].append(value)
-                shares.append(share)
+    for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
+        x, y = sweep.late[branch.samples], sweep.y[branch.samples]
+        holds = stairs(x)
+        if len(holds) >= FEWEST_STAIRS and sum(s.stop - s.start for s in holds) > 0.8 * (branch.end - branch.first):
+            ends = [rested(sweep.time[branch.samples], s, 0.2) for s in holds]
+            setpoints, levels = (np.array([float(np.mean(series[s])) for s in ends]) for series in (x, y))
+            order = np.argsort(setpoints)
+            value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
+            share = max(1, round(float(np.median(np.diff(setpoints[order])))))  # grid points per stair
+        else:
+            value, share = at_places(x, y, GRID, HALF)[0], 1
+        if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
+            rows[branch.sign].append(value)
+            shares.append(share)
     up, down = (np.array(rows[sign]).reshape(-1, GRID.size) for sign in (1, -1))
     share = max(shares)
     return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share)
-
-
-def _branch(swept: SetpointSweep, branch: Branch) -> tuple[FloatArray, int]:
-    """Return the outlet on the grid and the number of grid points per stair, 1 without stairs."""
-    x, y = swept.late[branch.samples], swept.y[branch.samples]
-    holds = stairs(x)
-    if len(holds) >= FEWEST_STAIRS and sum(s.stop - s.start for s in holds) > 0.8 * (branch.end - branch.first):
-        ends = [rested(swept.time[branch.samples], s, 0.2) for s in holds]
-        setpoints, levels = (np.array([float(np.mean(series[s])) for s in ends]) for series in (x, y))
-        order = np.argsort(setpoints)
-        value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
-        return value, max(1, round(float(np.median(np.diff(setpoints[order])))))
-    return at_places(x, y, GRID, HALF)[0], 1
 
 
 def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
@@ -186,7 +171,9 @@ def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down:
 
 
 def _accuracy(evaluation: Evaluation, sweep: Branches, lag: float) -> None:
-    rows = [(row[is_known], GRID[is_known]) for row, is_known in _known(np.concatenate([sweep.up, sweep.down]))]
+    # The known points of each branch in the evaluated range.
+    parts = [(row, INSIDE & np.isfinite(row)) for row in np.concatenate([sweep.up, sweep.down])]
+    rows = [(row[is_known], GRID[is_known]) for row, is_known in parts]
     if not rows:
         evaluation.note_absence("no_sweep", "accuracy")
         return
@@ -195,11 +182,6 @@ def _accuracy(evaluation: Evaluation, sweep: Branches, lag: float) -> None:
     worst = max(range(len(rows)), key=lambda k: float(np.max(np.abs(curves[k].values))))
     index = int(np.argmax(np.abs(curves[worst].values)))
     evaluation.add_nonnegative("accuracy", value, uncertainty.wider(lag), at=float(rows[worst][1][index]))
-
-
-def _known(rows: FloatArray) -> list[tuple[FloatArray, Mask]]:
-    """Return rows with their known points in the evaluated range."""
-    return [(row, INSIDE & np.isfinite(row)) for row in rows]
 
 
 def _repeatability(evaluation: Evaluation, sweep: Branches) -> None:
@@ -268,9 +250,6 @@ def _held_at(x: FloatArray, index: int) -> slice:
     return slice(middle, max(middle + 1, end - (end - begin) // 8))
 
 
-NOWHERE = (math.nan, Uncertainty(math.nan))
-
-
 def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
     """Return the setpoint at which the outlet leaves its pressure at setpoint zero.
 
@@ -280,7 +259,7 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     """
     scatter = 5.0 * scatter_of(x)
     if x.size < FEWEST_STAIRS or x[0] > max(ZERO_STEP, scatter):
-        return NOWHERE
+        return math.nan, Uncertainty(math.nan)
     begin = max(3, int(np.argmax(x > max(x[0] + 0.5 * ZERO_STEP, scatter))))
     zero = float(np.median(y[:begin])) if begin < 8 else float(np.mean(y[:begin]))
     noise = noise_about([y[(x > RANGE[0]) & (x < 2.5 * RANGE[0])]], 3)
@@ -290,7 +269,7 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     rise = max(ZERO_STEP, 5.0 * noise.mean(size))
     risen = np.flatnonzero(blocks[1] > rise)
     if not risen.size:
-        return NOWHERE
+        return math.nan, Uncertainty(math.nan)
     left = float(blocks[0][risen[0]])
     start = left + STARTED * max(lag, 0.0)
     is_near = (x > start) & (x <= start + ZERO_SPAN)
@@ -306,9 +285,8 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     # A characteristic that bends: where the rise begins it is as much steeper or flatter as further up.
     is_further = (x > left + 2.0 * RANGE[0]) & (x <= left + 3.0 * RANGE[0])
     if np.count_nonzero(is_further) > np.count_nonzero(is_near):
-        bend = (float(np.polyfit(x[is_further], y[is_further], 1)[0]) - slope) / float(
-            np.mean(x[is_further]) - np.mean(x[is_near])
-        )
+        further_slope = float(np.polyfit(x[is_further], y[is_further], 1)[0])
+        bend = (further_slope - slope) / float(np.mean(x[is_further]) - np.mean(x[is_near]))
         ahead, width = float(np.mean(x[is_near])) - left + distance, float(np.ptp(x[is_near]))
         distance += 0.5 * bend * (ahead**2 - width**2 / 12.0) / slope
     # The choice of the samples by a noisy start adds to it.
@@ -319,13 +297,12 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
 def _rate(swept: Sequence[SetpointSweep]) -> float:
     """Return the median rate of the sweep [% FS/s]."""
     rates = []
-    for sweep in swept:
-        for branch in sweep.parts:
-            x, time = sweep.x[branch.samples], sweep.time[branch.samples]
-            indices = np.flatnonzero((x >= RANGE[0]) & (x <= RANGE[1]))
-            if indices.size > 1:
-                first, last = indices[0], indices[-1]
-                rates.append(abs(x[last] - x[first]) / (time[last] - time[first]))
+    for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
+        x, time = sweep.x[branch.samples], sweep.time[branch.samples]
+        indices = np.flatnonzero((x >= RANGE[0]) & (x <= RANGE[1]))
+        if indices.size > 1:
+            first, last = indices[0], indices[-1]
+            rates.append(abs(x[last] - x[first]) / (time[last] - time[first]))
     return float(np.median(rates)) if rates else math.nan
 
 
@@ -344,9 +321,6 @@ def _curves(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: Float
 
 _FIGURES = "linearity", "hysteresis", "repeatability", "accuracy", "zero_suppression", "zero_offset", "sweep_lag"
 CHARACTERISTIC = BenchTest(
-    "characteristic",
-    _evaluate,
-    dict.fromkeys(_FIGURES, "% FS"),
-    {"low": RANGE[0], "high": RANGE[1]},
+    "characteristic", _evaluate, dict.fromkeys(_FIGURES, "% FS"), {"low": RANGE[0], "high": RANGE[1]},
     trials=lambda pace: [characteristic_trial(pace.specimen.scale, pace.volume, pace.sweep(), pace.hold)],
-)
+)  # fmt: skip

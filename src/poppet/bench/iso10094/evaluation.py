@@ -5,18 +5,90 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
+from typing import Any, NamedTuple, Protocol
 
-from poppet.bench.iso10094.bench_settings import Pace, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty
+from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest
 from poppet.core.codes import Note
 from poppet.core.message_format import sentence
+from poppet.timeseries.segments import Signal
+from poppet.timeseries.signals import Constant
+
+ROWS = 4000  # rows of a sweep over the full range
+
+
+@dataclass(frozen=True)
+class Trial:
+    """Run of a test valve within a test."""
+
+    kind: str  # name of the test
+    name: str
+    setpoint: Signal  # in the unit of the scale
+    duration: float  # [s]
+    lead: float  # initial part, in which the test valve settles [s]
+    step: float  # time between rows [s]
+    volume: float  # at the outlet [m^3]
+    supply: Signal | None = None  # absolute pressure, None for a constant supply [Pa]
+    # From 1 (maximum forward flow) to -1 (maximum relief flow); None for no flow.
+    load: Signal | None = None
+
+
+class Specimen(Protocol):
+    """Interface of a test valve that the bench can drive: a model or a virtual valve."""
+
+    @property
+    def title(self) -> str:
+        """Title for reports."""
+
+    @property
+    def scale(self) -> Scale:
+        """Ranges of setpoint and outlet."""
+
+    @property
+    def supply(self) -> float:
+        """Supply pressure, absolute [Pa]."""
+
+    def respond(self, trial: Trial) -> Record:
+        """Run a trial."""
+
+
+@dataclass(frozen=True)
+class BenchSettings:
+    """Choices of the bench."""
+
+    volumes: tuple[float, ...] = (1e-3, 5e-3)  # static tests use the first one [m^3]
+    amplitudes: tuple[float, ...] = (80.0, 50.0, 10.0)  # steps about the middle of the range [% FS]
+    sine_amplitude: float = 5.0  # [% FS]
+    sine_mean: float = 50.0  # [% FS]
+    frequencies: tuple[float, ...] = ()  # if empty, the bench selects them from the response time [Hz]
+    setpoints: tuple[float, ...] = (25.0, 50.0, 75.0)  # for the tests of flow, supply and leakage [% FS]
+    sweep_time: float = math.nan  # full range; NaN: the bench selects it from the response time [s]
+    rated_flow: float = math.nan  # flow for droop and rise; NaN if not specified [kg/s]
+    longest_hold: float = 300.0  # time limit for settling [s]
+
+
+class Pace(NamedTuple):
+    """Response times of a test valve with the first volume, for the durations of trials."""
+
+    specimen: Specimen
+    settings: BenchSettings
+    hold: float  # settling time [s]
+    sweep: Callable[[], float]  # duration of a slow sweep over the full range [s]
+
+    @property
+    def volume(self) -> float:
+        """Volume at the outlet [m^3]."""
+        return self.settings.volumes[0]
+
+
+def held(scale: Scale, setpoint: float) -> Constant:
+    """Return a constant setpoint in % FS."""
+    return Constant(float(scale.setpoint(setpoint)))
+
 
 AT_MOST, AT_LEAST = "at most", "at least"
 STATIC, DYNAMIC = "ISO 10094-1, -2: static tests", "ISO 10094-1, -2: dynamic tests"
-VERIFY = "verify against the standard"
-"""The text of the standard was not available for the definitions."""
+VERIFY = "verify against the standard"  # the text of the standard was not available for the definitions
 Row = dict[str, Any]
 
 
@@ -176,9 +248,8 @@ class Evaluation:
         definition = self.test.definitions[name]
         figure = CharacteristicValue(float(value), definition.unit, definition.full, bound, conditions)
         if not bound and uncertainty is not None and math.isfinite(uncertainty.standard):
-            figure = replace(
-                figure, uncertainty=uncertainty.standard, interval=_floats(uncertainty.interval(float(value)))
-            )
+            low, high = uncertainty.interval(float(value))
+            figure = replace(figure, uncertainty=uncertainty.standard, interval=(float(low), float(high)))
         elif not bound:
             self.note("doubtful", name)
         self.figures[name] = figure
@@ -198,25 +269,23 @@ class Evaluation:
         half = NORMAL * uncertainty.standard
         self.add_or_bound(name, value, 0.0 if value > half else max(value, 0.0) + half, uncertainty, **conditions)
 
-    def add_largest(
-        self, name: str, key: str, reason: str, *, rows: Sequence[Row] | None = None, **conditions: str
-    ) -> None:
-        """Add the largest value of a key, with its bound, or the reason why there is none.
+    def add_greatest(
+        self, name: str, key: str, reason: str = "", *, rows: Sequence[Row] | None = None,
+        conditions: Sequence[str] = (), is_nonnegative: bool = False, **facts: Any,
+    ) -> Row | None:  # fmt: skip
+        """Add the largest value of a key in the rows and return its row.
 
-        Each condition names the key of its value in the row. Absent keys are omitted.
-
-        A condition is given by the key under which the row has it, and left out where it has none.
+        `conditions` are the keys of the row that state the conditions of the value. Without a row, the result is None,
+        and a note states the reason if there is one.
         """
-        row = largest(self.rows if rows is None else rows, key)
-        if row is None:
-            self.note_absence(reason, name)
-            return
-        row_conditions = {condition: row[source] for condition, source in conditions.items() if source in row}
-        self.add(name, row[key], bound=row.get(f"{key}_bound", ""), **row_conditions)
-
-
-def _floats(ends: tuple[float, float]) -> tuple[float, float]:
-    return float(ends[0]), float(ends[1])
+        rows = [row for row in (self.rows if rows is None else rows) if key in row]
+        if not rows:
+            self.note_absence(reason, *[name] * bool(reason))
+            return None
+        value, uncertainty, k = greatest(*self.pairs(rows, key))
+        case = {condition: rows[k][condition] for condition in conditions if condition in rows[k]} | facts
+        (self.add_nonnegative if is_nonnegative else self.add)(name, value, uncertainty, **case)
+        return rows[k]
 
 
 def largest(rows: Sequence[Row], key: str) -> Row | None:

@@ -8,35 +8,26 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import ROWS, Pace, Trial, held
-from poppet.bench.iso10094.evaluation import AT_LEAST, BenchTest, Evaluation, PlottedCurve, Row
+from poppet.bench.iso10094.evaluation import AT_LEAST, ROWS, BenchTest, Evaluation, Pace, PlottedCurve, Row, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
-from poppet.bench.iso10094.shapes import at_places, branches
-from poppet.bench.iso10094.sweep import Lag, caught_up, lags_of
-from poppet.bench.iso10094.uncertainty import Uncertainty, greatest, noise_about, roughness, smooth, unbiased
-from poppet.timeseries.measurements.noise import noise_of
+from poppet.bench.iso10094.shapes import Lag, at_places, branches, caught_up, lags_of
+from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about, roughness, smooth, unbiased
+from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
-DROOP = 10.0
-"""Fall of the outlet that defines the flow capacity [% FS]."""
+DROOP = 10.0  # fall of the outlet that defines the flow capacity [% FS]
 PLACES = 81
-TURN = 0.15
-"""Reversal of the flow that ends a branch, as a fraction of the largest flow."""
-FOLD = 0.99
-"""Fraction of the largest flow above which a valve can be at its limit."""
+TURN = 0.15  # reversal of the flow that ends a branch, as a fraction of the largest flow
+FOLD = 0.99  # fraction of the largest flow above which a valve can be at its limit
+# Distance of the outlet below its smallest value at increasing flow, at which a valve is at its limit [% FS].
 FALLEN = 2.0
-"""Distance of the outlet below its smallest value at increasing flow, at which a valve is at its limit [% FS]."""
-STILL = 0.01
-"""Fraction of the largest flow at which a sweep begins."""
-NONE = 1e-3
-"""Fraction of the largest flow that counts as no flow."""
-TOP, TOP_ERROR = 400, 5e-4
-"""Number of averaged samples for the largest flow, and its relative uncertainty."""
+STILL = 0.01  # fraction of the largest flow at which a sweep begins
+NONE = 1e-3  # fraction of the largest flow that counts as no flow
+TOP, TOP_ERROR = 400, 5e-4  # number of averaged samples for the largest flow, and its relative uncertainty
+# Grid points on each side for the outlet at a flow, smallest number of points of a curve, and change of the outlet
+# around its capacity [% FS].
 NEIGHBOURS, FEWEST, AROUND = 5, 10, 2.0
-"""Grid points on each side for the outlet at a flow, smallest number of points of a curve, and change of the outlet
-around its capacity [% FS]."""
-LEAST_FLOW = 1e-9
-"""Flow below which there is no flow [kg/s]."""
+LEAST_FLOW = 1e-9  # flow below which there is no flow [kg/s]
 
 
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
@@ -44,11 +35,11 @@ def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold:
     times = np.cumsum([0.0, 2.0 * hold, sweep, hold, sweep, hold])
     signal = Points(times, np.array([0.0, 0.0, load, load, 0.0, 0.0]))
     name = f"flow {'out' if load > 0 else 'in'} at {setpoint:g} % FS"
-    duration = float(times[-1])
-    return Trial("flow", name, held(scale, setpoint), duration, hold, sweep / ROWS, volume, load=signal)
+    return Trial("flow", name, held(scale, setpoint), float(times[-1]), hold, sweep / ROWS, volume, load=signal)
 
 
-def _trials(pace: Pace) -> list[Trial]:
+def flow_trials(pace: Pace) -> list[Trial]:
+    """Return sweeps of the flow in both directions at all setpoints."""
     scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
     cases = ((load, setpoint) for load in (1.0, -1.0) for setpoint in pace.settings.setpoints)
     return [flow_trial(scale, pace.volume, setpoint, sweep, pace.hold, load) for load, setpoint in cases]
@@ -88,7 +79,12 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
         x, y = evaluation.scale.percents(record)
         is_still = np.abs(record.flow) <= max(NONE * float(np.max(np.abs(record.flow))), 5.0 * noise_of(record.flow))
-        outlet, uncertainty = _at_rest(y, is_still)
+        # The outlet without flow, at the end of the hold before the flow begins.
+        moving = np.flatnonzero(~is_still)
+        values_before = y[: moving[0]] if moving.size and moving[0] > 3 else y[is_still][:10]
+        part = values_before[-max(3, values_before.size // 3) :]
+        uncertainty = Uncertainty(noise_about([part]).mean(part.size))
+        outlet = float(np.mean(part)) if part.size else math.nan
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": outlet}
         evaluation.rows.append(row)
         for side in SIDES:
@@ -97,14 +93,6 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     for side in SIDES:
         _read(evaluation, side, sweeps[side])
     _capacity(evaluation)
-
-
-def _at_rest(y: FloatArray, is_still: Mask) -> tuple[float, Uncertainty]:
-    """Return the outlet without flow, at the end of the hold before the flow begins."""
-    moving = np.flatnonzero(~is_still)
-    values_before = y[: moving[0]] if moving.size and moving[0] > 3 else y[is_still][:10]
-    part = values_before[-max(3, values_before.size // 3) :]
-    return (float(np.mean(part)) if part.size else math.nan), Uncertainty(noise_about([part]).mean(part.size))
 
 
 def _one(
@@ -134,9 +122,8 @@ def _one(
     for direction, curve, end in (("going", going, top), ("coming", coming, limit)):
         if curve is not None:
             is_known = np.isfinite(curve) & (grid <= end)
-            evaluation.curves.append(
-                PlottedCurve(f"{side.name} {direction}", case, side.sign * grid[is_known], curve[is_known])
-            )
+            name = f"{side.name} {direction}"
+            evaluation.curves.append(PlottedCurve(name, case, side.sign * grid[is_known], curve[is_known]))
     if side.sign > 0.0:
         _falls(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)
         if "capacity" in row:
@@ -183,12 +170,7 @@ def _there_and_back(
 
 
 def _falls(
-    evaluation: Evaluation,
-    row: Row,
-    time: FloatArray,
-    flow: FloatArray,
-    droop: FloatArray,
-    rest_uncertainty: Uncertainty,
+    evaluation: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Uncertainty
 ) -> None:
     """Set the flow at which the outlet has first fallen by `DROOP`, from local lines."""
     noise = noise_about([part for part in np.array_split(droop, 40) if part.size > 8], 2)
@@ -215,7 +197,7 @@ def _falls(
     offset -= bend * offset * offset / slope if slope > 0.0 else 0.0
     flow_inverse = np.linalg.pinv(np.vander(clock, 2))
     rate, middle = (flow_inverse @ flow[window]).tolist()
-    error = math.hypot(noise.of(inverse[2]), rest_uncertainty.standard) / max(slope, 1e-300)
+    error = math.hypot(noise.of(inverse[2]), rest.standard) / max(slope, 1e-300)
     flow_error = noise_about([flow[window]]).of(flow_inverse[1])
     evaluation.set_value(row, "capacity", middle + rate * offset, Uncertainty(math.hypot(error * rate, flow_error)))
 
@@ -230,26 +212,15 @@ def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> No
         row, grid = sweep.row, sweep.grid
         if rated <= grid[-1]:
             curve = sweep.going if sweep.coming is None else 0.5 * (sweep.going + sweep.coming)
-            evaluation.set_value(
-                row, side.change, *_change(side, sweep, curve, rated, is_given=math.isfinite(evaluation.rated_flow))
-            )
+            is_given = math.isfinite(evaluation.rated_flow)
+            evaluation.set_value(row, side.change, *_change(side, sweep, curve, rated, is_given=is_given))
         else:
             reached = float(grid[-1])
             evaluation.note("flow.below_rated", row["record"], way=side.name, reached=reached, rated=rated)
-    for key, figure, reason in (
-        (side.change, side.figure, f"little_{side.name}"),
-        (f"hysteresis_{side.name}", side.hysteresis, f"{side.name}_one_way"),
-    ):
-        rows = [row for row in evaluation.rows if key in row]
-        if not rows:
-            evaluation.note_absence(reason, figure)
-            continue
-        value, uncertainty, k = greatest(*evaluation.pairs(rows, key))
-        case = {"setpoint": rows[k]["setpoint"]} | ({"flow": rated} if key == side.change else {})
-        if key == side.change:
-            evaluation.add(figure, value, uncertainty, **case)
-        else:
-            evaluation.add_nonnegative(figure, value, uncertainty, **case)
+    case = ("setpoint",)
+    evaluation.add_greatest(side.figure, side.change, f"little_{side.name}", conditions=case, flow=rated)
+    key, reason = f"hysteresis_{side.name}", f"{side.name}_one_way"
+    evaluation.add_greatest(side.hysteresis, key, reason, conditions=case, is_nonnegative=True)
 
 
 def _change(
@@ -278,27 +249,17 @@ def _capacity(evaluation: Evaluation) -> None:
         rows = [row for row in evaluation.rows if key in row]
         if rows:
             row = min(rows, key=lambda candidate: float(candidate[key]))
-            evaluation.add(
-                "flow_capacity",
-                row[key],
-                evaluation.uncertainties.get((id(row), key)),
-                bound=bound,
-                setpoint=row["setpoint"],
-            )
+            uncertainty = evaluation.uncertainties.get((id(row), key))
+            evaluation.add("flow_capacity", row[key], uncertainty, bound=bound, setpoint=row["setpoint"])
             return
     evaluation.note_absence("none_drawn", "flow_capacity")
 
 
 FLOW = BenchTest(
-    "flow",
-    _evaluate,
+    "flow", _evaluate,
     {
         "flow_droop": "% FS", "flow_hysteresis": "% FS", "flow_capacity": "kg/s",
         "relief_rise": "% FS", "relief_hysteresis": "% FS",
     },
-    {"droop": DROOP},
-    trials=_trials,
-    needs="flow",
-    whole=("outlet", "flow"),
-    smallest=("flow_capacity",),
+    {"droop": DROOP}, trials=flow_trials, needs="flow", whole=("outlet", "flow"), smallest=("flow_capacity",),
 )  # fmt: skip

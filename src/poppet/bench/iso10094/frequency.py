@@ -10,45 +10,29 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.iso10094.bench_settings import Trial
-from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row
+from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest, noise_about
 from poppet.laws.curves.pchip import pchip_slopes
 from poppet.timeseries.signals import Sine
 
-GAIN_DB, PHASE_DEG = -3.0, -90.0
-"""Gain and phase that define the two bandwidths."""
-PERIODS, PER_PERIOD = 6, 200
-"""Recorded whole periods of a sine, and rows per period."""
-HIGHEST = 5
-"""Highest harmonic of the distortion."""
-FEWEST = 3
-"""Smallest number of whole periods for an evaluation."""
-ASTRAY = 0.05
-"""Deviation from a sine, relative to its amplitude, at which another signal begins."""
-ALIKE = 0.04
-"""Relative difference of periods within one sine."""
-STEADY = 0.01
-"""Relative change of the fundamental between periods, below which the transient has ended."""
-UNSEEN = 1.15
-"""Standard deviation of coloured noise relative to its estimate from a few periods."""
-UNLIKE = 5.0
-"""Limit of the noise of a period, in standard errors."""
-SAME = 1.15
-"""Largest ratio of amplitudes in one Bode plot."""
+GAIN_DB, PHASE_DEG = -3.0, -90.0  # gain and phase that define the two bandwidths
+PERIODS, PER_PERIOD = 6, 200  # recorded whole periods of a sine, and rows per period
+HIGHEST = 5  # highest harmonic of the distortion
+FEWEST = 3  # smallest number of whole periods for an evaluation
+ASTRAY = 0.05  # deviation from a sine, relative to its amplitude, at which another signal begins
+ALIKE = 0.04  # relative difference of periods within one sine
+STEADY = 0.01  # relative change of the fundamental between periods, below which the transient has ended
+UNSEEN = 1.15  # standard deviation of coloured noise relative to its estimate from a few periods
+UNLIKE = 5.0  # limit of the noise of a period, in standard errors
+SAME = 1.15  # largest ratio of amplitudes in one Bode plot
 CLIPPED = ("bench.frequency.clipped", "bench.frequency.impure")
-PURE = 0.03
-"""Relative harmonics of the setpoint above which it is not a sine."""
-LONG = 2000
-"""Number of samples from which the normal equations are accurate, because the columns are nearly orthogonal."""
-SINE_DRAWS = 100
-"""Number of noise draws for the scatter of a bandwidth."""
-BETWEEN = 0.15
-"""Interpolation error of the monotone cubic, relative to that of a straight line."""
+PURE = 0.03  # relative harmonics of the setpoint above which it is not a sine
+LONG = 2000  # number of samples from which the normal equations are accurate, because the columns are nearly orthogonal
+SINE_DRAWS = 100  # number of noise draws for the scatter of a bandwidth
+BETWEEN = 0.15  # interpolation error of the monotone cubic, relative to that of a straight line
 IN_DB = 20.0 / math.log(10.0)
-FAINT = 4.0
-"""Detection limit of a fundamental, in standard errors."""
+FAINT = 4.0  # detection limit of a fundamental, in standard errors
 
 
 def frequency_trial(
@@ -99,7 +83,7 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     for row in rows:
         series.setdefault(_series(row, rows), []).append(row)
     for name, group in series.items():
-        ordered = _relative(_merged(group))
+        ordered = _ordered(group)
         frequency = np.array([row["frequency"] for row in ordered])
         for curve, key in (("gain", "gain_db"), ("phase", "phase")):
             evaluation.curves.append(PlottedCurve(curve, name, frequency, np.array([row[key] for row in ordered])))
@@ -184,25 +168,22 @@ def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: 
         return None
     setpoint_wave, outlet_wave = (wave(time[begin:], series[begin:], frequency, is_coloured=True) for series in (x, y))
     if setpoint_wave.distortion > PURE:
-        evaluation.note(
-            "frequency.impure", record.name, frequency=frequency, distortion=100.0 * setpoint_wave.distortion
-        )
+        distortion = 100.0 * setpoint_wave.distortion
+        evaluation.note("frequency.impure", record.name, frequency=frequency, distortion=distortion)
         return None
     if abs(outlet_wave.value) < FAINT * outlet_wave.error:
         evaluation.note("frequency.lost", record.name, frequency=frequency)
         return None
+    size, outlet_size = abs(setpoint_wave.value), abs(outlet_wave.value)
     row: Row = {
-        "record": record.name, "frequency": frequency, "mean": setpoint_wave.mean,
-        "amplitude": abs(setpoint_wave.value),
-        "outlet_amplitude": abs(outlet_wave.value), "gain": abs(outlet_wave.value) / abs(setpoint_wave.value),
+        "record": record.name, "frequency": frequency, "mean": setpoint_wave.mean, "amplitude": size,
+        "outlet_amplitude": outlet_size, "gain": outlet_size / size,
         "phase": math.degrees(float(np.angle(outlet_wave.value / setpoint_wave.value))),
         "distortion": 100.0 * outlet_wave.distortion, "periods": count, "is_steady": count >= FEWEST,
     }  # fmt: skip
     # One standard deviation of the logarithm of the gain, and of the phase [rad]: of both waves.
-    row["relative_error"] = math.hypot(
-        setpoint_wave.error / abs(setpoint_wave.value), outlet_wave.error / abs(outlet_wave.value)
-    )
-    row["distortion_uncertainty"] = 100.0 * outlet_wave.error / abs(outlet_wave.value)
+    row["relative_error"] = math.hypot(setpoint_wave.error / size, outlet_wave.error / outlet_size)
+    row["distortion_uncertainty"] = 100.0 * outlet_wave.error / outlet_size
     if math.isfinite(record.volume):
         row["volume"] = record.volume
     if not row["is_steady"]:
@@ -216,15 +197,15 @@ def _series(row: Row, rows: Sequence[Row]) -> str:
 
     Rows with equal amplitude, mean and volume share the name of the first of them.
     """
-    first = next(candidate for candidate in rows if _is_alike(row, candidate))
+
+    def is_alike(candidate: Row) -> bool:
+        sizes = row["amplitude"], candidate["amplitude"]
+        is_near = max(sizes) < SAME * min(sizes) and abs(row["mean"] - candidate["mean"]) < 0.5 * max(sizes)
+        return is_near and row.get("volume") == candidate.get("volume")
+
+    first = next(filter(is_alike, rows))
     volume = f", {1e3 * first['volume']:.4g} l" if "volume" in first else ""
     return f"{first['amplitude']:.2g} % FS about {first['mean']:.3g} % FS{volume}"
-
-
-def _is_alike(row: Row, candidate: Row) -> bool:
-    sizes = row["amplitude"], candidate["amplitude"]
-    is_near = max(sizes) < SAME * min(sizes) and abs(row["mean"] - candidate["mean"]) < 0.5 * max(sizes)
-    return is_near and row.get("volume") == candidate.get("volume")
 
 
 def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
@@ -296,33 +277,28 @@ def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
     half = slice(int(cuts[(total + 1) // 2]), time.size)
     error = wave(time[half], y[half], frequency, is_coloured=True).error * math.sqrt((total + 1) // 2)
     for count, component in enumerate(waves):
-        if abs(component.value - last) > STEADY * abs(last) + UNLIKE * max(
-            error, component.error if total < FEWEST else 0.0
-        ):
+        spread = max(error, component.error if total < FEWEST else 0.0)
+        if abs(component.value - last) > STEADY * abs(last) + UNLIKE * spread:
             return max(1, count)
     return len(waves)
 
 
-def _merged(rows: list[Row]) -> list[Row]:
-    """Return one row per frequency in ascending order; more periods take precedence."""
+def _ordered(rows: list[Row]) -> list[Row]:
+    """Return one row per frequency in ascending order, with continuous phases and relative gains in dB.
+
+    Of equal frequencies, the row with more periods takes precedence. The reference is the gain at the lowest frequency.
+    """
     by_frequency: dict[float, Row] = {}
     for row in rows:
         key = float(f"{row['frequency']:.3g}")
         if key not in by_frequency or row["periods"] > by_frequency[key]["periods"]:
             by_frequency[key] = row
-    return sorted(by_frequency.values(), key=lambda row: float(row["frequency"]))
-
-
-def _relative(rows: list[Row]) -> list[Row]:
-    """Return rows with continuous phases, and gains in dB relative to the lowest frequency."""
+    rows = sorted(by_frequency.values(), key=lambda row: float(row["frequency"]))
     phases = np.degrees(np.unwrap(np.radians([row["phase"] for row in rows])))
     if phases[0] > 90.0:  # a response lags
         phases -= 360.0
-    first = rows[0]["gain"]
-    return [
-        row | {"phase": float(phase), "gain_db": 20.0 * math.log10(row["gain"] / first)}
-        for row, phase in zip(rows, phases, strict=True)
-    ]
+    gains = [20.0 * math.log10(row["gain"] / rows[0]["gain"]) for row in rows]
+    return [row | {"phase": float(p), "gain_db": g} for row, p, g in zip(rows, phases, gains, strict=True)]
 
 
 def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) -> None:
@@ -332,19 +308,14 @@ def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) 
         "gain_at_lowest": first["gain"],
     }  # fmt: skip
     case = {key: first[key] for key in ("amplitude", "mean", "volume") if key in first}
-    for quantity, key, level, level_text in (
-        ("gain", "gain_db", GAIN_DB, -GAIN_DB),
-        ("phase", "phase", PHASE_DEG, PHASE_DEG),
-    ):
+    relative_errors = np.array([row["relative_error"] for row in rows])
+    bands = (("gain", "gain_db", GAIN_DB, -GAIN_DB, IN_DB), ("phase", "phase", PHASE_DEG, PHASE_DEG, math.degrees(1.0)))
+    for quantity, key, level, level_text, factor in bands:
         values = np.array([row[key] for row in rows])
         name, value = f"bandwidth_{quantity}", falls_to(frequency, values, level)
         if not math.isnan(value):
-            errors = np.array([row["relative_error"] for row in rows]) * (
-                math.degrees(1.0) if quantity == "phase" else IN_DB
-            )
-            evaluation.add(
-                name, value, _doubt_of(frequency, values, errors, level, is_relative=quantity == "gain"), **case
-            )
+            errors, is_relative = relative_errors * factor, quantity == "gain"
+            evaluation.add(name, value, _doubt_of(frequency, values, errors, level, is_relative=is_relative), **case)
         elif values[0] > level and len(rows) > 1:
             evaluation.note(f"frequency.low_{quantity}", name, level=level_text, highest=highest)
             evaluation.add(name, highest, bound=AT_LEAST, **case)
@@ -354,10 +325,8 @@ def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) 
         evaluation.note("frequency.not_low", frequency=float(frequency[0]), phase=first["phase"])
     limit = evaluation.figures["bandwidth_gain"].value if "bandwidth_gain" in evaluation.figures else highest
     rows_in_band = [row for row in rows if row["frequency"] <= limit] or [first]
-    value, uncertainty, k = greatest(
-        [row["distortion"] for row in rows_in_band],
-        [Uncertainty(row["distortion_uncertainty"]) for row in rows_in_band],
-    )
+    uncertainties = [Uncertainty(row["distortion_uncertainty"]) for row in rows_in_band]
+    value, uncertainty, k = greatest([row["distortion"] for row in rows_in_band], uncertainties)
     evaluation.add_nonnegative("distortion", value, uncertainty, frequency=rows_in_band[k]["frequency"], **case)
 
 
@@ -409,10 +378,6 @@ def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:
 
 
 FREQUENCY = BenchTest(
-    "frequency",
-    _evaluate,
-    {"bandwidth_gain": "Hz", "bandwidth_phase": "Hz", "distortion": "%"},
-    {"gain": -GAIN_DB, "phase": -PHASE_DEG},
-    table="frequencies",
-    part=DYNAMIC,
-)
+    "frequency", _evaluate, {"bandwidth_gain": "Hz", "bandwidth_phase": "Hz", "distortion": "%"},
+    {"gain": -GAIN_DB, "phase": -PHASE_DEG}, table="frequencies", part=DYNAMIC,
+)  # fmt: skip

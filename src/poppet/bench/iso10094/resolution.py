@@ -8,21 +8,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import Trial
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Evaluation, PlottedCurve, Row, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Evaluation, PlottedCurve, Row, Trial, largest
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about
 from poppet.timeseries.signals import Steps
 
+# Height of the stairs [% FS], their number from the turn on, and about what they stand [% FS].
 STAIR, STAIRS, MIDDLE = 0.05, 60, 50.0
-"""Height of the stairs [% FS], their number from the turn on, and about what they stand [% FS]."""
-TAIL = 0.3
-"""Last part of a stair, in which the outlet rests."""
-MOVED = 0.25
-"""Part of a stair that the outlet must move by to count as moved."""
-CLEAR = 5.0
-"""Standard errors of two means that no chance exceeds."""
+TAIL = 0.3  # last part of a stair, in which the outlet rests
+MOVED = 0.25  # part of a stair that the outlet must move by to count as moved
+CLEAR = 5.0  # standard errors of two means that no chance exceeds
 FEWEST = 5
 
 
@@ -78,7 +74,11 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         row |= {name: change, f"{name}_bound": AT_MOST if is_bound else ""}
         # A motion by one stair must be visible; otherwise the reversal is detected late.
         if least + (3.0 * blur if is_reversal else 0.0) <= stair:
-            evaluation.set_value(row, name, change, _within(change, stair, least if is_reversal else 0.0, blur))
+            # The change is between the last stair without motion and the first one with motion. A reversal is visible
+            # only after a motion of `least`.
+            middle = change - (least if is_reversal else 0.0) - 0.5 * stair
+            low, high = Uncertainty(blur, 0.5 * stair).interval(middle)
+            evaluation.set_value(row, name, change, Uncertainty(blur, 0.5 * stair, (max(low, 0.0), high)))
         if is_bound and least <= stair:
             evaluation.note("resolution.every_stair", name, stair=stair)
     turned = _turns(level)
@@ -86,18 +86,10 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         changed = max(float(np.ptp(level[a : b + 1])) for a, b in turned)
         row |= {"reversal_threshold": changed, "reversal_threshold_bound": AT_LEAST}
         evaluation.note("resolution.no_turn", record.name, changed=changed)
-    named = {"setpoint": x, "outlet": y}
-    evaluation.curves += [PlottedCurve(name, record.name, record.time, values) for name, values in named.items()]
-
-
-def _within(change: float, stair: float, unseen: float, blur: float) -> Uncertainty:
-    """Return the uncertainty of a change between the last stair without motion and the first one with motion.
-
-    A reversal is visible only after a motion of `unseen`.
-    """
-    even = Uncertainty(blur, 0.5 * stair)
-    low, high = even.interval(change - unseen - 0.5 * stair)
-    return Uncertainty(blur, 0.5 * stair, (max(low, 0.0), high))
+    evaluation.curves += [
+        PlottedCurve("setpoint", record.name, record.time, x),
+        PlottedCurve("outlet", record.name, record.time, y),
+    ]
 
 
 class Move(NamedTuple):
@@ -135,9 +127,7 @@ def _turns(level: FloatArray) -> list[tuple[int, int]]:
 
 
 RESOLUTION = BenchTest(
-    "resolution",
-    _evaluate,
-    {"resolution": "% FS", "reversal_threshold": "% FS"},
+    "resolution", _evaluate, {"resolution": "% FS", "reversal_threshold": "% FS"},
     trials=lambda pace: [resolution_trial(pace.specimen.scale, pace.volume, STAIR, pace.hold, MIDDLE)],
     whole=("setpoint", "outlet"),
-)
+)  # fmt: skip

@@ -8,9 +8,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import Trial, held
-from poppet.bench.iso10094.ranges import ELECTRIC, setpoint_scale
-from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+from poppet.bench.iso10094.evaluation import Trial, held
+from poppet.bench.iso10094.scale import ELECTRIC, Record, Scale, setpoint_scale
 from poppet.circuit.circuit import BaseCircuit
 from poppet.circuit.notes import make_recording
 from poppet.core.codes import Note
@@ -23,26 +22,20 @@ from poppet.timeseries.segments import Signal
 from poppet.timeseries.signals import Constant, Points
 
 SUPPLY, OUTLET, BLEED, FEED = "bench_supply", "bench_outlet", "bench_bleed", "bench_feed"
-SETPOINTS = ("setpoint", "pilot_pressure")
-"""Inputs that may be the setpoint of a valve, the first one that it has."""
+SETPOINTS = ("setpoint", "pilot_pressure")  # inputs that may be the setpoint of a valve, the first one that it has
 NEEDED = ("supply", "outlet", "exhaust")
-SCALING = "electronics.scaling"
-"""Where a complete valve says which pressures belong to the ends of its setpoint."""
-MOST_SAMPLES = 400_000
-"""Rows of a record that has one for every sample."""
-WALL = 120.0
-"""Wall conductance per V^(2/3) [W/(K m^2)]: a cylinder as high as wide, with 22 W/(m^2 K)."""
-PROBED = 30.0
-"""Change of the outlet to which the largest flow of the bench is chosen [% FS]."""
+SCALING = "electronics.scaling"  # where a complete valve says which pressures belong to the ends of its setpoint
+MOST_SAMPLES = 400_000  # rows of a record that has one for every sample
+WALL = 120.0  # wall conductance per V^(2/3) [W/(K m^2)]: a cylinder as high as wide, with 22 W/(m^2 K)
+PROBED = 30.0  # change of the outlet to which the largest flow of the bench is chosen [% FS]
 PROBE_SETPOINT = 50.0
 SMALLEST, DECADES = 1e-4, 5
+# Probes begin at this part of a dm^3/(s bar) [m^3/(s Pa)], and of a g/s [kg/s], and grow by so many decades.
 BLEED_UNIT, FEED_UNIT = 1e-8, 1e-3
-"""Probes begin at this part of a dm^3/(s bar) [m^3/(s Pa)], and of a g/s [kg/s], and grow by so many decades."""
 # A conductance of zero is none: a bleed of the smallest size that stays closed.
 NOT_DRAWN: tuple[float, Signal] = (SMALLEST * BLEED_UNIT, Constant(0.0))
 NOT_FED: Signal = Constant(0.0)
-BELOW_SUPPLY = 1e5
-"""Distance of an unknown full scale from the supply [Pa]."""
+BELOW_SUPPLY = 1e5  # distance of an unknown full scale from the supply [Pa]
 
 
 @dataclass
@@ -61,19 +54,23 @@ class Rig:
     def respond(self, trial: Trial) -> Record:
         """Run a trial."""
         trial = replace(trial, step=self._row_time(trial))
-        part = self._run(trial, *self._flows(trial)).between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
+        bleed, feed = NOT_DRAWN, NOT_FED
+        if trial.load is not None:
+            assert isinstance(trial.load, Points)
+            times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
+            outflow, inflow = np.maximum(load, 0.0), np.maximum(-load, 0.0)
+            bleed = self._size(1.0, trial.volume) if outflow.any() else NOT_DRAWN[0], Points(times, outflow)
+            feed = Points(times, (self._size(-1.0, trial.volume) if inflow.any() else 0.0) * inflow)
+        part = self._run(trial, bleed, feed).between(trial.lead - 0.5 * trial.step, trial.duration + trial.step)
+        total = np.zeros(part.time.size)  # flow out of the supply
+        for flow in self.circuit.model.flows:
+            if SUPPLY in (flow.source, flow.target) and flow.name in part:
+                total += part[flow.name] * (1.0 if flow.source == SUPPLY else -1.0)
         return Record(
-            trial.name,
-            trial.kind,
-            part.time - part.time[0],
-            trial.setpoint.evaluate(part.time, trial.duration),
-            part[f"{OUTLET}.pressure"],
-            part[f"{SUPPLY}.pressure"],
-            part[f"{BLEED}.mass_flow_rate"] - part[f"{FEED}.mass_flow_rate"],
-            self._consumption(part),
-            trial.volume,
-            is_exact=True,
-        )
+            trial.name, trial.kind, part.time - part.time[0], trial.setpoint.evaluate(part.time, trial.duration),
+            part[f"{OUTLET}.pressure"], part[f"{SUPPLY}.pressure"],
+            part[f"{BLEED}.mass_flow_rate"] - part[f"{FEED}.mass_flow_rate"], total, trial.volume, is_exact=True,
+        )  # fmt: skip
 
     def _run(self, trial: Trial, bleed: tuple[float, Signal], feed: Signal, stops: Sequence[str] = ()) -> Recording:
         """Run a trial with a bleed (size and opening) and a feed as its load."""
@@ -116,26 +113,7 @@ class Rig:
             return trial.step
         return fastest
 
-    def _consumption(self, recording: Recording) -> FloatArray:
-        """Return the total flow out of the supply."""
-        total = np.zeros(recording.time.size)
-        for flow in self.circuit.model.flows:
-            if SUPPLY in (flow.source, flow.target) and flow.name in recording:
-                total += recording[flow.name] * (1.0 if flow.source == SUPPLY else -1.0)
-        return total
-
     # Flow --------------------------------------------------------------------------------------------------------
-
-    def _flows(self, trial: Trial) -> tuple[tuple[float, Signal], Signal]:
-        """Return size and opening of the bleed, and the feed, for the load of a trial."""
-        if trial.load is None:
-            return NOT_DRAWN, NOT_FED
-        assert isinstance(trial.load, Points)
-        times, load = np.asarray(trial.load.times), np.asarray(trial.load.values)
-        outflow, inflow = np.maximum(load, 0.0), np.maximum(-load, 0.0)
-        size = self._size(1.0, trial.volume) if outflow.any() else NOT_DRAWN[0]
-        flow = self._size(-1.0, trial.volume) if inflow.any() else 0.0
-        return (size, Points(times, outflow)), Points(times, flow * inflow)
 
     def _size(self, sign: float, volume: float) -> float:
         """Return the bleed conductance or feed flow that moves the outlet by a large fraction of full scale."""
@@ -168,11 +146,27 @@ def rig_of(
     part = circuit.parts[valve_of(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
     notes: list[Note] = []
-    pressure = supply if supply is not None else _supply_pressure(circuit, part, notes)
+    pressure = supply
+    if pressure is None:
+        store = part.ports()["supply"]
+        if store == "ambient":
+            raise InputError("rig.open_supply")
+        if f"{store}.pressure" in circuit.signals:
+            pressure = _at_start(circuit.signals[f"{store}.pressure"])
+            notes.append(Note("rig.supply_at_start", supply=pressure))
+        else:
+            candidates = (f"{store}.pressure", f"{store}.initial_pressure")
+            pressure = float(next(circuit.parameters[key] for key in candidates if key in circuit.parameters))
     ambient = circuit.surroundings.pressure
     smallest, largest = (circuit.parameters.get(f"{valve}.{SCALING}.{end}") for end in ("low", "high"))
     scaling = None if smallest is None or largest is None else (float(smallest), float(largest))
-    ends = full_scale or scaling or _full_scale(pressure, ambient, notes)
+    ends = full_scale or scaling
+    if ends is None:  # 1 bar below the supply, in whole bars above ambient
+        bars = math.floor((pressure - ambient - BELOW_SUPPLY) / 1e5 + 1e-9)
+        if bars < 1:
+            raise InputError("rig.low_supply", supply=pressure)
+        notes.append(Note("rig.full_scale", bars=bars))
+        ends = ambient, ambient + 1e5 * bars
     if scaling is not None:
         slack = 1e-9 * ends[1]
         # A setpoint knows no pressure beyond the scaling of its valve.
@@ -205,7 +199,11 @@ def rig_of(
 
 def valve_of(circuit: BaseCircuit, name: str | None = None) -> str:
     """Return the name of the test valve in a circuit."""
-    candidates = [name for name, part in circuit.parts.items() if _is_valve(part)]
+    candidates = [
+        name
+        for name, part in circuit.parts.items()
+        if {*NEEDED} <= {*part.ports()} and any(item.name in SETPOINTS for item in part.inputs())
+    ]
     if name in candidates:
         return str(name)
     if name is None and len(candidates) == 1:
@@ -220,32 +218,5 @@ def valve_of(circuit: BaseCircuit, name: str | None = None) -> str:
     raise InputError("rig.unfit", given=name, kind=circuit.parts[name].kind, valves=tuple(candidates))
 
 
-def _is_valve(part: Part) -> bool:
-    return {*NEEDED} <= {*part.ports()} and any(item.name in SETPOINTS for item in part.inputs())
-
-
 def _at_start(signal: Signal) -> float:
     return float(signal.evaluate(0.0, 1.0))
-
-
-def _supply_pressure(circuit: BaseCircuit, part: Part, notes: list[Note]) -> float:
-    """Return the pressure at the supply of the valve."""
-    store = part.ports()["supply"]
-    if store == "ambient":
-        raise InputError("rig.open_supply")
-    if f"{store}.pressure" in circuit.signals:
-        value = _at_start(circuit.signals[f"{store}.pressure"])
-        notes.append(Note("rig.supply_at_start", supply=value))
-        return value
-    parameters = circuit.parameters
-    name = next(key for key in (f"{store}.pressure", f"{store}.initial_pressure") if key in parameters)
-    return float(parameters[name])
-
-
-def _full_scale(supply: float, ambient: float, notes: list[Note]) -> tuple[float, float]:
-    """Return a default full scale: 1 bar below the supply, in whole bars above ambient."""
-    bars = math.floor((supply - ambient - BELOW_SUPPLY) / 1e5 + 1e-9)
-    if bars < 1:
-        raise InputError("rig.low_supply", supply=supply)
-    notes.append(Note("rig.full_scale", bars=bars))
-    return ambient, ambient + 1e5 * bars

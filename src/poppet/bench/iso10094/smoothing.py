@@ -14,20 +14,15 @@ from numpy.typing import NDArray
 from poppet.bench.iso10094.scale import FloatArray
 from poppet.bench.iso10094.uncertainty import DRAWS, NORMAL, SEED, Noise, Uncertainty
 
+# Samples to either side over which parabolas are laid.
 WIDTHS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512)
-"""Samples to either side over which parabolas are laid."""
-APART = 1.0
-"""Standard deviations by which a wider parabola may leave what the narrower ones allow."""
+APART = 1.0  # standard deviations by which a wider parabola may leave what the narrower ones allow
+# Parts of its height from which a peak is looked at, and parts of the way to the band's edge and from there on.
 FLANKS, SPANS = (0.6, 0.8, 0.9, 0.96), (1.0, 0.5, 0.25)
-"""Parts of its height from which a peak is looked at, and parts of the way to the band's edge and from there on."""
-LOPSIDED = 2.0
-"""Ratio of both sides of an interval from which it has ends of its own."""
-CLEAR = 3.0
-"""Standard deviations beyond a level at which it is crossed for sure."""
-AGREED = 1.5
-"""Standard deviations by which a polynomial through more samples may differ from one through fewer."""
-WIDER = 1.2
-"""Standard deviation of the smoothed place, over that of its parabola: what the choice of its width adds."""
+LOPSIDED = 2.0  # ratio of both sides of an interval from which it has ends of its own
+CLEAR = 3.0  # standard deviations beyond a level at which it is crossed for sure
+AGREED = 1.5  # standard deviations by which a polynomial through more samples may differ from one through fewer
+WIDER = 1.2  # standard deviation of the smoothed place, over that of its parabola: what the choice of its width adds
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,50 +9,35 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import Trial
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Jump, jumps, rested
 from poppet.bench.iso10094.smoothing import SmoothedSeries, smoothed
-from poppet.bench.iso10094.steady_values import hum_of
 from poppet.bench.iso10094.uncertainty import NORMAL, Noise, Uncertainty, greatest, mean_of, noise_about
+from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Steps
 
-LOW, HIGH = 0.1, 0.9
-"""Fractions of a step at the start and end of the rise time."""
-BAND = 0.05
-"""Half width of the settling band, as a fraction of the step."""
-SEEN = 5.0
-"""Limit of the noise of the largest smoothed sample, in standard deviations."""
-LEAST_STEP = 2.0
-"""Smallest change of the setpoint that counts as a step [% FS]."""
-TAIL = 0.2
-"""Last fraction of a hold, in which the outlet is in steady state."""
-FOLLOWS = 0.2
-"""Smallest change of the outlet, as a fraction of the setpoint step."""
-DRIFT = 0.01
-"""Change between the halves of the tail, as a fraction of the step, above which the outlet has not settled."""
-SHORT = 5.0
-"""Deviation from the setpoint above which the setpoint is not reached [% FS]."""
-COARSE = 0.02
-"""Duration of a recorded setpoint step relative to the delay, above which a note is given."""
+LOW, HIGH = 0.1, 0.9  # fractions of a step at the start and end of the rise time
+BAND = 0.05  # half width of the settling band, as a fraction of the step
+SEEN = 5.0  # limit of the noise of the largest smoothed sample, in standard deviations
+LEAST_STEP = 2.0  # smallest change of the setpoint that counts as a step [% FS]
+TAIL = 0.2  # last fraction of a hold, in which the outlet is in steady state
+FOLLOWS = 0.2  # smallest change of the outlet, as a fraction of the setpoint step
+DRIFT = 0.01  # change between the halves of the tail, as a fraction of the step, above which the outlet has not settled
+SHORT = 5.0  # deviation from the setpoint above which the setpoint is not reached [% FS]
+COARSE = 0.02  # duration of a recorded setpoint step relative to the delay, above which a note is given
 POINTS = 400
-MOST_ROWS = 40_000
-"""Maximum number of rows of a hold."""
-CASE = {key: key for key in ("from", "to", "volume", "sampling")}
-"""Conditions of a step for its characteristic values."""
+MOST_ROWS = 40_000  # maximum number of rows of a hold
+CASE = ("from", "to", "volume", "sampling")  # conditions of a step for its characteristic values
 
 
 def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
     """Return a step up and a step down about the middle of the range."""
     low, high = (float(scale.setpoint(50.0 + side * amplitude / 2.0)) for side in (-1.0, 1.0))
-    settling = hold
     # The steps coincide with rows: both are multiples of a quarter of the hold.
-    times = (0.0, settling + 0.25 * hold, settling + 1.25 * hold)
+    signal = Steps((0.0, hold + 0.25 * hold, hold + 1.25 * hold), (low, high, low))
     name = f"step of {amplitude:g} % FS, {1e3 * volume:.4g} l"
-    return Trial(
-        "step", name, Steps(times, (low, high, low)), settling + 2.25 * hold, settling, hold / MOST_ROWS, volume
-    )
+    return Trial("step", name, signal, hold + 2.25 * hold, hold, hold / MOST_ROWS, volume)
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
@@ -188,23 +173,19 @@ class _Answer:
 
 
 def _figures(evaluation: Evaluation) -> None:
+    """Add the characteristic values; with clipped steps, the largest of the other values is a bound."""
     _of_judged(evaluation)
-    if any("is_clipped" in row for row in evaluation.rows):
-        _lack(evaluation)
-
-
-def _lack(evaluation: Evaluation) -> None:
-    """Convert values of clipped steps: the largest of the other values is a bound, others are removed."""
     sizes = [row["amplitude"] for row in evaluation.rows if "is_clipped" in row]
+    if not sizes:
+        return
     names = {"settling_time", "overshoot"}
     for name, figure in list(evaluation.figures.items()):
         step = abs(figure.conditions.get("to", math.nan) - figure.conditions.get("from", math.nan))
         if name not in names and not name.startswith("hum") and not step > 0.98 * max(sizes):
             del evaluation.figures[name]
             names.add(name)
-    evaluation.limit_to_bounds(
-        *names, *(name for name in _FIGURES if name not in evaluation.figures and not name.startswith("hum"))
-    )
+    absent = (name for name in _FIGURES if name not in evaluation.figures and not name.startswith("hum"))
+    evaluation.limit_to_bounds(*names, *absent)
     if "hum_amplitude" not in evaluation.figures:
         evaluation.notes = [note for note in evaluation.notes if note.code != "bench.step.rests"]
         evaluation.note_absence("clipped", "hum_amplitude", "hum_frequency")
@@ -217,9 +198,7 @@ def _of_judged(evaluation: Evaluation) -> None:
     first = [row for row in evaluated if row.get("volume", math.nan) == volumes[0] or math.isnan(volumes[0])]
     size = max((row["amplitude"] for row in first), default=0.0)
     reference = [row for row in first if row["amplitude"] > 0.98 * size]
-    rows_by_direction = {
-        direction: [row for row in reference if row["direction"] == direction] for direction in ("up", "down")
-    }
+    rows_by_direction = {way: [row for row in reference if row["direction"] == way] for way in ("up", "down")}
     if reference:
         means = [mean_of(*evaluation.pairs(rows, "delay")) for rows in rows_by_direction.values() if rows]
         value, uncertainty, _ = greatest(*zip(*means, strict=True))
@@ -232,23 +211,15 @@ def _of_judged(evaluation: Evaluation) -> None:
                 evaluation.add(f"{key}_{direction}", *mean_of(*evaluation.pairs(rows, key)), **_case(rows[0]))
             else:
                 evaluation.note_absence(f"unsettled_{direction}", f"{key}_{direction}")
-    settled = [row for row in first if "settling_time" in row]
-    if settled:
-        value, uncertainty, k = greatest(*evaluation.pairs(settled, "settling_time"))
-        evaluation.add("settling_time", value, uncertainty, **_case(settled[k]))
-    else:
-        evaluation.note_absence("noisy" if first else "unsettled", "settling_time")
+    reason = "noisy" if first else "unsettled"
+    evaluation.add_greatest("settling_time", "settling_time", reason, rows=first, conditions=CASE)
     _overshoot(evaluation, first)
-    humming = [row for row in evaluation.rows if "hum_amplitude" in row]
-    if not humming:
+    row = evaluation.add_greatest("hum_amplitude", "hum_amplitude", conditions=CASE)
+    if row is None:
         evaluation.note("step.rests")
-        return
-    value, uncertainty, k = greatest(*evaluation.pairs(humming, "hum_amplitude"))
-    evaluation.add("hum_amplitude", value, uncertainty, **_case(humming[k]))
-    row = humming[k]
-    evaluation.add(
-        "hum_frequency", row["hum_frequency"], evaluation.uncertainties[id(row), "hum_frequency"], **_case(row)
-    )
+    else:
+        uncertainty = evaluation.uncertainties[id(row), "hum_frequency"]
+        evaluation.add("hum_frequency", row["hum_frequency"], uncertainty, **_case(row))
 
 
 def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
@@ -263,10 +234,8 @@ def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
         evaluation.add_nonnegative("overshoot", value, uncertainty, **_case(visible[k]))
     else:
         least = max(row["overshoot_known_to"] for row in rows)
-        is_bound = least > 1e-4
-        evaluation.add(
-            "overshoot", least if is_bound else 0.0, uncertainty, bound=AT_MOST if is_bound else "", **_case(visible[k])
-        )
+        least, bound = (least, AT_MOST) if least > 1e-4 else (0.0, "")
+        evaluation.add("overshoot", least, uncertainty, bound=bound, **_case(visible[k]))
 
 
 def _case(row: Row) -> Row:
@@ -290,11 +259,95 @@ _FIGURES = {
     "delay": "s", "rise_time_up": "s", "response_time_up": "s", "rise_time_down": "s", "response_time_down": "s",
     "settling_time": "s", "overshoot": "%", "hum_amplitude": "% FS", "hum_frequency": "Hz",
 }  # fmt: skip
-STEP = BenchTest(
-    "step",
-    _evaluate,
-    _FIGURES,
-    {"low": 100.0 * LOW, "high": 100.0 * HIGH, "band": 100.0 * BAND},
-    table="steps",
-    part=DYNAMIC,
-)
+_LEVELS = {"low": 100.0 * LOW, "high": 100.0 * HIGH, "band": 100.0 * BAND}
+STEP = BenchTest("step", _evaluate, _FIGURES, _LEVELS, table="steps", part=DYNAMIC)
+
+
+WIDER = 1.15  # standard deviation of the noise over what is left of it beside a sine
+CHANCE = 1e-4  # probability that noise alone makes a line of a spectrum that is taken for a hum
+FEWEST = 32
+LEAST = 1e-2  # a hum of a smaller amplitude is none: nobody would see it [% FS]
+FIRST = 3  # fewer periods than these in a hold are a drift, no hum
+
+
+@dataclass(frozen=True)
+class Hum:
+    """Limit cycle: half of its peak-to-peak value [% FS] and its frequency [Hz]."""
+
+    amplitude: float
+    frequency: float
+    amplitude_error: float = 0.0  # standard uncertainties
+    frequency_error: float = 0.0
+
+
+def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
+    """Return a limit cycle about a steady state, None if noise can explain the motion.
+
+    The largest line of the spectrum without drift is compared with the mean of the others (Fisher's g). The amplitude
+    is that of the mean period, so noise and waveform cause little bias.
+
+    The largest line of the spectrum, after a straight drift is taken out, is compared with the mean of the others
+    (Fisher's g); the swing is that of the mean period, so that neither noise nor the form of the motion bias it much.
+
+    Examples
+    --------
+    >>> t = np.linspace(0.0, 1.0, 500)
+    >>> hum = hum_of(t, 40.0 + 0.3 * np.sin(2.0 * np.pi * 21.0 * t))
+    >>> round(hum.amplitude, 2), round(hum.frequency, 1)
+    (0.3, 21.0)
+    """
+    if time.size < FEWEST:
+        return None
+    even = np.linspace(time[0], time[-1], time.size)
+    values = np.interp(even, time, outlet)
+    values = values - np.polyval(np.polyfit(even - even[0], values, 1), even - even[0])
+    if float(np.ptp(values)) < 2.0 * LEAST:
+        return None
+    power = np.abs(np.fft.rfft(values * np.hanning(values.size))) ** 2
+    spectrum = power[FIRST:]
+    index = int(np.argmax(spectrum))
+    # The slow end of a settling outlet falls from line to line; a hum stands above its neighbours.
+    if power[FIRST + index - 1] >= spectrum[index]:
+        return None
+    line, total = float(np.sum(spectrum[max(index - 1, 0) : index + 2])), float(np.sum(spectrum))
+    lines = spectrum.size / 1.5  # neighbours under a window share their noise
+    # Part of all power that one of so many lines of white noise has at most, but for a small chance.
+    if line < min(0.9, 3.0 * min(1.0, math.log(lines / CHANCE) / lines)) * total:
+        return None
+    index += FIRST
+    # The frequency of the best fitting sine near the line.
+    frequency, width = index / (even[-1] - even[0]), 1.0 / (even[-1] - even[0])
+    for _ in range(5):
+        trial = frequency + width * np.linspace(-1.0, 1.0, 21)
+        phases = (2.0 * math.pi * f * (even - even[0]) for f in trial)
+        powers = [float((values @ np.cos(phase)) ** 2 + (values @ np.sin(phase)) ** 2) for phase in phases]
+        frequency = float(trial[np.argmax(powers)])
+        width *= 0.1
+    amplitude, residual = _half_swing(even, values, frequency, noise_of(values))
+    if not amplitude > LEAST:
+        return None
+    # Of the best fit of a sine in noise: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20 (1974) 591-598.
+    span = float(even[-1] - even[0])
+    noise = noise_about([residual], 0).at(2.0 * math.pi * frequency * span / even.size)
+    error = WIDER * noise / math.sqrt(even.size)
+    return Hum(amplitude, frequency, math.sqrt(2.0) * error, math.sqrt(6.0) * error / (math.pi * amplitude * span))
+
+
+def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: float) -> tuple[float, FloatArray]:
+    """Return half of the peak-to-peak value of the mean period, and the residual.
+
+    Harmonics below the noise are excluded.
+    """
+    phase = 2.0 * math.pi * frequency * (time - time[0])
+    per_period = values.size / (frequency * (time[-1] - time[0]))
+    highest = max(1, min(10, int(per_period / 4.0)))
+    orders = range(1, highest + 1)
+    columns = [np.ones_like(phase), *(np.cos(k * phase) for k in orders), *(np.sin(k * phase) for k in orders)]
+    coefficients = np.linalg.lstsq(np.stack(columns, axis=1), values, rcond=None)[0]
+    turn = np.linspace(0.0, 2.0 * math.pi, 400, endpoint=False)
+    wave = np.zeros_like(turn)
+    floor = 4.0 * noise * math.sqrt(2.0 / values.size)
+    for k, a, b in zip(orders, coefficients[1 : highest + 1], coefficients[highest + 1 :], strict=True):
+        if k == 1 or math.hypot(a, b) > floor:
+            wave += a * np.cos(k * turn) + b * np.sin(k * turn)
+    return 0.5 * float(np.ptp(wave)), values - np.stack(columns, axis=1) @ coefficients

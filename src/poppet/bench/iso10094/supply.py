@@ -7,30 +7,32 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import ROWS, Pace, Trial, held
-from poppet.bench.iso10094.evaluation import AT_MOST, BenchTest, Evaluation, PlottedCurve, Row, largest
+from poppet.bench.iso10094.evaluation import (
+    AT_MOST,
+    ROWS,
+    BenchTest,
+    Evaluation,
+    Pace,
+    PlottedCurve,
+    Row,
+    Trial,
+    held,
+    largest,
+)
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
-from poppet.bench.iso10094.shapes import at_places, branches
-from poppet.bench.iso10094.sweep import caught_up, lags_of
+from poppet.bench.iso10094.shapes import at_places, branches, caught_up, lags_of
 from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest, noise_about, roughness, smooth, unbiased
-from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
-ABOVE, SPAN = 0.15, 0.4
-"""Lowest supply of the sweep above the outlet and its extent, in FS."""
-LOAD = 0.05
-"""Load while the supply is swept: a closed outlet would hold its pressure whatever the supply does."""
-MARGIN = 10.0
-"""Supply above the outlet below which the outlet is not judged [% FS]."""
+ABOVE, SPAN = 0.15, 0.4  # lowest supply of the sweep above the outlet and its extent, in FS
+LOAD = 0.05  # load while the supply is swept: a closed outlet would hold its pressure whatever the supply does
+MARGIN = 10.0  # supply above the outlet below which the outlet is not judged [% FS]
 PLACES = 81
-TURN = 0.3
-"""Part of the supply's range by which it must turn to end a branch."""
-UNSEEN = 1e-7
-"""Change of a leakage that no flow meter sees [kg/s]."""
-HOLD = 0.5
-"""Last part of a hold over which a leakage is averaged."""
-DRIFT = 0.05
-"""Change of a leakage between the halves of that part at which it is not at rest."""
+TURN = 0.3  # part of the supply's range by which it must turn to end a branch
+UNSEEN = 1e-7  # change of a leakage that no flow meter sees [kg/s]
+HOLD = 0.5  # last part of a hold over which a leakage is averaged
+DRIFT = 0.05  # change of a leakage between the halves of that part at which it is not at rest
 
 
 def supply_trial(
@@ -40,21 +42,15 @@ def supply_trial(
     low, high = ends
     # One cycle ahead: what the valve remembers of its way to the setpoint is over.
     times = np.cumsum([0.0, hold, sweep, sweep, sweep, hold, sweep, hold])
-    signal = Points(times, np.array([low, low, high, low, high, high, low, low]))
-    settling, duration = float(times[3]), float(times[-1])
     return Trial(
-        "supply", f"supply at {setpoint:g} % FS", held(scale, setpoint), duration, settling, sweep / ROWS, volume,
-        supply=signal, load=Points([0.0], [LOAD]),
+        "supply", f"supply at {setpoint:g} % FS", held(scale, setpoint), float(times[-1]), float(times[3]),
+        sweep / ROWS, volume, supply=Points(times, np.array([low, low, high, low, high, high, low, low])),
+        load=Points([0.0], [LOAD]),
     )  # fmt: skip
 
 
-def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """Return a constant setpoint with a closed outlet."""
-    name, settling = f"rest at {setpoint:g} % FS", 5.0 * hold
-    return Trial("leakage", name, held(scale, setpoint), 2.0 * settling, settling, settling / ROWS, volume)
-
-
-def _supply_trials(pace: Pace) -> list[Trial]:
+def supply_trials(pace: Pace) -> list[Trial]:
+    """Return sweeps of the supply pressure at all setpoints."""
     scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
     trials = []
     for setpoint in pace.settings.setpoints:
@@ -64,12 +60,19 @@ def _supply_trials(pace: Pace) -> list[Trial]:
     return trials
 
 
-def _leakage_trials(pace: Pace) -> list[Trial]:
+def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
+    """Return a constant setpoint with a closed outlet."""
+    name, settling = f"rest at {setpoint:g} % FS", 5.0 * hold
+    return Trial("leakage", name, held(scale, setpoint), 2.0 * settling, settling, settling / ROWS, volume)
+
+
+def leakage_trials(pace: Pace) -> list[Trial]:
+    """Return trials with a closed outlet at zero and at all setpoints."""
     setpoints = (0.0, *pace.settings.setpoints)
     return [leakage_trial(pace.specimen.scale, pace.volume, setpoint, pace.hold) for setpoint in setpoints]
 
 
-def _evaluate_supply(evaluation: Evaluation, records: Sequence[Record]) -> None:
+def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     for record in records:
         _one(evaluation, record)
     evaluated = [row for row in evaluation.rows if "sensitivity" in row]
@@ -77,18 +80,11 @@ def _evaluate_supply(evaluation: Evaluation, records: Sequence[Record]) -> None:
         sizes, uncertainties = evaluation.pairs(evaluated, "sensitivity")
         value, uncertainty, k = greatest([abs(size) for size in sizes], uncertainties)
         conditions = {key: evaluated[k][key] for key in ("setpoint", "lowest_supply", "highest_supply")}
-        signed = math.copysign(value, sizes[k])
-        evaluation.add_or_bound(
-            "supply_sensitivity", signed, 2.0 * NORMAL * uncertainty.standard, uncertainty, **conditions
-        )
+        signed, limit = math.copysign(value, sizes[k]), 2.0 * NORMAL * uncertainty.standard
+        evaluation.add_or_bound("supply_sensitivity", signed, limit, uncertainty, **conditions)
     else:
         evaluation.note_absence("no_supply_sweep", "supply_sensitivity")
-    rows_with_hysteresis = [row for row in evaluation.rows if "hysteresis" in row]
-    if rows_with_hysteresis:
-        value, uncertainty, k = greatest(*evaluation.pairs(rows_with_hysteresis, "hysteresis"))
-        evaluation.add_nonnegative("supply_hysteresis", value, uncertainty)
-    else:
-        evaluation.note_absence("supply_one_way", "supply_hysteresis")
+    evaluation.add_greatest("supply_hysteresis", "hysteresis", "supply_one_way", is_nonnegative=True)
 
 
 def _one(evaluation: Evaluation, record: Record) -> None:
@@ -140,7 +136,8 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         evaluation.set_value(row, "hysteresis", widest, uncertainty.wider(2.0 * lag))
 
 
-def _evaluate_leakage(evaluation: Evaluation, records: Sequence[Record]) -> None:
+def evaluate_leakage(evaluation: Evaluation, records: Sequence[Record]) -> None:
+    """Add the consumption of each record and the largest one."""
     for record in records:
         last = record.time >= record.time[-1] - HOLD * (record.time[-1] - record.time[0])
         clock, flow = record.time[last], record.consumption[last]
@@ -150,40 +147,23 @@ def _evaluate_leakage(evaluation: Evaluation, records: Sequence[Record]) -> None
         error = 4.0 * noise_of(flow) / math.sqrt(max(1, half))
         x, y = (series[last] for series in evaluation.scale.percents(record))
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": float(np.mean(y))}
-        uncertainty = (
-            Uncertainty(noise_about([flow]).mean(flow.size)) if float(np.ptp(flow)) > 0.0 else Uncertainty(0.0)
-        )
+        noise = noise_about([flow]).mean(flow.size) if float(np.ptp(flow)) > 0.0 else 0.0
         evaluation.rows.append(row)
-        evaluation.set_value(row, "flow", mean, uncertainty)
+        evaluation.set_value(row, "flow", mean, Uncertainty(noise))
         row["known_to"] = max(error, drift)
         if drift > max(DRIFT * abs(mean), error) and drift > UNSEEN:
             evaluation.note("leakage.drifts", record.name)
     worst = largest(evaluation.rows, "flow")
-    if worst is None:
-        evaluation.note_absence("no_consumption", "leakage")
-        return
-    is_lost = worst["known_to"] > 0.0 and abs(worst["flow"]) < worst["known_to"]
-    if is_lost:
+    if worst is not None and worst["known_to"] > 0.0 and abs(worst["flow"]) < worst["known_to"]:
         evaluation.add("leakage", worst["known_to"], bound=AT_MOST, setpoint=worst["setpoint"])
-        return
-    rows = [row for row in evaluation.rows if "flow" in row]
-    value, uncertainty, k = greatest(*evaluation.pairs(rows, "flow"))
-    evaluation.add("leakage", value, uncertainty, setpoint=rows[k]["setpoint"])
+    else:
+        evaluation.add_greatest("leakage", "flow", "no_consumption", conditions=("setpoint",))
 
 
 SUPPLY = BenchTest(
-    "supply",
-    _evaluate_supply,
-    {"supply_sensitivity": "1", "supply_hysteresis": "% FS"},
-    trials=_supply_trials,
-    needs="supply",
+    "supply", _evaluate, {"supply_sensitivity": "1", "supply_hysteresis": "% FS"}, trials=supply_trials, needs="supply",
     whole=("outlet", "supply"),
-)
+)  # fmt: skip
 LEAKAGE = BenchTest(
-    "leakage",
-    _evaluate_leakage,
-    {"leakage": "kg/s"},
-    trials=_leakage_trials,
-    needs="consumption",
-    whole=("consumption",),
+    "leakage", evaluate_leakage, {"leakage": "kg/s"}, trials=leakage_trials, needs="consumption", whole=("consumption",)
 )

@@ -16,19 +16,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.bench.iso10094.scale import FloatArray
-from poppet.timeseries.measurements.noise import quantum_of
+from poppet.timeseries.measurements.measurement import quantum_of
 
 COVERAGE = 0.95
-NORMAL = 1.959964
-"""Half width of the 95 % interval of a normal distribution, in standard deviations."""
-SHORT = 1.2
-"""Variance of a mean of coloured noise relative to its estimate from a short record."""
-LAGS = 24
-"""Largest lag of the autocovariance [samples]."""
-DRAWS = 400
-"""Number of noise draws for the bias and the scatter of a maximum."""
-DEGREES = 14
-"""Highest degree of a polynomial fitted to a curve."""
+NORMAL = 1.959964  # half width of the 95 % interval of a normal distribution, in standard deviations
+SHORT = 1.2  # variance of a mean of coloured noise relative to its estimate from a short record
+LAGS = 24  # largest lag of the autocovariance [samples]
+DRAWS = 400  # number of noise draws for the bias and the scatter of a maximum
+DEGREES = 14  # highest degree of a polynomial fitted to a curve
 SEED = 20
 
 
@@ -235,8 +230,7 @@ def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.
     return SmoothCurve(basis[:, : best + 1] @ coefficients[: best + 1], basis[:, : best + 2], spread, best + 1)
 
 
-COST = 4.0
-"""Penalty of a coefficient in the sum of squares, in variances of the noise."""
+COST = 4.0  # penalty of a coefficient in the sum of squares, in variances of the noise
 
 
 def unbiased(
@@ -281,8 +275,7 @@ def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tu
     return float(np.mean(values)), Uncertainty(math.sqrt((variance + max(0.0, excess)) / len(values)))
 
 
-SCATTER = 3.0
-"""Ratio of scatter to noise variance that can occur by chance in a few repetitions."""
+SCATTER = 3.0  # ratio of scatter to noise variance that can occur by chance in a few repetitions
 
 
 def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty, int]:

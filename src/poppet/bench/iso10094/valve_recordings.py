@@ -10,10 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.clipping import clipped
-from poppet.bench.iso10094.definitions import TESTS
-from poppet.bench.iso10094.ranges import pressure, pressure_range, setpoint_scale
-from poppet.bench.iso10094.scale import Record, Scale
+from poppet.bench.iso10094.bench_result import TESTS
+from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale, pressure, pressure_range, setpoint_scale
 from poppet.bench.iso10094.shapes import stairs
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
@@ -21,7 +19,8 @@ from poppet.core.message_format import sentence
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import quantity
 from poppet.timeseries.measurements import read_measurement
-from poppet.timeseries.measurements.measurement import Measurement
+from poppet.timeseries.measurements.measurement import Measurement, noise_of, quantum_of
+from poppet.timeseries.measurements.verdicts import cuts_a_peak, stays_in_noise
 
 TOP_LEVEL = {
     "title": Field(type="text"),
@@ -29,22 +28,16 @@ TOP_LEVEL = {
     **dict.fromkeys(("setpoint_range", "ambient_pressure", "supply_pressure"), Field()),
     "rated_flow": Field(unit="kg/s", kind="mass_flow", default=math.nan),
     "recordings": Field(
-        type="table",
-        is_required=True,
-        meaning="list of recordings",
+        type="table", is_required=True, meaning="list of recordings",
         example="[recordings.NAME] with test, file and channels",
     ),
-}
+}  # fmt: skip
 _TEST = Field(choices=tuple(TESTS), meaning="test", example=f'test = "{next(iter(TESTS))}"')
-OF_RECORDING = ("test", "volume", "setpoint")
-"""Fields of a recording in addition to those of a fit file."""
+OF_RECORDING = ("test", "volume", "setpoint")  # fields of a recording in addition to those of a fit file
 UNUSED = ("inputs", "start")
-BEYOND = 2.0
-"""How far a setpoint may leave its range before a word is said [% FS]."""
-OVERSHOT = 30.0
-"""How far the outlet may leave its full scale before a word is said [% FS]."""
-AT_REST = 0.2
-"""Change of the outlet within a hold of the setpoint, per change between holds, at which it rests."""
+BEYOND = 2.0  # how far a setpoint may leave its range before a word is said [% FS]
+OVERSHOT = 30.0  # how far the outlet may leave its full scale before a word is said [% FS]
+AT_REST = 0.2  # change of the outlet within a hold of the setpoint, per change between holds, at which it rests
 SERIES: Mapping[str, str] = {
     "setpoint": "valve.setpoint",
     "outlet": "outlet.pressure",
@@ -54,8 +47,8 @@ SERIES: Mapping[str, str] = {
 }
 """Series of a record to the channel that it comes from."""
 SETPOINT, OUTLET = SERIES["setpoint"], SERIES["outlet"]
+# Channels of a recording and what they are.
 CHANNELS: Mapping[str, str] = {channel: sentence(f"recordings.channel.{key}", {}) for key, channel in SERIES.items()}
-"""Channels of a recording and what they are."""
 DEFAULT_AMBIENT = 101325.0
 
 
@@ -78,7 +71,11 @@ def recorded(
     with ErrorCollector() as errors:
         optional = {"full_scale": Field()} if full_scale is not None else {}
         data = read_fields(errors, data, TOP_LEVEL | optional, table="file of recordings")
-    ambient = _ambient(data)
+    raw = data.get("ambient_pressure", DEFAULT_AMBIENT)
+    read = quantity(raw, "Pa", kind="pressure", name="ambient_pressure")
+    if read.reference == "gauge" or read.value <= 0.0:
+        raise InputError("recordings.ambient", "ambient_pressure", given=raw)
+    ambient = read.value
     ends = pressure_range(full_scale if full_scale is not None else data["full_scale"], ambient)
     scale = setpoint_scale(data.get("setpoint_range"), ends, ambient)
     if not math.isfinite(rated_flow):
@@ -97,24 +94,14 @@ def recorded(
     collect(problems)
     conditions: dict[str, Any] = {
         "ambient_pressure": ambient,
-        "recordings": {
-            test: [record.name for record in found_notes] for test, found_notes in records.items() if found_notes
-        },
+        "recordings": {test: [record.name for record in group] for test, group in records.items() if group},
     }
     if "supply_pressure" in data:
         conditions["supply_pressure"] = pressure(data["supply_pressure"], ambient, "supply_pressure")
-    volumes = sorted({r.volume for found_notes in records.values() for r in found_notes if math.isfinite(r.volume)})
+    volumes = sorted({r.volume for group in records.values() for r in group if math.isfinite(r.volume)})
     if volumes:
         conditions["volumes"] = volumes
     return ValveRecordings(str(data.get("title", path.stem)), scale, records, rated_flow, tuple(notes), conditions)
-
-
-def _ambient(data: Mapping[str, Any]) -> float:
-    raw = data.get("ambient_pressure", DEFAULT_AMBIENT)
-    read = quantity(raw, "Pa", kind="pressure", name="ambient_pressure")
-    if read.reference == "gauge" or read.value <= 0.0:
-        raise InputError("recordings.ambient", "ambient_pressure", given=raw)
-    return read.value
 
 
 def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
@@ -130,9 +117,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     # A bench knows more of its channels: a command rests at its ends, an outlet follows its setpoint.
     findings = [finding for finding in measurement.findings if finding.code != "suspicion.clipped"]
     if _is_staircase(record, scale):
-        findings = [
-            finding for finding in findings if (finding.code, finding.address) != ("suspicion.coarse", SETPOINT)
-        ]
+        findings = [note for note in findings if (note.code, note.address) != ("suspicion.coarse", SETPOINT)]
     notes = [note.within(name) for note in (*measurement.notes, *findings)]
     for series, mask in record.clipped.items():
         notes.append(Note("recordings.clipped", f"{name}.{SERIES[series]}", samples=int(mask.sum())))
@@ -155,15 +140,12 @@ def _is_staircase(record: Record, scale: Scale) -> bool:
     """
     x, y = scale.percents(record)
     held = stairs(x)
-    ends = np.array([[np.mean(y[part][-third:]), np.mean(y[part][third:-third])] for part, third in _thirds(held)])
+    thirds = [(part, max(1, (part.stop - part.start) // 3)) for part in held]
+    ends = np.array([[np.mean(y[part][-third:]), np.mean(y[part][third:-third])] for part, third in thirds])
     if len(held) < 2 or not ends.size:
         return False
     inside, between = np.abs(ends[:, 0] - ends[:, 1]), np.abs(np.diff(ends[:, 0]))
     return bool(np.median(inside) < AT_REST * np.median(between))
-
-
-def _thirds(held: list[slice]) -> list[tuple[slice, int]]:
-    return [(part, max(1, (part.stop - part.start) // 3)) for part in held]
 
 
 def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> list[InputError]:
@@ -213,14 +195,107 @@ def _joined(
     if unit != scale.setpoint_unit:
         raise InputError("recordings.unit", f"{where}.{SETPOINT}", unit=unit, wanted=scale.setpoint_unit)
     if "setpoint" in own:
-        series["setpoint"] = np.full(clock.size, _held(own["setpoint"], f"{where}.setpoint", ambient, scale))
+        raw, address = own["setpoint"], f"{where}.setpoint"
+        is_pressure = scale.setpoint_unit == "Pa"
+        level = pressure(raw, ambient, address) if is_pressure else quantity(raw, unit, name=address).value
+        series["setpoint"] = np.full(clock.size, level)
     volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value if "volume" in own else math.nan
     percent = {"setpoint": scale.setpoint_percent(series["setpoint"]), "outlet": scale.percent(series["outlet"])}
     cut = clipped({**series, **percent})
     return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
 
 
-def _held(given: Any, name: str, ambient: float, scale: Scale) -> float:
-    if scale.setpoint_unit == "Pa":
-        return pressure(given, ambient, name)
-    return quantity(given, scale.setpoint_unit, name=name).value
+SHORTEST = 5  # smallest number of equal samples at an extreme value
+# Change per sample before clipping, in resolution steps, and its smallest ratio to the change before; a settling
+# series slows down.
+STEEP, SLOWER = 4.0, 0.3
+# Deviation from the setpoint at which an outlet cannot stop suddenly, and further change of the setpoint [% FS].
+BELOW, ONWARD = 0.3, 1.0
+RETURNED = 0.003  # excursion of the outlet while its driver seems constant, relative to the range of the outlet
+LOADED = 0.02  # change of the flow while the outlet is constant, relative to the range of the flow
+CLEAR, RAMP = 6.0, 12.0  # smallest change of a ramp, in standard deviations of the noise and in resolution steps
+FLOOR = 1.0  # outlet near its lower limit, where a constant outlet is normal [% FS]
+MOST_LOOKED_AT = 200  # maximum number of samples before a run that are examined
+
+
+def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
+    """Return the clipped samples of each series with any; setpoint and outlet in % FS.
+
+    Examples
+    --------
+    >>> x = np.concatenate([np.linspace(0.0, 100.0, 500), np.linspace(100.0, 0.0, 500)])
+    >>> found = clipped({"setpoint": x, "outlet": np.minimum(x, 75.0)})
+    >>> {name: int(mask.sum()) for name, mask in found.items()}
+    {'outlet': 250}
+    """
+    masks: dict[str, Mask] = {}
+    for name, values in series.items():
+        if not values.size or float(np.ptp(values)) == 0.0:
+            continue
+        mask = np.zeros(values.size, dtype=bool)
+        for level, sign in ((float(np.max(values)), 1.0), (float(np.min(values)), -1.0)):
+            runs = _runs(values == level)
+            if not runs or (name == "outlet" and sign < 0.0 and level <= FLOOR):
+                continue
+            # A digital setpoint has no noise to test.
+            is_cut = name != "setpoint" and stays_in_noise(values, level, quantum_of(values))
+            if not is_cut and name in ("setpoint", "flow"):
+                is_cut = any(_goes_on(sign * values, series["outlet"], run) for run in runs)
+            elif not is_cut and name == "outlet":
+                is_cut = any(_is_stuck(series, sign, run) for run in runs)
+            if is_cut:
+                mask |= values == level
+        if mask.any():
+            masks[name] = mask
+    return masks
+
+
+def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool:
+    """Return True if the outlet is constant although its drivers change."""
+    y, x, flow = sign * series["outlet"], sign * series["setpoint"], series.get("flow", np.zeros(0))
+    half = slice((run.start + run.stop) // 2, run.stop)
+    is_held = _is_ramp(x, run) and float(np.ptp(x[half])) < max(BELOW, CLEAR * noise_of(x))
+    is_peak = not is_held and cuts_a_peak(y, (run.start, run.stop), _step(y))
+    is_loaded = bool(flow.size) and _is_left(-sign * flow, run, LOADED * float(np.ptp(flow)))
+    return is_peak or is_loaded or _is_abrupt(y, x, run) or _is_left(x, run, ONWARD)
+
+
+def _runs(mask: Mask) -> list[slice]:
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], mask, [False]]).astype(int)))
+    return [slice(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True) if b - a >= SHORTEST]
+
+
+def _step(values: FloatArray) -> float:
+    return max(quantum_of(values), 1e-6 * float(np.ptp(values)))
+
+
+def _is_ramp(x: FloatArray, run: slice) -> bool:
+    """Return True if a series approaches a run in steps and not with a jump."""
+    approach = x[max(0, run.start - min(run.stop - run.start, MOST_LOOKED_AT)) : run.start + 1]
+    change = approach[-1] - approach[0]
+    return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
+
+
+def _is_abrupt(y: FloatArray, x: FloatArray, run: slice) -> bool:
+    """Return True if the outlet stops suddenly below its setpoint while the setpoint continues."""
+    if run.start < 4 or float(np.max(x[run])) - y[run.start] < BELOW or _is_ramp(x, run):
+        return False
+    earlier, last = np.diff(y[run.start - 3 : run.start])
+    return bool(min(earlier, last) > STEEP * _step(y) and last > SLOWER * earlier)
+
+
+def _is_left(x: FloatArray, run: slice, threshold: float) -> bool:
+    """Return True if the driver of the outlet continues while the outlet is constant."""
+    return bool(float(np.max(x[run])) - x[run.start] > max(threshold, CLEAR * noise_of(x)))
+
+
+def _goes_on(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
+    """Return True if the outlet moves away and returns while its driver seems constant after a ramp."""
+    if run.start == 0 or not _is_ramp(x, run):
+        return False
+    width = max(1, (run.stop - run.start) // 20)
+    y = np.convolve(outlet[run], np.full(width, 1.0 / width), "valid")
+    peak = int(np.argmax(np.abs(y - y[0])))
+    rise, fall = abs(y[peak] - y[0]), abs(y[peak] - y[-1])
+    noise = CLEAR * noise_of(outlet) / width**0.5
+    return bool(min(rise, fall) > max(RETURNED * float(np.ptp(outlet)), noise))

@@ -13,12 +13,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.bench.iso10094.bench_settings import Trial
+from poppet.bench.iso10094.evaluation import Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 
 _MOST = 3_000_000
-_FINE = 1500.0
-"""Steps per time constant."""
+_FINE = 1500.0  # steps per time constant
 
 
 _SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
@@ -62,24 +61,19 @@ class StandIn:
         target = self.static(self.scale.setpoint_percent(setpoint))
         load = np.zeros_like(time) if trial.load is None else trial.load.evaluate(time)
         supply = np.full_like(time, self.supply) if trial.supply is None else trial.supply.evaluate(time)
-        target += self._load(load) + 100.0 * self.supply_sensitivity * (supply - self.supply) / self.scale.span
+        sign, slope = (1.0, self.droop) if float(np.max(load)) > 0.0 else (-1.0, self.rise)
+        effect = -sign * slope * play(sign * load, self.flow_play)  # of the flow on the outlet [% FS]
+        target += effect + 100.0 * self.supply_sensitivity * (supply - self.supply) / self.scale.span
         y = _answer(target, trial.step / finer, constant, self.damping)
         y += self.offset + self.hum * np.sin(2.0 * math.pi * self.hum_frequency * time)
         rows_shown = np.arange(rows + 1) * finer
         rows_shown = rows_shown[time[rows_shown] >= trial.lead - 1e-9 * trial.step]
         clock = time[rows_shown]
         return Record(
-            trial.name,
-            trial.kind,
-            clock - clock[0],
-            trial.setpoint.evaluate(clock),
-            self.scale.pressure(y[rows_shown]),
-            supply[rows_shown],
-            self.full_flow * load[rows_shown],
-            np.full(clock.size, self.leak),
-            trial.volume,
-            is_exact=True,
-        )
+            trial.name, trial.kind, clock - clock[0], trial.setpoint.evaluate(clock),
+            self.scale.pressure(y[rows_shown]), supply[rows_shown], self.full_flow * load[rows_shown],
+            np.full(clock.size, self.leak), trial.volume, is_exact=True,
+        )  # fmt: skip
 
     def static(self, setpoint: FloatArray) -> FloatArray:
         """Return the steady outlet for consecutive setpoints."""
@@ -94,12 +88,6 @@ class StandIn:
             cycle = np.cumsum(np.diff(at_zero.astype(int), prepend=1) > 0)
             result += np.where((cycle % 2 == 1) & (effective > 0.0), self.scatter, 0.0)
         return np.asarray(result)
-
-    def _load(self, load: FloatArray) -> FloatArray:
-        """Return the effect of the flow on the outlet [% FS]."""
-        sign = 1.0 if float(np.max(load)) > 0.0 else -1.0
-        slope = self.droop if sign > 0.0 else self.rise
-        return -sign * slope * play(sign * load, self.flow_play)
 
 
 def play(values: FloatArray, width: float) -> FloatArray:

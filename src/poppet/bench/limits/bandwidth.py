@@ -12,24 +12,16 @@ from poppet.bench.limits.limits_plan import CONTROLLER, IDEAL, LOAD, PARTS, Chan
 from poppet.bench.sine_rig import SineRig
 from poppet.core.errors import SimulationError
 
-GAIN = 10.0 ** (-3.0 / 20.0)
-"""Gain at the end of the bandwidth, -3 dB."""
-LAG = 90.0
-"""Phase lag at the end of the other [deg]."""
-FACTOR = 1.6
-"""Ratio of neighbouring frequencies of the search."""
-REFINED = 2
-"""Steps of the secant method within such a pair."""
-RISEN = 0.9
-"""Part of a step after which it counts as done."""
-LONGEST = 20.0
-"""Time for which a step is watched [s]."""
-ATTEMPTS = 2
-"""Runs that a sine is given to settle: a map bears the hunting of the bands within its gains."""
+GAIN = 10.0 ** (-3.0 / 20.0)  # gain at the end of the bandwidth, -3 dB
+LAG = 90.0  # phase lag at the end of the other [deg]
+FACTOR = 1.6  # ratio of neighbouring frequencies of the search
+REFINED = 2  # steps of the secant method within such a pair
+RISEN = 0.9  # part of a step after which it counts as done
+LONGEST = 20.0  # time for which a step is watched [s]
+ATTEMPTS = 2  # runs that a sine is given to settle: a map bears the hunting of the bands within its gains
+# The search starts at the guess divided by this factor, because bands can cause a local minimum of the gain.
 BELOW = 2.5
-"""The search starts at the guess divided by this factor, because bands can cause a local minimum of the gain."""
-WORTH = 1.05
-"""Bandwidth ratio from which a part counts as limiting."""
+WORTH = 1.05  # bandwidth ratio from which a part counts as limiting
 
 
 @dataclass
@@ -115,7 +107,12 @@ def bandwidth_point(
     start = end if plan.lowest < end < plan.highest else begin
     lag = crossing(lambda f: -sweep.lag(f), -LAG, start, plan.lowest, plan.highest)
     up, down = (_rise(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
-    gains = _gains(plan, volume, amplitude, end, parts) if 0.0 < end < math.inf else {}
+    gains = {}  # the bandwidth with each part ideal, relative to the unchanged bandwidth
+    for part in parts if 0.0 < end < math.inf else ():
+        changes = ideal(plan, part) if part in PARTS else None
+        changed = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
+        if changed is not None:
+            gains[part] = min(_bandwidth(plan, changed, end), plan.highest) / end
     best = max(gains, key=lambda part: gains[part], default="")
     limiting = (best if gains[best] >= WORTH else CONTROLLER) if gains else ""
     return Point(end, lag, up, down, sweep.loudest, gains, limiting)
@@ -131,18 +128,6 @@ def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes |
         return Sweep(plan.rig(volume, changes), amplitude, plan.per_pascal)
     except SimulationError:
         return None
-
-
-def _gains(plan: LimitsPlan, volume: float, amplitude: float, base: float, parts: Sequence[str]) -> dict[str, float]:
-    """Return the bandwidth with each part ideal, relative to the unchanged bandwidth."""
-    gains = {}
-    for part in parts:
-        changes = ideal(plan, part) if part in PARTS else None
-        sweep = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
-        if sweep is not None:
-            end = _bandwidth(plan, sweep, base)
-            gains[part] = min(end, plan.highest) / base
-    return gains
 
 
 def _rise(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:

@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.agreement import without_bands
-from poppet.bench.sine_rig import SineRig
+from poppet.bench.sine_rig import SineRig, without_bands
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.units import quantity
@@ -19,23 +18,15 @@ from poppet.parts.electronics import SCALES
 from poppet.parts.proportional_valve import ProportionalValve
 from poppet.timeseries.signals import Constant
 
-Changes = dict[str, Any]
-"""Address of a number to its new value."""
-SETTLING = 2.0
-"""Time for which a circuit settles before it is driven [s]."""
-LOOSE = 1e-6
-"""Relative tolerance of the runs."""
-POINTS = 6
-"""Volumes and amplitudes of the default ranges."""
-SPREAD = 10.0
-"""Default volumes reach from a tenth to ten times that of the circuit."""
-SMALLEST, LARGEST = 0.005, 0.25
-"""Default amplitudes, per span of the setpoint."""
+Changes = dict[str, Any]  # address of a number to its new value
+SETTLING = 2.0  # time for which a circuit settles before it is driven [s]
+LOOSE = 1e-6  # relative tolerance of the runs
+POINTS = 6  # volumes and amplitudes of the default ranges
+SPREAD = 10.0  # default volumes reach from a tenth to ten times that of the circuit
+SMALLEST, LARGEST = 0.005, 0.25  # default amplitudes, per span of the setpoint
 SPRINGS = (0.5, 1.0, 2.0)
-DAMPINGS = (0.25, 0.5, 1.0, 2.0, 4.0)
-"""Default factors on spring rates and damping."""
-IDEAL = 10.0
-"""Factor by which a part is made ideal."""
+DAMPINGS = (0.25, 0.5, 1.0, 2.0, 4.0)  # default factors on spring rates and damping
+IDEAL = 10.0  # factor by which a part is made ideal
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,11 +183,9 @@ PARTS: Mapping[str, Mapping[str, float]] = {
     "sensors and sampling": dict.fromkeys((f"electronics.{name}" for name in _LAGS), 1.0 / IDEAL),
 }
 """Part to factors on numbers of the valve that make it ideal; the load volume, the sixth, is a range of the plan."""
-SEVERAL = ("solenoids", "sensors and sampling")
-"""Parts whose name is a plural."""
+SEVERAL = ("solenoids", "sensors and sampling")  # parts whose name is a plural
 LOAD = "load volume"
-CONTROLLER = "controller"
-"""What limits where no part does: the loops and their bands."""
+CONTROLLER = "controller"  # what limits where no part does: the loops and their bands
 
 
 def ideal(plan: LimitsPlan, part: str) -> Changes:

@@ -17,23 +17,15 @@ from poppet.core.errors import SimulationError
 
 Array = NDArray[np.float64]
 
-PUSH = 5.0
-"""Size of the push at the outlet [Pa]."""
-WATCHED = 2.0
-"""Time for which it is watched [s]."""
+PUSH = 5.0  # size of the push at the outlet [Pa]
+WATCHED = 2.0  # time for which it is watched [s]
 ROWS_PER_SECOND = 4000
-EARLY, LATE = (0.1, 0.5), (1.6, 2.0)
-"""Parts of that time in which the motion is measured [s]."""
-GROWN, DECAYED = 2.0, 0.8
-"""Late motion per early one that counts as growth and as decay."""
-LOUD, QUIET = 5.0, 0.05
-"""Motion per push that is a limit cycle, and one that is none."""
-HUM = 25.0
-"""Frequency from which a motion is one of the poppet, not of the controller's bands [Hz]."""
-CALM = (1.0, 4.0, 16.0, 64.0)
-"""Factors on the damping with which a rest is looked for, one after the other."""
-ROUGH = 3.0
-"""Time for which the valve with its bands runs [s]; its last two thirds count."""
+EARLY, LATE = (0.1, 0.5), (1.6, 2.0)  # parts of that time in which the motion is measured [s]
+GROWN, DECAYED = 2.0, 0.8  # late motion per early one that counts as growth and as decay
+LOUD, QUIET = 5.0, 0.05  # motion per push that is a limit cycle, and one that is none
+HUM = 25.0  # frequency from which a motion is one of the poppet, not of the controller's bands [Hz]
+CALM = (1.0, 4.0, 16.0, 64.0)  # factors on the damping with which a rest is looked for, one after the other
+ROUGH = 3.0  # time for which the valve with its bands runs [s]; its last two thirds count
 UNKNOWN = complex(math.nan, math.nan)
 
 OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
@@ -82,12 +74,16 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
         v, note = None, error.note
     if v is None:
         return Stability(UNKNOWN, False, "", math.nan, math.nan, *rough, False, note)
-    pole, is_stable = _leading(model_at(rig.point, v).poles())
+    poles = model_at(rig.point, v).poles()
+    pole = poles[np.argmax(poles.real)]
+    is_stable = not pole.real > 0.0
+    moving = poles[poles.imag > 0.0]
+    if is_stable and moving.size:
+        pole = moving[np.argmax(moving.real)]
     smooth, amplitude, frequency = _pushed(rig, v)
     agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
-    return Stability(
-        pole, is_stable, smooth, amplitude, frequency, *rough, agrees, _note(is_stable, smooth, agrees, rough)
-    )
+    finding = _note(is_stable, smooth, agrees, rough)
+    return Stability(complex(pole), is_stable, smooth, amplitude, frequency, *rough, agrees, finding)
 
 
 def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
@@ -106,15 +102,6 @@ def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume:
     return None
 
 
-def _leading(poles: NDArray[np.complex128]) -> tuple[complex, bool]:
-    """Return the dominant pole, and True if all poles are stable."""
-    right = poles[np.argmax(poles.real)]
-    if right.real > 0.0:
-        return complex(right), False
-    moving = poles[poles.imag > 0.0]
-    return complex(moving[np.argmax(moving.real)] if moving.size else right), True
-
-
 def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
     """Return the motion of the full model after a push at the outlet."""
     pushed = v.copy()
@@ -128,11 +115,8 @@ def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
     late_amplitude, frequency = _motion(time, y, LATE)
     if late_amplitude > LOUD * PUSH or late_amplitude > GROWN * early_amplitude > QUIET * PUSH:
         return OSCILLATES, late_amplitude, frequency
-    return (
-        (DECAYS if late_amplitude < DECAYED * early_amplitude or late_amplitude < QUIET * PUSH else MARGINAL),
-        late_amplitude,
-        frequency,
-    )
+    is_decaying = late_amplitude < DECAYED * early_amplitude or late_amplitude < QUIET * PUSH
+    return DECAYS if is_decaying else MARGINAL, late_amplitude, frequency
 
 
 def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:

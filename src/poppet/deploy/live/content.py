@@ -14,7 +14,7 @@ from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import inline_svg
 from poppet.timeseries.plotting.figures import figure_bytes
 from poppet.timeseries.plotting.panels import STILL
-from poppet.timeseries.plotting.sheet import Sheet, axis_unit
+from poppet.timeseries.plotting.plots import Sheet, axis_unit
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit

@@ -28,7 +28,7 @@ from poppet.parts.flow_path import Orifice
 from poppet.parts.part import Part
 from poppet.parts.sources import Reservoir
 from poppet.timeseries.measurements import Channel, InputChannel, Measurement, noise_of, quantum_of, read_measurement
-from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, ordered
+from poppet.timeseries.measurements.measurement import LEAST_SAMPLES, ordered
 from poppet.timeseries.measurements.verdicts import verdicts
 
 OWN = {

@@ -7,8 +7,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.bench.iso10094.bench_result import BenchResult
-from poppet.bench.iso10094.definitions import TESTS
+from poppet.bench.iso10094.bench_result import TESTS, BenchResult
 from poppet.bench.iso10094.evaluation import VERIFY, CharacteristicValue
 from poppet.report.bench import bench_figures
 from poppet.report.bench.bench_text import DESCRIPTIONS, NOTHING, conditions_text, figure_text, value_text, verdict

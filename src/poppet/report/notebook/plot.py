@@ -11,9 +11,8 @@ from numpy.typing import NDArray
 
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.columns import Columns
-from poppet.timeseries.plotting.panels import Panel, Series, panels_of, shown_series, thinned
-from poppet.timeseries.plotting.sheet import axis_unit, home_colours, panel_colours, time_unit
-from poppet.timeseries.plotting.timeline import looks_of
+from poppet.timeseries.plotting.panels import Panel, Series, looks_of, panels_of, shown_series, thinned
+from poppet.timeseries.plotting.plots import axis_unit, home_colours, panel_colours, time_unit
 
 MAX_PANELS, MAX_LINES = 4, 6
 COLUMNS = 200

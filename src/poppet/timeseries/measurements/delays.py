@@ -10,8 +10,7 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.laws.physics.gas import AIR_ISENTROPIC_EXPONENT
 from poppet.timeseries.checks import FloatArray
-from poppet.timeseries.measurements.measurement import Channel, InputChannel
-from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.measurements.measurement import Channel, InputChannel, noise_of
 
 _WINDOW = 50  # steps of a compared change: long compared with noise, short compared with heating of the wall
 _MAX_SAMPLES = 2000  # limit of compared samples; longer recordings are averaged to show delays of seconds
@@ -45,7 +44,13 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     if item.unit != "kg/s" or not pressures or not np.ptp(item.values):
         return []
     item = replace(item, time=item.time - (item.delay or 0.0))
-    channel = max(pressures, key=lambda candidate: _explained(item, candidate))
+
+    def explained_fraction(candidate: Channel) -> float:
+        """Return the fraction of the pressure changes that the flow explains at the best delay."""
+        change, _, misfits = _misfits(item, candidate, stride=5)
+        return 1.0 - float(np.min(misfits)) / max(float(np.mean(np.abs(change - np.median(change)))), _TINY)
+
+    channel = max(pressures, key=explained_fraction)
     _, delays, misfits = _misfits(item, channel)
     k = int(np.argmin(misfits))
     delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_MAX_DELAY], _TINY))
@@ -53,13 +58,9 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     if abs(k - _MAX_DELAY) < _MIN_DELAY or ratio > _MAX_RATIO or k in (0, delays.size - 1):
         return []
     facts = {
-        "shift": abs(delay),
-        "stated": item.delay or None,
-        "channel": channel.address,
-        "gain": 1.0 - ratio,
-        **_zero_while_rising(item, channel),
-        "is_fixed": item.delay is not None,
-    }
+        "shift": abs(delay), "stated": item.delay or None, "channel": channel.address, "gain": 1.0 - ratio,
+        **_zero_while_rising(item, channel), "is_fixed": item.delay is not None,
+    }  # fmt: skip
     return [Note("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early", item.address, **facts)]
 
 
@@ -69,12 +70,6 @@ def _thinned(channel: Channel) -> Channel:
     length = channel.time.size // count * count
     time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
     return replace(channel, time=time, values=values)
-
-
-def _explained(item: InputChannel, channel: Channel) -> float:
-    """Return the fraction of the pressure changes that the flow explains at the best delay."""
-    change, _, misfits = _misfits(item, channel, stride=5)
-    return 1.0 - float(np.min(misfits)) / max(float(np.mean(np.abs(change - np.median(change)))), _TINY)
 
 
 def _zero_while_rising(item: InputChannel, channel: Channel) -> dict[str, float | None]:
@@ -140,10 +135,7 @@ def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
     (air). A high heat flow to the wall has the same effect, so the result is a suspicion.
     """
     owner = channel.address.rpartition(".")[0]
-    pressure = next(
-        (candidate for candidate in channels if candidate.address == f"{owner}.pressure" and candidate.unit == "Pa"),
-        None,
-    )
+    pressure = next((c for c in channels if c.address == f"{owner}.pressure" and c.unit == "Pa"), None)
     if channel.unit != "K" or channel.lag != 0.0 or pressure is None or np.min(pressure.values) <= 0.0:
         return []
     is_common = (channel.time >= pressure.time[0]) & (channel.time <= pressure.time[-1])

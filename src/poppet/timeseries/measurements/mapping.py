@@ -14,9 +14,16 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError, collect
 from poppet.core.units import Kind, check_unit, convert, quantity, same_dimension, sizes_of, with_state
 from poppet.timeseries.checks import FloatArray, split_heading
-from poppet.timeseries.measurements.clocks import LEAST_SAMPLES, Samples, from_first, ordered
-from poppet.timeseries.measurements.measurement import Channel, InputChannel, Measurement
-from poppet.timeseries.measurements.noise import quantum_of
+from poppet.timeseries.measurements.measurement import (
+    LEAST_SAMPLES,
+    Channel,
+    InputChannel,
+    Measurement,
+    Samples,
+    from_first,
+    ordered,
+    quantum_of,
+)
 from poppet.timeseries.measurements.verdicts import heading_verdicts, verdicts
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.reading import Table, read_table
@@ -44,14 +51,9 @@ _T = TypeVar("_T")
 
 
 def read_measurement(
-    name: str,
-    table: Mapping[str, Any],
-    folder: Path,
-    *,
-    ambient_pressure: float,
-    other_fields: Sequence[str] = (),
+    name: str, table: Mapping[str, Any], folder: Path, *, ambient_pressure: float, other_fields: Sequence[str] = (),
     source: Table | None = None,
-) -> Measurement:
+) -> Measurement:  # fmt: skip
     """Read a `[recordings.NAME]` table and its files.
 
     `other_fields` are the other valid fields of the table, for suggestions if a field is misspelt. `source` has the
@@ -110,7 +112,11 @@ class _MeasurementReader:
     def measurement(self, ambient_pressure: float) -> Measurement:
         self._check_keys()
         self.ambient = self._ambient(ambient_pressure)
-        skip, end = self._window()
+        # The first and last used times, relative to the first sample.
+        skip = self._seconds(self.table, "skip", self.location)
+        end = self._seconds(self.table, "until", self.location, math.inf)
+        if end <= skip:
+            self.errors.add("measured.until_before_skip", f"{self.location}.until", value=self.table["until"])
         channels = self._columns(self.table, _OF_CHANNEL, self.location)
         inputs = self._columns(self._mapping("inputs"), _OF_INPUT, f"{self.location}.inputs")
         start = self._start()
@@ -121,15 +127,10 @@ class _MeasurementReader:
         self._refuse_all()
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
-            self.name,
-            read,
-            driving,
-            start,
-            self.ambient,
-            tuple(self.notes),
+            self.name, read, driving, start, self.ambient, tuple(self.notes),
             (*self.findings, *verdicts(read, driving, self.ambient, gauge)),
             max(float(channel.time[-1]) for channel in read),
-        )
+        )  # fmt: skip
 
     def recording(self, ambient_pressure: str | float, title: str) -> Recording:
         """Return the channels over their common time base; missing samples are NaN."""
@@ -144,14 +145,10 @@ class _MeasurementReader:
         for row, column in zip(values, columns, strict=True):
             row[np.searchsorted(base, column.samples.time)] = column.samples.values
         return Recording(
-            base,
-            tuple(column.address for column in columns),
-            tuple(column.unit for column in columns),
-            values,
-            title=title,
-            notes=(*self.findings, *(self.source.notes if self.source else ()), *self.notes),
+            base, tuple(column.address for column in columns), tuple(column.unit for column in columns), values,
+            title=title, notes=(*self.findings, *(self.source.notes if self.source else ()), *self.notes),
             ambient_pressure=self.ambient,
-        )
+        )  # fmt: skip
 
     def _refuse_all(self) -> None:
         # An error of the shared file or time occurs once per channel.
@@ -171,12 +168,8 @@ class _MeasurementReader:
             if isinstance(self.table[key], Mapping):  # TOML reads tank.pressure without quotes as a table
                 self.errors.add("measured.unquoted", location, key=key)
             else:
-                self.errors.add(
-                    "fields.unknown",
-                    location,
-                    table="recording",
-                    near=NameSuggestion(key, (*_FIELDS, *self.other_fields)),
-                )
+                near = NameSuggestion(key, (*_FIELDS, *self.other_fields))
+                self.errors.add("fields.unknown", location, table="recording", near=near)
         if not any("." in key for key in self.table):
             self.errors.add("measured.no_channel", self.location)
 
@@ -205,14 +198,6 @@ class _MeasurementReader:
         if read is not None and read.value < 0.0 and not signed:
             self.errors.add("measured.negative_time", location, value=fields[key])
         return read.value if read is not None else default
-
-    def _window(self) -> tuple[float, float]:
-        """Return the first and last used times, relative to the first sample [s]."""
-        skip = self._seconds(self.table, "skip", self.location)
-        end = self._seconds(self.table, "until", self.location, math.inf)
-        if end <= skip:
-            self.errors.add("measured.until_before_skip", f"{self.location}.until", value=self.table["until"])
-        return skip, end
 
     def _start(self) -> dict[str, str | float]:
         start = dict(self._mapping("start"))
@@ -376,14 +361,10 @@ class _MeasurementReader:
 
 
 def read_recording(
-    path: str | Path,
-    *,
-    time: str | int | Mapping[str, str] | None = None,
-    columns: Mapping[str, str | int | Mapping[str, str]] | None = None,
-    ambient_pressure: str | float = "1 bar",
-    title: str | None = None,
-    **options: Any,
-) -> Recording:
+    path: str | Path, *, time: str | int | Mapping[str, str] | None = None,
+    columns: Mapping[str, str | int | Mapping[str, str]] | None = None, ambient_pressure: str | float = "1 bar",
+    title: str | None = None, **options: Any,
+) -> Recording:  # fmt: skip
     r"""Read a measured file as a recording in SI units, pressures absolute.
 
     Parameters

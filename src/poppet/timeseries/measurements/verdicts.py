@@ -10,8 +10,7 @@ from poppet.core.codes import Note
 from poppet.core.units import convert, same_dimension
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements.delays import late_input, slow_sensor
-from poppet.timeseries.measurements.measurement import Channel, InputChannel
-from poppet.timeseries.measurements.noise import noise_of
+from poppet.timeseries.measurements.measurement import Channel, InputChannel, noise_of
 
 # Limits relative to the ambient pressure: _LOW, _NEAR, _ZERO.
 _LOW = 0.3  # compressed-air circuits are rarely in steady state below this pressure
@@ -84,9 +83,8 @@ def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bo
         return [Note("suspicion.read_as_absolute", address, lowest=min(lowest, 0.0) or level, ambient=ambient_pressure)]
     if lowest > _HIGH:
         return [Note("suspicion.high_pressure", address, lowest=lowest, highest=highest)]
-    rest_pressure = (
-        level - ambient_pressure
-    )  # an absolute pressure at rest that was read as gauge equals the ambient pressure
+    # An absolute pressure at rest that was read as gauge equals the ambient pressure.
+    rest_pressure = level - ambient_pressure
     moves = highest - level > 0.5 * ambient_pressure
     if is_gauge and moves and abs(rest_pressure - ambient_pressure) < _NEAR * ambient_pressure:
         return [Note("suspicion.read_as_gauge", address, lowest=rest_pressure, ambient=ambient_pressure)]
@@ -121,20 +119,14 @@ def value_verdicts(channel: Channel) -> list[Note]:
         facts = {"step": channel.quantum, "share": channel.quantum / range_, "noise": noise, "unit": unit}
         notes.append(Note("suspicion.coarse", address, **facts))
     for level, extreme in ((float(np.max(values)), "highest"), (float(np.min(values)), "lowest")):
-        count = _clipped(values, level, channel.quantum)
-        if count:
+        runs = _runs(values, level)
+        if not runs or level == 0.0:  # zero is a regular value: no flow, or closed
+            continue
+        step = max(channel.quantum, 1e-6 * range_)
+        if stays_in_noise(values, level, channel.quantum) or any(cuts_a_peak(values, run, step) for run in runs):
+            count = max(stop - start for start, stop in runs)
             notes.append(Note("suspicion.clipped", address, which=extreme, value=level, unit=unit, samples=count))
     return notes
-
-
-def _clipped(values: FloatArray, level: float, quantum: float) -> int:
-    """Return the length of the longest run of clipped samples at an extreme value, else 0."""
-    runs = _runs(values, level)
-    if not runs or level == 0.0:  # zero is a regular value: no flow, or closed
-        return 0
-    step = max(quantum, 1e-6 * float(np.ptp(values)))
-    is_cut = stays_in_noise(values, level, quantum) or any(cuts_a_peak(values, run, step) for run in runs)
-    return max(stop - start for start, stop in runs) if is_cut else 0
 
 
 def _runs(values: FloatArray, level: float) -> list[tuple[int, int]]:
@@ -165,30 +157,25 @@ def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
 
 def time_verdicts(channels: Sequence[Channel]) -> list[Note]:
     """Return suspicions on gaps, uneven stamps and milliseconds read as seconds, once per clock."""
-    notes, clocks = [], set()
-    for channel in channels:
-        clock = channel.time.tobytes()
-        if clock not in clocks:
-            notes += _clock(channel.address, channel.time)
-        clocks.add(clock)
-    return notes
-
-
-def _clock(address: str, time: FloatArray) -> list[Note]:
-    steps = np.diff(time)
-    median = float(np.median(steps))
     notes: list[Note] = []
-    gaps = np.flatnonzero(steps > _GAP * median)
-    if gaps.size:
-        k = int(gaps[np.argmax(steps[gaps])])
-        facts = {"limit": _GAP, "median": median, "longest": float(steps[k]), "start": float(time[k])}
-        notes.append(Note("suspicion.gaps", address, count=gaps.size, **facts))
-    low, high = np.percentile(steps, [5.0, 95.0])
-    if high - low > _UNEVEN * median:
-        notes.append(Note("suspicion.uneven", address, shortest=float(low), longest=float(high), median=median))
-    jitter = float(np.ptp(steps)) > 0.0
-    if median >= _LONG_STEP and time.size >= _MANY_STAMPS and jitter and bool(np.all(steps == np.rint(steps))):
-        notes.append(Note("suspicion.milliseconds", address, step=median, total=float(time[-1])))
+    clocks: dict[bytes, Channel] = {}
+    for channel in channels:
+        clocks.setdefault(channel.time.tobytes(), channel)
+    for channel in clocks.values():
+        address, time = channel.address, channel.time
+        steps = np.diff(time)
+        median = float(np.median(steps))
+        gaps = np.flatnonzero(steps > _GAP * median)
+        if gaps.size:
+            k = int(gaps[np.argmax(steps[gaps])])
+            facts = {"limit": _GAP, "median": median, "longest": float(steps[k]), "start": float(time[k])}
+            notes.append(Note("suspicion.gaps", address, count=gaps.size, **facts))
+        low, high = np.percentile(steps, [5.0, 95.0])
+        if high - low > _UNEVEN * median:
+            notes.append(Note("suspicion.uneven", address, shortest=float(low), longest=float(high), median=median))
+        jitter = float(np.ptp(steps)) > 0.0
+        if median >= _LONG_STEP and time.size >= _MANY_STAMPS and jitter and bool(np.all(steps == np.rint(steps))):
+            notes.append(Note("suspicion.milliseconds", address, step=median, total=float(time[-1])))
     return notes
 
 

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from poppet.core.errors import InputError, NameSuggestion, UnitError
 from poppet.core.number_format import USUAL
 from poppet.core.units import check_unit, convert, same_dimension
+from poppet.laws.iso6358 import REGIMES
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.columns import Columns
 
@@ -33,12 +34,10 @@ _QUANTITIES: tuple[tuple[str, str, float], ...] = (
     ("kg", "mass", 1.0),
     ("m^3", "volume", 1.0),
 )
+# Units of the panels after position and velocity in figures with moving loads, in this order.
 _OF_LOADS = ("Pa", "N", "N m")
-"""Units of the panels after position and velocity in figures with moving loads, in this order."""
-AFTER_LOADS = ("K", "W", "kg")
-"""Units of the series that such figures omit by default."""
-STILL = 1e-6
-"""Range of a series, relative to its own or usual size, below which the series is solver noise."""
+AFTER_LOADS = ("K", "W", "kg")  # units of the series that such figures omit by default
+STILL = 1e-6  # range of a series, relative to its own or usual size, below which the series is solver noise
 
 
 @dataclass(frozen=True)
@@ -103,12 +102,16 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
 
 
 def shown_series(
-    recordings: Sequence[Columns],
-    names: tuple[str, ...] | None,
-    units: Mapping[str, str] | Sequence[str] | str | None,
+    recordings: Sequence[Columns], names: tuple[str, ...] | None, units: Mapping[str, str] | Sequence[str] | str | None
 ) -> list[Series]:
     """Return the series of several recordings in usual or requested units."""
-    requests = _wanted(units)
+    # Pairs of a pattern and its requested unit; an empty pattern matches the whole quantity.
+    if isinstance(units, Mapping):
+        requests = list(units.items())
+    else:
+        requests = [("", unit) for unit in ([units] if isinstance(units, str) else units or ())]
+    for _, unit in requests:
+        check_unit(unit)
     applied: set[int] = set()
     series = []
     for source, recording in enumerate(recordings):
@@ -117,20 +120,15 @@ def shown_series(
     for index, (pattern, unit) in enumerate(requests):
         if index not in applied:
             candidates = {item.name if pattern else item.unit for item in series}
-            raise InputError(
-                "drawing.unused_unit", name=pattern or unit, near=NameSuggestion(pattern or unit, candidates)
-            )
+            near = NameSuggestion(pattern or unit, candidates)
+            raise InputError("drawing.unused_unit", name=pattern or unit, near=near)
     return series
 
 
 def bodies_of(recordings: Sequence[Columns]) -> set[str]:
     """Return the names of the moving bodies in recordings."""
-    bodies = {
-        name.rpartition(".")[0]
-        for recording in recordings
-        for name in recording.names
-        if name.endswith(".acceleration")
-    }
+    names = (name for recording in recordings for name in recording.names)
+    bodies = {name.rpartition(".")[0] for name in names if name.endswith(".acceleration")}
     return {body for body in bodies if any(f"{body}.position" in recording for recording in recordings)}
 
 
@@ -225,24 +223,14 @@ def _title(quantity: str, members: Sequence[Series]) -> str:
     return phrases.pop() if len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", "") else quantity
 
 
-def _wanted(units: Mapping[str, str] | Sequence[str] | str | None) -> list[tuple[str, str]]:
-    """Return pairs of a pattern and its requested unit; an empty pattern matches the whole quantity."""
-    if units is None:
-        return []
-    if isinstance(units, Mapping):
-        pairs = list(units.items())
-    else:
-        pairs = [("", unit) for unit in ([units] if isinstance(units, str) else units)]
-    for _, unit in pairs:
-        check_unit(unit)
-    return pairs
-
-
 def _series(
     recording: Columns, source: int, name: str, requests: Sequence[tuple[str, str]], applied: set[int]
 ) -> Series:
     recorded_unit = recording.unit(name) or "1"
-    rank, quantity, unit = _usual(recorded_unit)
+    dimensions = enumerate(_QUANTITIES)
+    rank = next((k for k, (si, _, _) in dimensions if same_dimension(recorded_unit, si)), len(_QUANTITIES))
+    reference, quantity, _ = (*_QUANTITIES, (recorded_unit, "", 0.0))[rank]
+    unit = USUAL.get(reference, reference) if rank < len(_QUANTITIES) else recorded_unit
     for index, (pattern, requested) in enumerate(requests):
         if pattern and (pattern == name or fnmatchcase(name, pattern)):
             if not same_dimension(recorded_unit, requested):
@@ -257,9 +245,145 @@ def _series(
     return Series(name, source, recording.time, values, unit, quantity, rank)
 
 
-def _usual(unit: str) -> tuple[int, str, str]:
-    """Return rank, name and usual unit of a quantity."""
-    for rank, (reference, quantity, _) in enumerate(_QUANTITIES):
-        if same_dimension(unit, reference):
-            return rank, quantity, USUAL.get(reference, reference)
-    return len(_QUANTITIES), "", unit
+_USUAL_FLOW = 1e-3  # [kg/s]
+CONTACTS: dict[int, str] = {
+    -2: "lower stop",
+    -1: "exhaust open",
+    0: "both seats closed",
+    1: "supply open",
+    2: "upper stop",
+}
+"""Meanings of the codes of `contact` of a main stage."""
+
+_REGIME_COLOURS = {0: "#dfe2e7", 1: "#f3c76b", 2: "#5b9bd5", 3: "#1f4e87"}
+_CONTACT_COLOURS = {-2: "#7a4b1e", -1: "#d9822b", 0: "#dfe2e7", 1: "#3d9a5f", 2: "#14532d"}
+
+
+@dataclass(frozen=True)
+class CodeStyle:
+    """Meaning, colour and hatching of a code."""
+
+    text: str
+    colour: str
+    is_hatched: bool = False
+
+
+REGIME_LOOKS = {
+    code: CodeStyle(REGIMES[code], _REGIME_COLOURS[abs(code)], code < 0) for code in (3, 2, 1, 0, -1, -2, -3)
+}
+REGIME_LOOKS[0] = CodeStyle("no flow", _REGIME_COLOURS[0])
+CONTACT_LOOKS = {code: CodeStyle(CONTACTS[code], _CONTACT_COLOURS[code]) for code in (2, 1, 0, -1, -2)}
+FRICTION_LOOKS = {
+    1: CodeStyle("slips", "#3d9a5f"),
+    0: CodeStyle("sticks", "#cbb8a2"),
+    -1: CodeStyle("slips back", "#3d9a5f", True),
+}
+# Rows of a timeline, from top to bottom.
+BANDS = (("friction", FRICTION_LOOKS), ("flow\nregime", REGIME_LOOKS), ("contact", CONTACT_LOOKS))
+
+
+@dataclass(frozen=True)
+class Span:
+    """Time span of a code: start and width [s]."""
+
+    start: float
+    width: float
+    code: int
+
+
+@dataclass(frozen=True)
+class Band:
+    """Row of the timeline; `is_thinned` if codes change faster than the figure can resolve."""
+
+    name: str
+    label: str
+    source: int
+    looks: dict[int, CodeStyle]
+    spans: tuple[Span, ...]
+    is_thinned: bool
+
+
+def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] | None:
+    """Return the styles of the codes of a series, None if the series has no codes."""
+    last = name.rpartition(".")[2]
+    styles = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
+    styles = FRICTION_LOOKS if last == "friction_state" else styles
+    if styles is None or unit not in ("", "1"):
+        return None
+    finite = values[np.isfinite(values)]
+    return styles if np.isin(finite, list(styles)).all() else None
+
+
+def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
+    """Return the rows of the timeline in the order of `BANDS`, recordings side by side."""
+    bands = []
+    for source, recording in enumerate(recordings):
+        for name in recording.names if names is None else names:
+            if name not in recording:
+                continue
+            styles = looks_of(name, recording.unit(name), recording[name])
+            if styles is not None:
+                spans, is_thinned = spans_of(recording.time, at_rest(recording, name), columns)
+                bands.append(Band(name, _label(name), source, styles, spans, is_thinned))
+    order = list(dict.fromkeys(band.name for band in bands))
+    ranks = [id(styles) for _, styles in BANDS]
+    return sorted(bands, key=lambda band: (ranks.index(id(band.looks)), order.index(band.name), band.source))
+
+
+def at_rest(recording: Columns, name: str) -> FloatArray:
+    """Return the codes of a series; regimes of solver noise near equal pressures become no flow.
+
+    Examples
+    --------
+    >>> flow, regime = [1e-3, 1e-13, -1e-13, 0.0], [2.0, 1.0, -1.0, 0.0]
+    >>> series = {"valve.mass_flow_rate [kg/s]": flow, "valve.regime [1]": regime}
+    >>> at_rest(Columns.from_series([0.0, 1.0, 2.0, 3.0], series), "valve.regime").tolist()
+    [2.0, 0.0, 0.0, 0.0]
+    """
+    codes, flow = recording[name], f"{name.removesuffix('regime')}mass_flow_rate"
+    if not name.endswith("regime") or flow not in recording or not same_dimension(recording.unit(flow), "kg/s"):
+        return codes
+    size = np.abs(convert(recording[flow], recording.unit(flow), "kg/s"))
+    limit = STILL * max(float(np.max(size[np.isfinite(size)], initial=0.0)), _USUAL_FLOW)
+    return np.where((size <= limit) & (np.abs(codes) <= 1.0), 0.0, codes)
+
+
+def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[Span, ...], bool]:
+    """Return codes as time spans; a code is valid from its row to the next.
+
+    Examples
+    --------
+    >>> spans, is_thinned = spans_of(np.array([0.0, 1.0, 2.0]), np.array([0.0, 3.0, 3.0]), 1000)
+    >>> [(span.start, span.width, span.code) for span in spans]
+    [(0.0, 1.0, 0), (1.0, 1.0, 3)]
+    """
+    if len(time) < 2:
+        return (), False
+    values, edges = codes[:-1], time
+    is_thinned = bool(np.count_nonzero(np.diff(values)) > columns)
+    if is_thinned:
+        edges = np.linspace(time[0], time[-1], columns + 1)
+        values = _most_frequent(time, values, edges)
+    first = np.flatnonzero(np.diff(values, prepend=np.nan) != 0.0)
+    ends = np.append(edges[first[1:]], edges[-1])
+    known = [(k, end) for k, end in zip(first, ends, strict=True) if np.isfinite(values[k])]
+    return tuple(Span(float(edges[k]), float(end - edges[k]), int(values[k])) for k, end in known), is_thinned
+
+
+def _most_frequent(time: FloatArray, codes: FloatArray, edges: FloatArray) -> FloatArray:
+    """Return the code with the longest total duration between adjacent edges."""
+    kinds = np.unique(codes[np.isfinite(codes)])
+    if not kinds.size:
+        return np.full(len(edges) - 1, np.nan)
+    durations = np.empty((kinds.size, len(edges) - 1))
+    for row, kind in zip(durations, kinds, strict=True):
+        # Total duration so far, linear between samples, so differences between edges are exact.
+        total = np.concatenate(([0.0], np.cumsum(np.where(codes == kind, np.diff(time), 0.0))))
+        row[:] = np.diff(np.interp(edges, time, total))
+    return np.asarray(kinds[durations.argmax(axis=0)])
+
+
+def _label(name: str) -> str:
+    last = name.rpartition(".")[2]
+    quantity = {"contact": "contact", "friction_state": "friction state"}.get(last, "regime")
+    return readable([name], quantity)[name]

@@ -1,33 +1,211 @@
-"""Reader of column files; each format has its own module."""
+"""Readers of column files by suffix, and those of the binary formats: TDMS, MDF, MAT and Parquet."""
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+import json
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
-from poppet.core.errors import InputError
+from poppet.core.codes import Note
+from poppet.core.errors import InputError, needed
 from poppet.core.files import by_suffix
 from poppet.core.plugins import Registry
 from poppet.core.units import LARGEST
-from poppet.timeseries.tables import mat, mdf, parquet, tdms, text
-from poppet.timeseries.tables.table import Table
+from poppet.timeseries.checks import METADATA, FloatArray
+from poppet.timeseries.tables import text
+from poppet.timeseries.tables.table import Table, groups_of, seconds, table_of
 
 __all__ = ["Table", "read_table", "read_with"]
 
 Found = TypeVar("Found")
 
+_UNIT_PROPERTIES = ("unit_string", "NI_UnitDescription", "Unit", "unit")
+
+
+def read_tdms(path: Path, *, group: str | int | None = None) -> Table:
+    """Read the channels of a TDMS file."""
+    with needed("npTDMS", "A TDMS file", "measured"):
+        from nptdms import TdmsFile
+    file = TdmsFile.read(path)
+    groups: dict[str, dict[str, FloatArray]] = {}
+    units: dict[str, str] = {}
+    notes: list[Note] = []
+    for channel_group in file.groups():
+        columns, missing = _tdms_columns(channel_group.channels())
+        notes += [Note("table.channel_without_numbers", channel=name, group=channel_group.name) for name in missing]
+        if columns:
+            groups[channel_group.name] = columns
+        for channel in channel_group.channels():
+            unit = next((str(channel.properties[key]) for key in _UNIT_PROPERTIES if key in channel.properties), "")
+            units[channel.name] = units[f"{channel_group.name}/{channel.name}"] = unit
+    columns_of_file = groups_of(groups, group) if groups else {}
+    stamps = {name: "s" for name in columns_of_file if name.rpartition("/")[2].rpartition(" ")[2] == "time"}
+    return table_of(columns_of_file, stamps | {name: unit for name, unit in units.items() if unit}, notes)
+
+
+def _tdms_columns(channels: list[Any]) -> tuple[dict[str, FloatArray], list[str]]:
+    """Return the columns of a group with their times, and the names of channels without numbers."""
+    columns, missing = {}, []
+    bases: dict[str, tuple[float, float, int]] = {}
+    for channel in channels:
+        values: Any = np.asarray(channel[:])
+        if not values.size or values.dtype.kind not in "iufbM":
+            missing += [channel.name]
+            continue
+        columns[channel.name] = seconds(values) if values.dtype.kind == "M" else values.astype(float)
+        if "wf_increment" in channel.properties:
+            # The offset can be absent; time_track() of the package raises an error in this case.
+            offset = float(channel.properties.get("wf_start_offset", 0.0))
+            bases[channel.name] = (offset, float(channel.properties["wf_increment"]), values.size)
+    # Each waveform has a clock; if all clocks are equal, they are the time of the group.
+    common = len(set(bases.values())) == 1 and "time" not in columns
+    for name, (offset, increment, count) in bases.items():
+        base = offset + increment * np.arange(count)
+        columns["time" if common else f"{name} time"] = base
+    return columns, missing
+
+
+def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
+    """Read the channels of an MDF file."""
+    with needed("asammdf", "An MDF file", "measured"):
+        from asammdf import MDF
+    path.open("rb").close()  # gives the usual error for a missing file
+    with MDF(path) as file:
+        groups, units, notes = _mdf_groups(file)
+    columns = groups_of(groups, group) if groups else {}
+    stamps = {name: "s" for name in columns if name.rpartition("/")[2] == "time"}
+    return table_of(columns, units | stamps, notes)
+
+
+def _mdf_groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, str], list[Note]]:
+    groups: dict[str, dict[str, FloatArray]] = {}
+    units: dict[str, str] = {}
+    notes: list[Note] = []
+    for k in range(len(file.groups)):
+        name = str(getattr(file.groups[k].channel_group, "acq_name", "") or "")
+        name = name if name and name not in groups else f"group {k}"
+        columns: dict[str, FloatArray] = {}
+        # Without the master channel, which is the time.
+        indices = [i for i in range(len(file.groups[k].channels)) if i != file.masters_db.get(k)]
+        for signal in file.select([(None, k, i) for i in indices]) if indices else ():
+            if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
+                notes.append(Note("table.channel_without_numbers", channel=signal.name, group=name))
+                continue
+            # All channels of a group share its clock.
+            columns.setdefault("time", np.asarray(signal.timestamps, dtype=float))
+            columns[signal.name] = signal.samples.astype(float)
+            units[signal.name] = units[f"{name}/{signal.name}"] = signal.unit or ""
+        if columns.get("time", np.empty(0)).size:
+            groups[name] = columns
+    return groups, units, notes
+
+
+def known(metadata: Any) -> dict[str, Any]:
+    """Return the metadata of a recording, empty for files of other programs."""
+    try:
+        content = json.loads(metadata) if isinstance(metadata, str) else {}
+    except ValueError:
+        content = {}
+    return content if isinstance(content, dict) and "columns" in content and "units" in content else {}
+
+
+def read_mat(path: Path) -> Table:
+    """Read the vectors of a MAT file."""
+    from scipy.io import loadmat
+    from scipy.io.matlab import matfile_version
+
+    with path.open("rb") as stream:
+        is_hdf5 = matfile_version(stream)[0] == 2  # format -v7.3, which SciPy cannot read_mat
+        content = {} if is_hdf5 else loadmat(stream, squeeze_me=True, simplify_cells=True)
+    if is_hdf5:
+        with needed("h5py", "A MAT file of version 7.3", "measured"):
+            import h5py
+        with h5py.File(path, "r") as file:
+            content = {name: _hdf5_item(item) for name, item in file.items() if not name.startswith("#")}
+    meta = known(content.pop(METADATA, ""))
+    columns = dict(_vectors(content))
+    if any(values.size > 1 for values in columns.values()):
+        # Single numbers in a file with vectors are settings.
+        columns = {name: values for name, values in columns.items() if values.size > 1}
+    return table_of(columns, {}, meta=meta)
+
+
+def _hdf5_item(item: Any) -> Any:
+    if hasattr(item, "items"):
+        return {name: _hdf5_item(inner) for name, inner in item.items()}
+    if item.dtype.kind not in "iufb" or item.attrs.get("MATLAB_class", b"") in (b"char", b"cell"):
+        return None
+    return np.squeeze(np.asarray(item).T)  # MATLAB stores axes in reverse order
+
+
+def _vectors(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str, FloatArray]]:
+    for name, value in content.items():
+        if isinstance(value, Mapping):
+            yield from _vectors(value, f"{prefix}{name}.")
+        elif isinstance(value, np.ndarray | float | int) and not name.startswith("__"):
+            yield from _mat_columns(prefix + name, np.asarray(value))
+
+
+def _mat_columns(name: str, value: Any) -> Iterator[tuple[str, FloatArray]]:
+    if value.dtype.kind not in "iufb" or not value.size:
+        return
+    if value.ndim <= 1:
+        yield name, np.atleast_1d(value).astype(float)
+    elif value.ndim == 2:
+        for k, column in enumerate(value.T, start=1):
+            yield f"{name}(:,{k})", column.astype(float)
+
+
+def arrow() -> Any:
+    """Return the package pyarrow."""
+    with needed("pyarrow", "A Parquet file", "data"):
+        import pyarrow
+        import pyarrow.parquet
+    return pyarrow
+
+
+def table_in(path: Path, columns: list[str] | None = None) -> Any:
+    """Return the table of a file, or selected columns of it."""
+    package = arrow()
+    path.open("rb").close()  # gives the usual error for a missing file
+    # Arrow must open the file itself: its threads would call a Python stream, and a thread that still runs at the end
+    # of the interpreter aborts the process.
+    with package.OSFile(str(path)) as source:
+        return package.parquet.ParquetFile(source).read(columns)
+
+
+def read_parquet(path: Path) -> Table:
+    """Read the columns of a Parquet file."""
+    content = table_in(path)
+    meta = known((content.schema.metadata or {}).get(METADATA.encode(), b"").decode())
+    columns: dict[str, FloatArray] = {}
+    units, notes = {}, []
+    for field, column in zip(content.schema, content.columns, strict=True):
+        values = column.to_numpy()
+        if values.dtype.kind == "M":
+            columns[field.name] = seconds(values)
+        elif values.dtype.kind in "iufb":
+            columns[field.name] = np.asarray(values, dtype=float)
+        else:
+            notes.append(Note("table.column_without_numbers", column=field.name))
+        units[field.name] = (field.metadata or {}).get(b"unit", b"").decode()
+    return table_of(columns, units, notes, meta)
+
+
+# Selection of the reader ------------------------------------------------------------------------------------------
+
 READERS: Registry[Callable[..., Table]] = Registry(
     "poppet.readers",
     {
         **dict.fromkeys((".csv", ".txt", ".tsv", ".dat", ".asc", ".lvm", ".log"), text.read),
-        ".tdms": tdms.read,
-        **dict.fromkeys((".mf4", ".mdf"), mdf.read),
-        ".mat": mat.read,
-        ".parquet": parquet.read,
+        ".tdms": read_tdms,
+        **dict.fromkeys((".mf4", ".mdf"), read_mdf),
+        ".mat": read_mat,
+        ".parquet": read_parquet,
     },
     lambda suffix, reader: callable(reader),
     prefix=".",
@@ -36,13 +214,9 @@ READERS: Registry[Callable[..., Table]] = Registry(
 
 
 def read_table(
-    path: Path,
-    *,
-    separator: str | None = None,
-    decimal: str | None = None,
-    header_rows: int | None = None,
+    path: Path, *, separator: str | None = None, decimal: str | None = None, header_rows: int | None = None,
     group: str | int | None = None,
-) -> Table:
+) -> Table:  # fmt: skip
     r"""Read the columns of a measured file.
 
     Examples

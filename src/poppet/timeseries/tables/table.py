@@ -93,18 +93,14 @@ class Table:
         if indices:
             raise InputError("table.ambiguous", column=column, places=tuple(indices))
         suggestion = NameSuggestion(column, self.names)
-        code = (
-            "table.misspelt" if suggestion.names else "table.unknown"
-        )  # without similar names, `near` lists all names
+        code = "table.misspelt" if suggestion.names else "table.unknown"  # if unknown, `near` lists all names
         raise InputError(code, column=column, near=suggestion, names=self.names)
 
 
 def table_of(
-    columns: Mapping[str, FloatArray],
-    units: Mapping[str, str],
-    notes: Sequence[Note] = (),
+    columns: Mapping[str, FloatArray], units: Mapping[str, str], notes: Sequence[Note] = (),
     meta: Mapping[str, Any] | None = None,
-) -> Table:
+) -> Table:  # fmt: skip
     """Return a table of named columns, padded with NaN to equal length.
 
     `units` maps names to units in the spelling of the file.
@@ -118,20 +114,14 @@ def table_of(
     if meta:  # names and units of a recording are exact
         # A series with the name `time` keeps its column name, so there is one time column.
         names = {column: column if name == "time" else name for column, name in meta["columns"].items()}
-        unit_by_column = {column: meta["units"].get(name, "") for column, name in meta["columns"].items()} | {
-            "time": "s"
-        }
+        unit_by_column = {column: meta["units"].get(name, "") for column, name in meta["columns"].items()}
+        unit_by_column["time"] = "s"
         column_names = tuple(names.get(column, column) for column in columns)
-        return Table(
-            column_names, filled, tuple(unit_by_column.get(column, "") for column in columns), tuple(notes), meta
-        )
+        column_units = tuple(unit_by_column.get(column, "") for column in columns)
+        return Table(column_names, filled, column_units, tuple(notes), meta)
     headings = [heading_of(key) for key in columns]
-    return Table(
-        tuple(name for name, _ in headings),
-        filled,
-        tuple(unit_of(units.get(key, "")) or unit for key, (_, unit) in zip(columns, headings, strict=True)),
-        tuple(notes),
-    )
+    column_units = tuple(unit_of(units.get(key, "")) or unit for key, (_, unit) in zip(columns, headings, strict=True))
+    return Table(tuple(name for name, _ in headings), filled, column_units, tuple(notes))
 
 
 def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> FloatArray:

@@ -34,11 +34,9 @@ _SAID = {"\t": "tabs", " ": "spaces", ",": "commas", ";": "semicolons"}
 # Numbers of lines for guessing the layout: the last ones, which contain samples, and some before them.
 _LAST, _BETWEEN = 60, 200
 
-LARGEST_TEXT = 256 * 2**20
-"""Limit of the size of a text file [bytes]; reading needs ten times as much memory."""
+LARGEST_TEXT = 256 * 2**20  # limit of the size of a text file [bytes]; reading needs ten times as much memory
 
-Line = tuple[int, str]
-"""Line number in the file, counted from 1, and text of the line."""
+Line = tuple[int, str]  # line number in the file, counted from 1, and text of the line
 
 
 @dataclass(frozen=True)
@@ -55,6 +53,9 @@ class _TextLayout:
 
     def is_number(self, cell: str) -> bool:
         return _NUMBER[self.decimal].fullmatch(cell) is not None
+
+    def has_number(self, text: str) -> bool:
+        return any(map(self.is_number, self.cells(text)))
 
     def is_sample(self, text: str) -> bool:
         """Return True for a line with a number first, or with numbers in all numeric columns.
@@ -84,7 +85,9 @@ def read(
     rest_lines = [line for line in lines if not line[1].lstrip().startswith("#")]
     if not rest_lines:
         raise InputError("table.empty")
-    layout = _guess(rest_lines, _separators(separator), _decimals(decimal))
+    if decimal not in (None, ".", ","):
+        raise InputError("table.decimal", "decimal", value=decimal)
+    layout = _guess(rest_lines, _separators(separator), (".", ",") if decimal is None else (decimal,))
     head, body = _parted(rest_lines, layout, header_rows)
     names, units, heading_notes = _headings(head, comments, layout, body)
     if separator is None or decimal is None:
@@ -161,12 +164,6 @@ def _separators(separator: str | None) -> Sequence[str]:
     return (character,)
 
 
-def _decimals(decimal: str | None) -> Sequence[str]:
-    if decimal not in (None, ".", ","):
-        raise InputError("table.decimal", "decimal", value=decimal)
-    return (".", ",") if decimal is None else (decimal,)
-
-
 def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
     """Return the layout that reads most lines as numbers; on a tie, the one with more columns."""
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
@@ -205,9 +202,7 @@ def _parted(lines: list[Line], layout: _TextLayout, header_rows: int | None) -> 
         first = next((k for k, (_, text) in enumerate(lines) if layout.is_sample(text)), None)
     else:
         first = next((k for k, (number, _) in enumerate(lines) if number > header_rows), None)
-        while (
-            first is not None and first < len(lines) and not any(map(layout.is_number, layout.cells(lines[first][1])))
-        ):
+        while first is not None and first < len(lines) and not layout.has_number(lines[first][1]):
             first += 1
     if first is None or first == len(lines):
         raise InputError("table.no_samples")
