@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.optimize import least_squares
 
-from poppet.identify.fit.losses import costs_of, curvatures_of, weights_of
+from poppet.identify.fit.residuals import costs_of, curvatures_of, weights_of
 from poppet.identify.least_squares import LocalModel, SearchResult, condense, search
 
 Array = np.ndarray[Any, np.dtype[np.float64]]

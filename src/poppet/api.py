@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from poppet.deploy.ode import Ode
     from poppet.ensemble.ensemble_result import Ensemble
     from poppet.identify.fit.fit_circuit import Data as RecordedData
-    from poppet.identify.fit.fit_result import FitResult
+    from poppet.identify.fit.fit_circuit import FitResult
 
 LISTED = (
     *("parts", "signals", "connections", "run", "ambient", "gas", "title"),

@@ -12,8 +12,8 @@ if TYPE_CHECKING:
     from poppet.identify.characteristic.identify_characteristic import identify_characteristic
     from poppet.identify.design.design_file import DesignPlan, read_design_file
     from poppet.identify.design.identify_design import Design, Prediction, identify_design
+    from poppet.identify.fit.fit_circuit import FitResult
     from poppet.identify.fit.fit_file import read_fit_file
-    from poppet.identify.fit.fit_result import FitResult
     from poppet.identify.fit.identify_fit import identify_fit
     from poppet.identify.fit.search import SearchSettings
     from poppet.identify.flow.flow_file import read_flow_file
@@ -73,7 +73,7 @@ _NAMES_IN = {
     "design.design_file": "DesignPlan read_design_file",
     "design.identify_design": "Design Prediction identify_design",
     "fit.fit_file": "read_fit_file",
-    "fit.fit_result": "FitResult",
+    "fit.fit_circuit": "FitResult",
     "fit.identify_fit": "identify_fit",
     "fit.search": "SearchSettings",
     "flow.flow_file": "read_flow_file",

@@ -1,7 +1,7 @@
 """Linear reference models of the same recordings.
 
-Two are fitted to each channel and its command: a first-order lag with dead time, by simulation, and a second-order
-ARX, by least squares. Both are then left to run freely from the first measured value, as a circuit is.
+Two models are fitted to each channel and its command: a first-order lag with dead time by simulation, and a
+second-order ARX model by least squares. Both then simulate the recording from its first measured value.
 """
 
 from __future__ import annotations
@@ -20,9 +20,9 @@ from poppet.timeseries.measurements import Measurement
 
 GREY_BOX, FIRST_ORDER, ARX, ONE_STEP = "circuit", "first order + dead time", "ARX", "ARX, one step"
 LONGEST_DEAD_TIME = 0.1
-"""Of the training window; longer ones are not tried."""
+"""Maximum dead time, as a fraction of the training window."""
 LEAST_DEAD_TIME = 0.4
-"""A dead time up to this is always tried where the window is ten times as long or more [s]."""
+"""Least value of the maximum dead time, limited to 20 % of the window [s]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,15 +30,15 @@ class Response:
     """Response of a channel to its command within one recording."""
 
     name: str  # `recording.channel`
-    time: FloatArray  # of the samples, strictly increasing, from 0, (n,) [s]
+    time: FloatArray  # times of the samples, strictly increasing, from 0, (n,) [s]
     measured: FloatArray  # the channel, (n,)
-    command_time: FloatArray  # when each value begins, strictly increasing; before 0 is history, (m,) [s]
-    command: FloatArray  # held from sample to sample, as a computer writes it, (m,)
-    first: float  # the channel at 0, freed of noise as far as can be
+    command_time: FloatArray  # start of each value, strictly increasing, also before 0, (m,) [s]
+    command: FloatArray  # piecewise constant command, (m,)
+    first: float  # channel at time 0, smoothed
 
     def commanded(self, time: FloatArray) -> FloatArray:
         """Return the command at some times [s]; before its start, its first value."""
-        # A sample at the very instant of a command sees the new one, whatever rounding did to either clock.
+        # At the sample instant of a new command, use the new one, in spite of rounding errors of both clocks.
         index = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
         command: FloatArray = self.command[np.maximum(index, 0)]
         return command
@@ -57,8 +57,8 @@ class FirstOrder:
 
     Notes
     -----
-    Before its first command can have arrived the channel rests at its first value: nothing is known of what was
-    commanded before a record begins.
+    Until the first recorded command takes effect, the channel stays at its first value, because earlier commands are
+    not available.
     """
 
     dead_time: float  # theta [s]
@@ -81,8 +81,8 @@ class SecondOrderArx:
 
     step: float  # between samples [s]
     dead_steps: int  # d
-    a: FloatArray  # of the channel, (2,)
-    b: FloatArray  # of the command, (2,)
+    a: FloatArray  # coefficients of the channel, (2,)
+    b: FloatArray  # coefficients of the command, (2,)
     constant: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
@@ -93,7 +93,7 @@ class SecondOrderArx:
         push = self._push(response, time)
         denominator = np.concatenate([[1.0], -self.a])
         state = lfiltic([1.0], denominator, [response.first, response.first])
-        # An unstable model runs away; its error is then no number, and another dead time wins.
+        # An unstable model overflows; its error is then not-a-number, and another dead time is selected.
         with np.errstate(over="ignore", invalid="ignore"):
             run = lfilter([1.0], denominator, push, zi=state)[0]
         simulated: FloatArray = np.interp(response.time, time, run)
@@ -132,9 +132,9 @@ class Score:
     response : str
         `recording.channel`.
     model : str
-        Which one.
+        Name of the model.
     held_out : bool
-        The model has not seen this window.
+        True if the window is a validation window.
     rms : float
         Root mean square of model - measured.
     nrmse : float
@@ -142,7 +142,7 @@ class Score:
     fit : float
         100 (1 - |model - measured| / |measured - its mean|) [%].
     samples : int
-        Compared.
+        Number of compared samples.
     """
 
     response: str
@@ -173,7 +173,7 @@ def first_order_columns(
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return the columns of gain and offset of a first-order lag, and its free response."""
     start = max(0.0, float(response.command_time[0]) + dead_time)
-    # Between arrivals of commands the answer is an exponential: exact on a grid of these and of the samples.
+    # Between commands the response is exponential: a grid of commands and samples makes it exact.
     arrival = response.command_time + dead_time
     is_between = (arrival > start) & (arrival < response.time[-1])
     grid = np.unique(np.concatenate([[start], arrival[is_between], response.time[response.time > start]]))
@@ -211,7 +211,7 @@ def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
     def cost(point: FloatArray) -> float:
         return linear(float(np.clip(point[0], 0.0, longest)), float(np.exp(point[1])))[0]
 
-    # Gain and offset follow by linear least squares, so that the search has two dimensions; a grid finds its basin.
+    # Gain and offset follow by linear least squares; the search has two dimensions and starts from a grid.
     lags = np.log(np.geomspace(1e-3 * span, 0.5 * span, 20))
     point = min((np.array([d, lag]) for d in np.linspace(0.0, longest, 16) for lag in lags), key=cost)
     end = minimize(cost, point, method="Nelder-Mead", options={"xatol": 1e-6, "fatol": 0.0, "maxiter": 2000}).x
@@ -225,7 +225,15 @@ def fit_arx(responses: Sequence[Response]) -> SecondOrderArx:
     step = float(np.median(np.concatenate([np.diff(r.time) for r in responses])))
     best, least = None, np.inf
     for dead_steps in range(int(_longest_dead_time(responses) / step) + 1):
-        model = _arx_at(responses, step, dead_steps)
+        rows, target = [], []
+        for r in responses:
+            _, command, measured = r.even(step)
+            k = np.arange(max(2, dead_steps + 1), measured.size)
+            driven = command[k - dead_steps], command[k - dead_steps - 1]
+            rows.append(np.column_stack((measured[k - 1], measured[k - 2], *driven, np.ones(k.size))))
+            target.append(measured[k])
+        a1, a2, b1, b2, constant = np.linalg.lstsq(np.vstack(rows), np.concatenate(target), rcond=None)[0]
+        model = SecondOrderArx(step, dead_steps, np.array([a1, a2]), np.array([b1, b2]), float(constant))
         error = float(sum(np.sum((model.simulate(r) - r.measured) ** 2) for r in responses))
         if best is None or error < least:
             best, least = model, error
@@ -236,18 +244,6 @@ def fit_arx(responses: Sequence[Response]) -> SecondOrderArx:
 def _longest_dead_time(responses: Iterable[Response]) -> float:
     shortest = min(float(r.time[-1]) for r in responses)
     return max(LONGEST_DEAD_TIME * shortest, min(LEAST_DEAD_TIME, 0.2 * shortest))
-
-
-def _arx_at(responses: Sequence[Response], step: float, dead_steps: int) -> SecondOrderArx:
-    rows, target = [], []
-    for r in responses:
-        _, command, measured = r.even(step)
-        k = np.arange(max(2, dead_steps + 1), measured.size)
-        driven = command[k - dead_steps], command[k - dead_steps - 1]
-        rows.append(np.column_stack((measured[k - 1], measured[k - 2], *driven, np.ones(k.size))))
-        target.append(measured[k])
-    a1, a2, b1, b2, constant = np.linalg.lstsq(np.vstack(rows), np.concatenate(target), rcond=None)[0]
-    return SecondOrderArx(step, dead_steps, np.array([a1, a2]), np.array([b1, b2]), float(constant))
 
 
 def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[Response]:
@@ -273,17 +269,17 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
     Parameters
     ----------
     plan : FitPlan
-        Its recordings: those with `use = "validation"` are held out.
+        Plan with the recordings; those with `use = "validation"` are the validation data.
     commands : mapping
-        Address of a channel to that of the input which commands it.
+        Address of each channel to the address of its command.
     result : Result, optional
-        What the circuit made of the same plan.
+        Result of the fit of the circuit to the same plan.
 
     Returns
     -------
     list of Score
-        For every channel and window the circuit, the first-order lag, and the ARX model running freely and
-        predicting one step.
+        Scores of the circuit, of the first-order lag, and of the ARX model (simulation and one-step prediction), for
+        each channel and window.
 
     Examples
     --------
@@ -316,12 +312,12 @@ def score_table(scores: Sequence[Score]) -> str:
     Parameters
     ----------
     scores : sequence of Score
-        From `baselines`.
+        Scores from `baselines`.
 
     Returns
     -------
     str
-        A table as Markdown knows it.
+        Markdown table.
 
     Examples
     --------

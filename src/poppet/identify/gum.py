@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.identify.result import CONFIDENCE
+from poppet.identify.result import CONFIDENCE, Estimate
 from poppet.timeseries.checks import FloatArray
+
+SPREAD = 3.0
+"""Standard uncertainty of an unstated ambient temperature [K]."""
 
 
 def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> float:
@@ -47,6 +52,18 @@ def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -
 
     upper = 0.5 + 0.5 * confidence
     return float(ndtri(upper) if math.isinf(degrees_of_freedom) else stdtrit(degrees_of_freedom, upper))
+
+
+def widened(estimate: Estimate, share: float) -> Estimate:
+    """Return an estimate with a further relative standard uncertainty."""
+    value, error = estimate.value, share * abs(estimate.value)
+    half = coverage_factor(math.inf) * error
+    return replace(
+        estimate,
+        standard_error=math.hypot(estimate.standard_error, error),
+        low=max(0.0, value - math.hypot(value - estimate.low, half)),
+        high=value + math.hypot(estimate.high - value, half),
+    )
 
 
 def chi_square_probability(chi_square: float, degrees_of_freedom: int) -> float:
@@ -89,17 +106,13 @@ def few_runs_probability(residuals: FloatArray) -> float:
     if not n_positive or not n_negative:
         return 1.0
     runs = 1 + int(np.sum(signs[1:] != signs[:-1]))
-    orders = sum(_orders_with(count, n_positive, n_negative) for count in range(2, runs + 1))
+    orders = 0
+    for count in range(2, runs + 1):
+        # The orders that begin with a positive sign, and those that begin with a negative one.
+        more, fewer = (count + 1) // 2 - 1, count // 2 - 1
+        orders += math.comb(n_positive - 1, more) * math.comb(n_negative - 1, fewer)
+        orders += math.comb(n_positive - 1, fewer) * math.comb(n_negative - 1, more)
     return orders / math.comb(n_positive + n_negative, n_positive)
-
-
-def _orders_with(runs: int, n_positive: int, n_negative: int) -> int:
-    """Return the number of orders of the signs with this number of runs."""
-    half = runs // 2
-    if runs % 2 == 0:
-        return 2 * math.comb(n_positive - 1, half - 1) * math.comb(n_negative - 1, half - 1)
-    longer_positive = math.comb(n_positive - 1, half) * math.comb(n_negative - 1, half - 1)
-    return longer_positive + math.comb(n_positive - 1, half - 1) * math.comb(n_negative - 1, half)
 
 
 def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
@@ -110,14 +123,14 @@ def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
     left, sizes, right = np.linalg.svd(jacobian, full_matrices=False)
     is_visible = sizes > 1e-9 * max(float(sizes.max(initial=0.0)), 1e-300)
     inverse = right[is_visible].T @ (left[:, is_visible] / sizes[is_visible]).T
-    # The cut leaves unseen directions without any variance: a number with a part in them is not determined.
+    # The cut removes the variance of directions that are not identifiable: their parameters are not determined.
     return inverse, np.sum(right[is_visible] ** 2, axis=0) > 1.0 - 1e-9
 
 
 def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict[str, float]]:
     """Return the correlations between all estimates."""
     errors = np.maximum(np.sqrt(np.diag(covariance)), 1e-300)
-    # One after the other: their product may be too small for a float.
+    # Divide in two steps: the product of the errors can underflow.
     table = np.clip(covariance / errors / errors[:, None], -1.0, 1.0)
     rows = {a: {b: float(table[i, j]) for j, b in enumerate(names) if j != i} for i, a in enumerate(names)}
     return rows if len(names) > 1 else {}
@@ -144,7 +157,7 @@ def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatA
     Belsley, Kuh & Welsch 1980, Regression Diagnostics, equation (2.1): DFBETA.
     """
     leverage = np.einsum("ij,ji->i", jacobian, data_gain)
-    # A residual of leverage one is all that determines some number: without it there is none.
+    # A residual with leverage 1 alone determines a parameter: there is no estimate without it.
     remaining = np.where(leverage < 1.0 - 1e-9, 1.0 - leverage, np.nan)
     return np.asarray(data_gain * (residuals / remaining))
 
@@ -167,3 +180,70 @@ def studentised(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArr
         return np.full(residuals.size, np.nan)
     inner = residuals / np.sqrt(np.where(left > 1e-9, left, np.nan) * square / freedom)
     return np.asarray(inner * np.sqrt((freedom - 1.0) / np.maximum(freedom - inner**2, 1e-9)))
+
+
+class ClusterCovariance(NamedTuple):
+    """Covariance and degrees of freedom of estimates."""
+
+    covariance: FloatArray  # (n, n); infinite on the diagonal if a parameter is not identifiable
+    freedom: FloatArray  # degrees of freedom of each parameter, (n,)
+
+
+def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int) -> ClusterCovariance:
+    r"""Return the covariance of the first `numbers` parameters for residuals correlated within groups.
+
+    .. math::
+
+        V = M \Big(\sum_g J_g^\mathsf{T} A_g e_g e_g^\mathsf{T} A_g J_g\Big) M, \quad
+        M = (J^\mathsf{T} J)^{-1}, \quad A_g = (1 - J_g M J_g^\mathsf{T})^{-1/2}
+
+    Notes
+    -----
+    With the factors A, the variance is unbiased for residuals of equal size, also for few groups and groups of large
+    leverage. The degrees of freedom are those of a chi-square with the same mean and variance.
+
+    References
+    ----------
+    Bell & McCaffrey 2002, Bias reduction in standard errors for linear regression with multi-stage samples, Survey
+    Methodology 28, 169-181; Imbens & Kolesar 2016, Robust standard errors in small samples, Review of Economics and
+    Statistics 98, 701-712.
+
+    Examples
+    --------
+    The mean of four groups is as uncertain as the mean of four values:
+
+    >>> group = np.repeat([0, 1, 2, 3], 5)
+    >>> level = np.repeat([1.0, 2.0, 3.0, 4.0], 5)
+    >>> spread = clustered(np.ones((20, 1)), level.mean() - level, group, 1)
+    >>> bool(np.isclose(spread.covariance[0, 0], np.var(level[::5], ddof=1) / 4)), float(spread.freedom[0].round(6))
+    (True, 3.0)
+    """
+    norms = np.linalg.norm(jacobian, axis=0)
+    sizes = np.where(norms > 1e-150, norms, 1.0)
+    scaled = jacobian / sizes
+    inverse, is_visible = gain(scaled)
+    inner = inverse @ inverse.T
+    scores, squares, projections = [], [], []
+    for k in np.unique(group):
+        rows = group == k
+        basis, triangle = np.linalg.qr(scaled[rows])
+        values, vectors = np.linalg.eigh(np.eye(len(triangle)) - triangle @ inner @ triangle.T)
+        # A parameter that one group alone determines leaves no residual in this group.
+        root = np.where(values > 1e-9, np.abs(values), np.inf) ** -0.5
+        factor = (vectors * root) @ vectors.T - np.eye(root.size)
+        scores.append(scaled[rows].T @ residuals[rows] + triangle.T @ (factor @ (basis.T @ residuals[rows])))
+        # Columns of A J M: the weights of the residuals of the group in each parameter.
+        weights = scaled[rows] @ inner + basis @ (factor @ (triangle @ inner))
+        squares.append(np.einsum("ij,ij->j", weights, weights))
+        projections.append(scaled[rows].T @ weights)
+    score = inner @ np.array(scores).T
+    covariance = score @ score.T / sizes / sizes[:, None]
+    freedom = np.empty(numbers)
+    for j in range(numbers):
+        projection = np.array([matrix[:, j] for matrix in projections])
+        table = np.diag([matrix[j] for matrix in squares]) - projection @ inner @ projection.T
+        total = float(np.sum(table**2))
+        freedom[j] = float(np.trace(table)) ** 2 / total if total > 0.0 else math.inf
+        if not is_visible[j]:
+            covariance[j, j] = math.inf
+    return ClusterCovariance(covariance[:numbers, :numbers], np.maximum(freedom, 1.0))

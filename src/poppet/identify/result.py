@@ -29,7 +29,7 @@ VERDICTS: tuple[Verdict, ...] = get_args(Verdict)
 CONFIDENCE = 0.95
 """Level of the intervals `low` ... `high`."""
 DETERMINED, WEAK = 0.1, 0.5
-"""Half the interval over the size of the number: up to the first it is determined, above the second it is not."""
+"""Limits of the relative half width of an interval: determined up to the first, not determined above the second."""
 
 
 @dataclass(frozen=True)
@@ -43,13 +43,13 @@ class Estimate:
     unit : str
         SI unit.
     standard_error : float
-        One sigma; infinite where the data do not determine the number.
+        Standard error; infinite if the data do not determine the parameter.
     low, high : float
         Interval of 95 %.
     verdict : str
         `determined`, `weak`, `not determined` or `at bound`.
     start : float
-        Where the search began.
+        Start value of the search.
     """
 
     value: float
@@ -99,7 +99,7 @@ class ResidualSummary:
         Returns
         -------
         ResidualSummary
-            Its `nrmse` is infinite where the measurement does not change.
+            Summary; `nrmse` is infinite if the measurement is constant.
         """
         difference, span = model - measured, float(np.ptp(measured))
         rms = float(np.sqrt(np.mean(difference**2)))
@@ -114,9 +114,9 @@ class Result(HtmlMixin):
     Parameters
     ----------
     method : str
-        What was done: `fit`, `tank`, `flow`, `characteristic`, `muscle`, `friction`.
+        Method: `fit`, `tank`, `flow`, `characteristic`, `muscle`, `friction`.
     title : str
-        For people.
+        Title of the result.
     parameters : mapping
         Address to estimate.
     residuals : mapping
@@ -124,22 +124,22 @@ class Result(HtmlMixin):
     correlation : mapping
         Address to address to correlation of the estimates.
     comparison : mapping
-        AICc and what it was compared with.
+        AICc, and comparisons with other models.
     remarks : tuple of Note
-        What a reader has to know, the most important first: codes, addresses and numbers.
+        Findings with codes, addresses and facts, the most important first.
     conditions : mapping
-        What held during the test and the fit: files, noise, fixed numbers, samples.
+        Conditions of the test and the fit: files, noise, fixed parameters, samples.
     series : mapping
-        Arrays for the report, not written to the result file: name to a table of `time` (or `x` with `x_unit` and
-        `x_name`), `measured`, `model` and `unit`, with 95 % of the model between `low` and `high`, and of single
-        samples between `samples_low` and `samples_high`; or of a curve `x`, `y`, `low`, `high` with `points_x`,
-        `points_y`, `points_low`, `points_high`. `contour` holds the rise of chi-square `rise` at conductances `x`,
-        (n_rows, n_columns), and wall heats `y`, (n_rows,); `profile.ADDRESS` at values `x` of a number, (n,), with the
-        `limit` of 95 % and the `answers` that fit alike.
+        Arrays for the report by name; the result file does not contain them. A channel is a table of `time` (or `x`
+        with `x_unit` and `x_name`), `measured`, `model` and `unit`. Its 95 % confidence bands are `low` and `high` for
+        the model, and `samples_low` and `samples_high` for single samples. A curve is a table of `x`, `y`, `low`,
+        `high`, `points_x`, `points_y`, `points_low` and `points_high`. `contour` has the increase in chi-square `rise`
+        at conductances `x`, (n_rows, n_columns), and wall conductances `y`, (n_rows,). `profile.ADDRESS` has it at
+        values `x` of a parameter, (n,), with the `limit` of 95 % and the equivalent optima `answers`.
     optima : tuple of mappings
-        Of a fit, every place that the data cannot tell from the best, which comes first: `values`, `low`, `high` (the
-        interval there) and `start` by address, `cost` (half the sum of squares, in sigmas), `excess` (by how much it
-        speaks against this place), `rms` of each channel, `name` of where its search began.
+        Equivalent optima of a fit, the best one first: `values`, `low` and `high` (interval) and `start` by address,
+        `cost` (half the sum of squares, in sigmas), `excess` (evidence against the optimum: a difference of cost),
+        `rms` of each channel, `name` of the start point.
     """
 
     method: str
@@ -273,7 +273,7 @@ class Result(HtmlMixin):
         Parameters
         ----------
         path : str or Path
-            Where to.
+            Output file.
         """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
@@ -374,16 +374,15 @@ def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> t
     """Return the findings of a file; a finding of another version stays as its sentence."""
     if len(tables) != len(sentences):
         return notes_of(sentences)
-    return tuple(_remark(*pair) for pair in zip(sentences, tables, strict=True))
-
-
-def _remark(sentence: str, table: Mapping[str, Any]) -> Note:
-    try:
-        (remark,) = notes_of([table])
-        str(remark)
-    except (KeyError, IndexError, TypeError, ValueError, AssertionError, OSError):
-        (remark,) = notes_of([sentence])
-    return remark
+    remarks: list[Note] = []
+    for sentence, table in zip(sentences, tables, strict=True):
+        try:
+            (remark,) = notes_of([table])
+            str(remark)
+        except (KeyError, IndexError, TypeError, ValueError, AssertionError, OSError):
+            (remark,) = notes_of([sentence])
+        remarks.append(remark)
+    return tuple(remarks)
 
 
 def _floats(row: Mapping[str, Any]) -> dict[str, Any]:

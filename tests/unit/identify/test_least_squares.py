@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.optimize import lsq_linear
 
-from poppet.identify.fit.losses import LOSSES, costs_of, curvatures_of, weights_of
+from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of
 from poppet.identify.least_squares import _solve_step
 from searches import Array, Problem, found, found_by_scipy, unbounded
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from poppet.identify.fit.rounding import staircase
+from poppet.identify.fit.residuals import staircase
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.statistics import ErrorModel, SensorLimits, influences
 

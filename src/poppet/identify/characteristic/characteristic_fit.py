@@ -10,13 +10,12 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.identify.ambient import SPREAD
 from poppet.identify.characteristic.characteristic_shapes import LARGEST_RATIO, Shape, start_parameters
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, StrokeTest, TestEvidence, free_parameters
 from poppet.identify.fit.experiment import FAILED, Experiment
 from poppet.identify.fit.optima import NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, kappa_of, thermal_units
 from poppet.identify.free_parameter import FreeParameter, by_name
-from poppet.identify.gum import chi_square_probability, corrected_penalty, coverage_factor
+from poppet.identify.gum import SPREAD, chi_square_probability, corrected_penalty, coverage_factor
 from poppet.timeseries.checks import FloatArray as Array
 
 Shapes = tuple[Shape, Shape]

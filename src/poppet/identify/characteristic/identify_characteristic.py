@@ -12,7 +12,6 @@ import numpy as np
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
-from poppet.identify.ambient import widened
 from poppet.identify.characteristic.characteristic_file import read_characteristic_file
 from poppet.identify.characteristic.characteristic_findings import (
     MonotoneVerdict,
@@ -46,7 +45,7 @@ from poppet.identify.characteristic.stroke_tests import (
     test_name,
 )
 from poppet.identify.file_argument import or_file
-from poppet.identify.gum import few_runs_probability
+from poppet.identify.gum import few_runs_probability, widened
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray as Array
 

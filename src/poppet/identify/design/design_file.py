@@ -194,7 +194,10 @@ def _read_candidates(
     if len(tests) * len(combinations) > MOST_TESTS:
         errors.add("design.too_many", "vary", count=len(tests) * len(combinations), most=MOST_TESTS)
         return
-    short = _short_names([*varied, *sensors])
+    addresses = [*varied, *sensors]
+    last = [address.rpartition(".")[2] for address in addresses]
+    # The last word of an address identifies it if it is unique.
+    short = {a: ending if last.count(ending) == 1 else a for a, ending in zip(addresses, last, strict=True)}
     shared = {key: data[key] for key in ("duration", "sample_time", "start") if key in data}
     for (name, table), values in itertools.product(tests.items(), combinations):
         values_by_name = dict(zip(varied, values, strict=True))
@@ -244,12 +247,6 @@ def _read_time(fields: Mapping[str, Any], key: str, location: str, default: Any)
     if default is None:
         raise missing_field(f"{location}.{key}", field)
     return float(default)
-
-
-def _short_names(addresses: Sequence[str]) -> dict[str, str]:
-    """Return the last words of addresses, or the whole address if not unique."""
-    last = [address.rpartition(".")[2] for address in addresses]
-    return {a: ending if last.count(ending) == 1 else a for a, ending in zip(addresses, last, strict=True)}
 
 
 def _label(value: Any, short: Mapping[str, str]) -> str:

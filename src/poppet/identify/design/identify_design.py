@@ -221,9 +221,10 @@ def _prior_information(plan: DesignPlan) -> FloatArray:
 
 def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter], point: FloatArray) -> FloatArray:
     """Return the Fisher information of a test about the shared parameters."""
+    time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
     measurement = Measurement(
         "test",
-        tuple(_channel(candidate, sensor.address, sensor.unit, sensor.lag) for sensor in candidate.sensors),
+        tuple(Channel(s.address, time, np.zeros(time.size), s.unit, lag=s.lag) for s in candidate.sensors),
         start=candidate.start,
         ambient_pressure=candidate.circuit.surroundings.pressure,
         duration=candidate.duration,
@@ -241,7 +242,7 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
         )
     nuisances = recording_parameters([measurement], [candidate.circuit], ["fit"])
     experiment = Experiment(instance, measurement, (*free, *nuisances))
-    slopes = experiment.outputs_and_slopes({**by_name(nuisances, [f.start for f in nuisances]), **values})[1]
+    slopes = experiment.slopes({**by_name(nuisances, [f.start for f in nuisances]), **values})
     whitened = np.vstack([slope / sensor.noise for slope, sensor in zip(slopes, candidate.sensors, strict=True)])
     offsets, priors = _offsets(candidate, [slope.shape[0] for slope in slopes])
     shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], offsets])
@@ -254,11 +255,6 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
         cross = unit.T @ shared
         information = information - cross.T @ np.linalg.pinv(inner, rcond=LOST, hermitian=True) @ cross
     return np.asarray(0.5 * (information + information.T))
-
-
-def _channel(candidate: TestCandidate, address: str, unit: str, lag: float | None) -> Channel:
-    time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
-    return Channel(address, time, np.zeros(time.size), unit, lag=lag)
 
 
 def _offsets(candidate: TestCandidate, sizes: Sequence[int]) -> tuple[FloatArray, FloatArray]:
@@ -312,17 +308,19 @@ def _select_tests(
     def score(tests: Sequence[int]) -> float:
         return _criterion(plan, points, prior, [informations[k] for k in tests])
 
+    def add_best(tests: Sequence[int]) -> list[int]:
+        return [*tests, min(range(len(informations)), key=lambda k: score([*tests, k]))]
+
     selection: list[int] = []
     for _ in range(plan.select):
-        selection.append(min(range(len(informations)), key=lambda k: score([*selection, k])))
+        selection = add_best(selection)
     improved = plan.select > 1
     while improved:
         improved = False
         for position in range(len(selection)):
-            remaining = selection[:position] + selection[position + 1 :]
-            best = min(range(len(informations)), key=lambda k: score([*remaining, k]))
-            if score([*remaining, best]) < score(selection) - 1e-9:
-                selection, improved = [*remaining, best], True
+            exchanged = add_best(selection[:position] + selection[position + 1 :])
+            if score(exchanged) < score(selection) - 1e-9:
+                selection, improved = exchanged, True
     return selection
 
 

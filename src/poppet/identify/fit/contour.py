@@ -72,16 +72,11 @@ def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Ca
         return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=remarks)
     conductances, costs = (np.array([[cell[k] for cell in row] for row in cells]) for k in (0, 1))
     least_cost = min(optimum.cost, float(np.min(costs)))
-    contour = {
-        "x": conductances,
-        "y": np.array([row.wall for row in rows]),
-        "rise": 2.0 * (costs - least_cost) / variance_factor,
-        "x_name": conductance_parameter.name,
-        "x_unit": conductance_parameter.unit,
-        "y_name": wall_parameter.name,
-        "y_unit": wall_parameter.unit,
-        "best": (float(optimum.x[conductance_index]), float(optimum.x[wall_index])),
-    }
+    contour: dict[str, Any] = {"x": conductances, "y": np.array([row.wall for row in rows])}
+    contour["rise"] = 2.0 * (costs - least_cost) / variance_factor
+    for axis, parameter in (("x", conductance_parameter), ("y", wall_parameter)):
+        contour |= {f"{axis}_name": parameter.name, f"{axis}_unit": parameter.unit}
+    contour["best"] = float(optimum.x[conductance_index]), float(optimum.x[wall_index])
     remarks = (*result.remarks, *_region_notes(contour))
     return replace(result, remarks=remarks, series={**result.series, "contour": contour})
 
@@ -191,16 +186,8 @@ def _region_notes(contour: dict[str, Any]) -> list[Note]:
     notes = []
     for number, region in enumerate(regions, 1):
         conductances, walls = contour["x"][region][is_inside[region]], contour["y"][region]
-        facts = {
-            "place": number,
-            "count": len(regions),
-            "other": contour["y_name"],
-            "low": float(conductances.min()),
-            "high": float(conductances.max()),
-            "unit": contour["x_unit"],
-            "wall_low": float(walls.min()),
-            "wall_high": float(walls.max()),
-            "wall_unit": contour["y_unit"],
-        }
+        facts = {"place": number, "count": len(regions), "other": contour["y_name"]}
+        facts |= {"low": float(conductances.min()), "high": float(conductances.max()), "unit": contour["x_unit"]}
+        facts |= {"wall_low": float(walls.min()), "wall_high": float(walls.max()), "wall_unit": contour["y_unit"]}
         notes.append(Note(code, contour["x_name"], **facts))
     return notes

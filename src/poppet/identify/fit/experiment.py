@@ -82,7 +82,11 @@ class Experiment:
                 location = f"recordings.{measurement.name}.{channel.address}"
                 near = NameSuggestion(channel.address, outputs)
                 raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
-        started = _with_start(measurement, instance)
+        starts = start_values(measurement, instance)
+        try:
+            started = instance.with_values(starts) if starts else instance
+        except InputError as error:
+            raise relocated(error, f"recordings.{measurement.name}.start.{{}}".format) from None
         driven = driving_signals(measurement, {})
         self.instance = started.with_signals({**instance.signals, **driven}) if driven else started
         rows = tuple(outputs.index(channel.address) for channel in measurement.channels)
@@ -97,8 +101,16 @@ class Experiment:
         self._rebuilds = None in self.slots.values() or any(
             f.role in ("delay", "dead_time", "input_lag") for f in self.free
         )
-        self._lanes = None if self._rebuilds or not LockstepLanes.takes(self.base) else self._make_lanes()
-        self._repeated = None if self._rebuilds or self._lanes else RepeatedCall(self.base, np.empty(SCRIPT_LENGTH))
+        self._lanes: LockstepLanes | None = None
+        self._repeated: RepeatedCall | None = None
+        if not self._rebuilds and LockstepLanes.takes(self.base):
+            # The base values and one shifted value per parameter run together.
+            slots = [slot for slot in self.slots.values() if slot is not None]
+            driven_inputs = tuple((k, index) for index, inputs in slots for k in inputs)
+            indices = np.array([index for index, _ in slots], dtype=np.int64)
+            self._lanes = LockstepLanes(self.base, len(slots) + 1, indices, driven_inputs)
+        elif not self._rebuilds:
+            self._repeated = RepeatedCall(self.base, np.empty(SCRIPT_LENGTH))
         self.samples = self.instance.model.n_timers > 0
         self._last: tuple[tuple[float, ...], _LastRun] | None = None
 
@@ -160,19 +172,6 @@ class Experiment:
             if driven:
                 coefficients[:, driven, 0] = values[name]
 
-    def _make_lanes(self) -> LockstepLanes:
-        """Return the call that runs the base values and one shifted value per parameter together."""
-        slots = [slot for slot in self.slots.values() if slot is not None]
-        driven = tuple((k, index) for index, inputs in slots for k in inputs)
-        return LockstepLanes(self.base, len(slots) + 1, np.array([index for index, _ in slots], dtype=np.int64), driven)
-
-    def _prepare_call(self, values: Mapping[str, float]) -> RepeatedCall:
-        """Return the call of a run with other parameter values."""
-        if self._repeated is None:
-            return RepeatedCall(self.problem(values), np.empty(SCRIPT_LENGTH))
-        self._write(values, self._repeated.p, self._repeated.coefficients)
-        return self._repeated
-
     def all_outputs(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
         """Run the circuit; return all its outputs and their names."""
         kernel = self.instance.kernel
@@ -194,7 +193,11 @@ class Experiment:
             # If this run ends early, the arrays of the last run are already overwritten.
             self._last = None
             if self._lanes is None:
-                repeated = self._prepare_call(values)
+                repeated = self._repeated
+                if repeated is None:
+                    repeated = RepeatedCall(self.problem(values), np.empty(SCRIPT_LENGTH))
+                else:
+                    self._write(values, repeated.p, repeated.coefficients)
                 self._last = key, _LastRun(repeated, repeated.run()[np.newaxis], np.zeros(0))
             else:
                 self._lanes.values[:] = [values[name] for name in self.slots]
@@ -205,12 +208,15 @@ class Experiment:
         return self._last[1]
 
     def _channels(self, table: FloatArray, values: Mapping[str, float]) -> list[FloatArray]:
-        result = []
-        for series, sensor in zip(table, self._sensors, strict=True):
-            lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
-            sensed = apply_lag(self.grid, series, lag)
-            result.append(sensed[sensor.places] + (values[sensor.free_offset] if sensor.free_offset else 0.0))
-        return result
+        return [
+            self._sense(series, sensor, values) + (values[sensor.free_offset] if sensor.free_offset else 0.0)
+            for series, sensor in zip(table, self._sensors, strict=True)
+        ]
+
+    def _sense(self, series: FloatArray, sensor: ChannelSensor, values: Mapping[str, float]) -> FloatArray:
+        """Return output series, (..., n_times), as the sensor reads them at its samples, without an offset."""
+        lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
+        return apply_lag(self.grid, series, lag)[..., sensor.places]
 
     def outputs_and_slopes(
         self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
@@ -243,9 +249,7 @@ class Experiment:
         """Compute the derivatives from the differences of runs in lanes."""
         columns = [k for k, f in enumerate(self.free) if f.name in self.slots]
         for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
-            lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
-            sensed = apply_lag(self.grid, series, lag)
-            sensed = sensed[:, sensor.places]
+            sensed = self._sense(series, sensor, values)
             differences = np.subtract(sensed[1:], sensed[0], out=slope.T if len(columns) == len(self.free) else None)
             differences /= steps[:, np.newaxis]
             if len(columns) < len(self.free):
@@ -262,7 +266,15 @@ class Experiment:
         step = _difference_step(f, values)
         shifted_values = {**values, f.name: values[f.name] + step}
         if f.role not in ("lag", "offset"):
-            table = self._shifted_run(f, shifted_values, repeated)
+            # Run with one shifted parameter over the steps of the base run.
+            assert repeated is not None
+            if not repeated.is_scripted:
+                table = RepeatedCall(self.problem(shifted_values), repeated.script).run()
+            elif self.slots[f.name] is None:
+                table = RepeatedCall(self.problem(shifted_values), repeated.script).replay()
+            else:
+                self._write(shifted_values, repeated.p, repeated.coefficients)
+                table = repeated.replay()
         return [(a - b) / step for a, b in zip(self._channels(table, shifted_values), base, strict=True)]
 
     def _difference_ends(
@@ -299,16 +311,6 @@ class Experiment:
             name: [(b - a) / (high - low) for a, b in zip(*channels[2 * k : 2 * k + 2], strict=True)]
             for k, (name, (low, high)) in enumerate(pairs.items())
         }
-
-    def _shifted_run(self, f: FreeParameter, values: Mapping[str, float], repeated: RepeatedCall | None) -> FloatArray:
-        """Return the run with one shifted parameter, over the steps of the base run."""
-        assert repeated is not None
-        if not repeated.is_scripted:
-            return RepeatedCall(self.problem(values), repeated.script).run()
-        if self.slots[f.name] is None:
-            return RepeatedCall(self.problem(values), repeated.script).replay()
-        self._write(values, repeated.p, repeated.coefficients)
-        return repeated.replay()
 
 
 def _difference_step(f: FreeParameter, values: Mapping[str, float]) -> float:
@@ -350,15 +352,6 @@ def _with_dead_times(
         for f in free
     )
     return parameters, instance.with_values(dict.fromkeys(shifting, 0.0)) if shifting else instance
-
-
-def _with_start(measurement: Measurement, instance: Instance) -> Instance:
-    """Return a model with the start values of a recording."""
-    values = start_values(measurement, instance)
-    try:
-        return instance.with_values(values) if values else instance
-    except InputError as error:
-        raise relocated(error, f"recordings.{measurement.name}.start.{{}}".format) from None
 
 
 def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]:

@@ -1,11 +1,11 @@
-"""Fit of a circuit in one call, with recordings in memory."""
+"""Fit of a circuit in one call, with recordings in memory, and its result."""
 
 from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Protocol, TypeAlias, TypeVar
+from typing import Any, Generic, Protocol, TypeAlias, TypeVar
 
 import numpy as np
 
@@ -14,12 +14,14 @@ from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.tables import Field
 from poppet.core.units import convert
-from poppet.identify.fit.fit_plan import ROLES, offset_parameter, plan_fit, recording_parameters
-from poppet.identify.fit.fit_result import FitResult
+from poppet.identify.fit.experiment import Experiment, start_values
+from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
+from poppet.identify.fit.fit_series import driving_signals
 from poppet.identify.fit.identify_fit import Progress, run_fit
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
+from poppet.identify.result import Result, fitted_number
 from poppet.timeseries.checks import FloatArray, split_heading
 from poppet.timeseries.measurements import Channel, Measurement, read_measurement
 from poppet.timeseries.measurements.mapping import DIFFERENCE_KINDS
@@ -50,6 +52,45 @@ Data: TypeAlias = Recording | DataFrame
 CircuitT = TypeVar("CircuitT", bound=BaseCircuit)
 
 
+@dataclasses.dataclass(frozen=True)
+class FitResult(Result, Generic[CircuitT]):
+    """Result of a fit of a circuit.
+
+    Parameters
+    ----------
+    circuit : Circuit
+        Circuit with the fitted values. After a fit of one recording it also has the inputs and the start values of that
+        recording: `circuit.simulate` then repeats the fitted curves.
+    circuits : mapping
+        Name of each recording to the circuit with its inputs and start values.
+    """
+
+    circuit: CircuitT = dataclasses.field(kw_only=True, repr=False, compare=False)
+    circuits: Mapping[str, CircuitT] = dataclasses.field(kw_only=True, repr=False, compare=False)
+
+    @classmethod
+    def of(cls, result: Result, circuit: CircuitT, plan: FitPlan) -> FitResult[CircuitT]:
+        """Return a result with the fitted circuits.
+
+        Parameters
+        ----------
+        result : Result
+            Result of the fit.
+        circuit : Circuit
+            Circuit before the fit.
+        plan : FitPlan
+            Plan of the fit.
+
+        Returns
+        -------
+        FitResult
+        """
+        circuits = {e.name: _circuit_of(circuit, e, result) for e in (*plan.experiments, *plan.validation)}
+        fitted = circuits[plan.experiments[0].name] if len(circuits) == 1 else circuit.with_values(result.values())
+        content = {item.name: getattr(result, item.name) for item in dataclasses.fields(Result)}
+        return FitResult(**content, circuit=fitted, circuits=circuits)
+
+
 def fit_circuit(
     circuit: CircuitT,
     recordings: Data | Mapping[str, Data],
@@ -75,7 +116,9 @@ def fit_circuit(
     stages: Stages | None = None,
 ) -> FitResult[CircuitT]:
     """Fit parameters of a circuit to recordings; `Circuit.fit` describes the arguments."""
-    tables = _free_tables(free)
+    if not isinstance(free, Mapping):
+        free = {address: {} for address in ([free] if isinstance(free, str) else free)}
+    tables = {a: dict(value) if isinstance(value, Mapping) else {"start": value} for a, value in free.items()}
     reader = _RecordingReader(circuit, outputs, start or {}, noise or {}, offsets or {}, hold)
     measurements = reader.read_all(_by_name(recordings, circuit))
     names = [measurement.name for measurement in measurements]
@@ -102,15 +145,6 @@ def fit_circuit(
     )
     result = run_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
     return FitResult.of(result, circuit, plan)
-
-
-def _free_tables(free: Sequence[str] | Mapping[str, Any]) -> dict[str, dict[str, Any]]:
-    """Return a table of `start`, `min` and `max` by the address of each free parameter."""
-    if isinstance(free, Mapping):
-        return {
-            address: dict(value) if isinstance(value, Mapping) else {"start": value} for address, value in free.items()
-        }
-    return {address: {} for address in ([free] if isinstance(free, str) else free)}
 
 
 def _add_limits(
@@ -143,6 +177,25 @@ def _by_name(recordings: Data | Mapping[str, Data], circuit: BaseCircuit) -> dic
         if not isinstance(name, str) or name in circuit.parts or "." in name:
             raise InputError("fit.recording_name", f"recordings.{name}", name=name)
     return dict(recordings)
+
+
+def _circuit_of(circuit: CircuitT, experiment: Experiment, result: Result) -> CircuitT:
+    """Return a circuit with the fitted values, the inputs and the start values of a recording."""
+    measurement = experiment.measurement
+    values: dict[str, Any] = {a: n for a, n in result.values().items() if a in circuit.numbers()}
+    values |= start_values(measurement, experiment.instance)
+    shifts: dict[str, dict[str, float]] = {"delay": {}, "input_lag": {}}
+    for parameter in experiment.free:
+        estimate = result.parameters[parameter.name]
+        if parameter.role in shifts:
+            shifts[parameter.role][parameter.address] = estimate.value
+        elif parameter.role == "start":
+            values[parameter.address] = fitted_number(estimate, result.title)
+    fitted = circuit.with_values(values)
+    if fitted.run.duration is None:
+        fitted = fitted.with_values({"run.duration": float(experiment.grid[-1])})
+    driven = driving_signals(measurement, shifts["delay"], shifts["input_lag"])
+    return dataclasses.replace(fitted, signals={**fitted.signals, **driven}, like=fitted) if driven else fitted
 
 
 class _RecordingReader:
@@ -223,17 +276,19 @@ class _RecordingReader:
             *(field.read(v, f"offsets.{channel.address}") for field, v in zip((mean, sd), pair, strict=True))
         )
 
-    def _read(self, name: str, data: Data, names: Iterable[str]) -> Measurement:
+    def _read(self, name: str, data: Data, recordings: Iterable[str]) -> Measurement:
         """Return one recording in SI units."""
         location = f"recordings.{name}"
         if isinstance(data, Recording):
-            table, ambient_pressure = _recording_table(data), data.ambient_pressure
-            internal: Iterable[str] = data.inner
+            names, units = ("time", *data.names), ("s", *data.units)
+            table = Table(names, (data.time, *data.values), units, data.remarks)
+            internal, ambient_pressure = set(data.inner), data.ambient_pressure
         else:
-            table, ambient_pressure, internal = _frame_table(data, location), self.circuit.surroundings.pressure, ()
+            table, internal = _frame_table(data, location), set()
+            ambient_pressure = self.circuit.surroundings.pressure
         if not table.columns[0].size:
             raise InputError("fit.no_rows", location)
-        compared, omitted = self._compared(table, set(internal), location)
+        compared, omitted = self._compared(table, internal, location)
         fields: dict[str, Any] = {"time": {"column": 0, "unit": table.units[0]}}
         with ErrorCollector() as errors:
             for address in compared:
@@ -247,7 +302,7 @@ class _RecordingReader:
                 with errors.collecting():
                     unit = self._unit(table, address, self.inputs[address].unit, location)
                     inputs[address] = {"column": table.names.index(address), "unit": unit, "hold": self.hold}
-        shared = {address: value for address, value in self.start.items() if address not in names}
+        shared = {address: value for address, value in self.start.items() if address not in recordings}
         fields |= {"inputs": inputs, "start": shared | dict(self.start.get(name, {}))}
         measurement = read_measurement(name, fields, Path(), ambient_pressure=ambient_pressure, source=table)
         channels = []
@@ -278,7 +333,8 @@ class _RecordingReader:
                 if address not in valid:
                     errors.add("fit.unknown_series", f"{location}.{address}", near=NameSuggestion(address, valid))
         candidates = [address for address in recorded if address not in self.inputs]
-        varying = [address for address in candidates if address not in internal and _varies(recorded[address])]
+        finite = {address: recorded[address][np.isfinite(recorded[address])] for address in candidates}
+        varying = [a for a in candidates if a not in internal and (finite[a].size == 0 or np.ptp(finite[a]) > 0.0)]
         compared = [a for a in varying if a.rpartition(".")[2].rpartition("_")[2] not in DISCRETE] or candidates
         if not compared:
             raise InputError("fit.no_series", location, near=NameSuggestion("", self.outputs))
@@ -306,20 +362,6 @@ class _RecordingReader:
         except InputError as error:
             raise error.at(f"{location}.{address}") from None
         return written
-
-
-def _varies(column: FloatArray) -> bool:
-    finite = column[np.isfinite(column)]
-    return bool(finite.size == 0 or np.ptp(finite) > 0.0)
-
-
-def _recording_table(recording: Recording) -> Table:
-    return Table(
-        ("time", *recording.names),
-        (recording.time, *recording.values),
-        ("s", *recording.units),
-        recording.remarks,
-    )
 
 
 def _frame_table(frame: DataFrame, location: str) -> Table:

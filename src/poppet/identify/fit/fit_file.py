@@ -122,18 +122,12 @@ def _measurements(tables: Mapping[str, Any], folder: Path, circuit: BaseCircuit)
             fields = dict(table) if isinstance(table, Mapping) else table
             role = fields.pop("use", ROLES[0]) if isinstance(fields, dict) else ROLES[0]
             if role not in ROLES:
-                errors.add(
-                    "fields.not_an_option",
-                    f"recordings.{name}.use",
-                    value=role,
-                    meaning="use",
-                    near=NameSuggestion(str(role), ROLES),
-                )
+                near, address = NameSuggestion(str(role), ROLES), f"recordings.{name}.use"
+                errors.add("fields.not_an_option", address, value=role, meaning="use", near=near)
             with errors.collecting():
+                ambient = circuit.surroundings.pressure
                 measurements.append(
-                    read_measurement(
-                        name, fields, folder, ambient_pressure=circuit.surroundings.pressure, other_fields=("use",)
-                    )
+                    read_measurement(name, fields, folder, ambient_pressure=ambient, other_fields=("use",))
                 )
                 roles.append(role)
     return measurements, roles

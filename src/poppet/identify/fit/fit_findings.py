@@ -10,10 +10,9 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.identify.fit.experiment import Experiment, FittedChannel, channels_of
-from poppet.identify.fit.rounding import Staircase, staircase
+from poppet.identify.fit.residuals import correlation_time, is_white, staircase
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import ChannelFit, ErrorModel, SensorLimits, channel_fits
-from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free_parameter import FreeParameter, by_name, with_starts
 from poppet.identify.result import Estimate, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray
@@ -168,18 +167,13 @@ def _sensor_limits(fitted: FittedChannel, residual: FloatArray, sigma: float) ->
     stated, span = fitted.channel.offset, float(np.ptp(fitted.channel.values))
     # A constant reading gives no limit.
     largest = SURELY * stated if stated is not None else LARGEST_OFFSET * span or np.inf
-    return SensorLimits(_rounding_of(fitted, residual, sigma), largest / sigma)
-
-
-def _rounding_of(fitted: FittedChannel, residual: FloatArray, sigma: float) -> Staircase | None:
-    """Return the effect of the resolution of a sensor, in sigmas, or None."""
     values, quantum = fitted.channel.values, fitted.channel.quantum
     if not quantum > 0.0:
-        return None
+        return SensorLimits(None, largest / sigma)
     # Both contain the rounding; only the residuals contain a lack of fit.
     total_noise = min(noise_of(values, fitted.channel.time), sigma * float(np.sqrt(np.mean(residual**2))))
     noise = float(np.sqrt(max(0.0, total_noise**2 - quantum**2 / 12.0)))
-    return staircase(values / sigma + residual, quantum / sigma, noise / sigma)
+    return SensorLimits(staircase(values / sigma + residual, quantum / sigma, noise / sigma), largest / sigma)
 
 
 # Numbers ----------------------------------------------------------------------------------------------------------
@@ -208,18 +202,17 @@ def choking_notes(fit: CompletedFit) -> Iterator[Note]:
         owner, _, local = f.address.rpartition(".")
         if local != "critical_ratio":
             continue
-        regimes = np.concatenate([_regimes(e, owner, fit.values) for e in fit.experiments] or [np.zeros(0)])
+        regimes = np.zeros(0)
+        for experiment in fit.experiments:
+            run, outputs = experiment.all_outputs(fit.values)
+            if f"{owner}.regime" in outputs:
+                regimes = np.append(regimes, run.values[outputs.index(f"{owner}.regime")])
         flowing = np.abs(regimes[regimes != 0.0])  # 0: no flow
         if flowing.size and np.all(flowing == 3.0):
             yield Note("finding.choking.throughout", f.name, passage=owner)
         elif flowing.size and not np.any(flowing == 3.0) and fit.values[f.name] > f.low:
             e = fit.estimates[f.name]
             yield Note("finding.choking.never", owner, number=f.name, value=e.value, low=e.low, high=e.high)
-
-
-def _regimes(experiment: Experiment, owner: str, values: Mapping[str, float]) -> FloatArray:
-    run, outputs = experiment.all_outputs(values)
-    return np.asarray(run.values[outputs.index(f"{owner}.regime")]) if f"{owner}.regime" in outputs else np.zeros(0)
 
 
 def gauge_reference_notes(fit: CompletedFit) -> Iterator[Note]:

@@ -114,21 +114,18 @@ def recording_parameters(
                 table = {"start": first_value(channel)} if channel is not None else {}
                 table |= (limits or {}).get(address, {})
                 parameters.append(read_free(address, table, circuit, recording=measurement.name, name=name))
-        parameters += _time_constants(measurement)
-    return parameters
-
-
-def _time_constants(measurement: Measurement) -> Iterator[FreeParameter]:
-    """Yield the free lags and delays of a recording."""
-    name, span = measurement.name, measurement.duration
-    # A lag cannot be negative; an input can be recorded early or late.
-    for address in (channel.address for channel in measurement.channels if channel.lag is None):
-        yield FreeParameter(f"{name}.{address}.lag", address, "s", 0.02 * span, 0.0, span, "lag", name)
-    for address in (item.address for item in measurement.inputs if item.delay is None):
+        name, span = measurement.name, measurement.duration
         latest = LATEST * span
-        yield FreeParameter(f"{name}.{address}.delay", address, "s", 0.0, -latest, latest, "delay", name)
-    for address in (item.address for item in measurement.inputs if item.lag is None):
-        yield FreeParameter(f"{name}.{address}.lag", address, "s", 0.01 * span, 0.0, span, "input_lag", name)
+        # A lag cannot be negative; an input can be recorded early or late.
+        lags = [c.address for c in measurement.channels if c.lag is None]
+        delays = [item.address for item in measurement.inputs if item.delay is None]
+        input_lags = [item.address for item in measurement.inputs if item.lag is None]
+        parameters += [FreeParameter(f"{name}.{a}.lag", a, "s", 0.02 * span, 0.0, span, "lag", name) for a in lags]
+        parameters += [FreeParameter(f"{name}.{a}.delay", a, "s", 0.0, -latest, latest, "delay", name) for a in delays]
+        parameters += [
+            FreeParameter(f"{name}.{a}.lag", a, "s", 0.01 * span, 0.0, span, "input_lag", name) for a in input_lags
+        ]
+    return parameters
 
 
 def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None) -> FreeParameter:

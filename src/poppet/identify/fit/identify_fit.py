@@ -18,7 +18,7 @@ from poppet.identify.fit.equivalent_optima import (
     search_tables,
     unite_estimates,
 )
-from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.fit.experiment import channels_of
 from poppet.identify.fit.fit_file import read_fit_file
 from poppet.identify.fit.fit_findings import (
     CompletedFit,
@@ -171,6 +171,8 @@ def _series_table(channel_fit: ChannelFit, band: ConfidenceBand | None) -> dict[
 
 def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
     sigmas = zip(channels_of(plan.experiments), optimum.sigmas, strict=True)
+    first = plan.experiments[0]
+    free = {name for f in first.free for name in (f.address, f.name)}
     return {
         "recordings": [e.name for e in (*plan.experiments, *plan.validation)],
         "validation": [e.name for e in plan.validation],
@@ -178,21 +180,15 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
         "starts": plan.settings.starts,
         "seed": plan.settings.seed,
         "kicks": kick_rounds(plan.settings, plan.experiments),
-        "fixed": _fixed_parameters(plan.experiments[0]),
+        "fixed": {
+            address: f"{number.display()} ({number.source.kind})"
+            for address, number in first.instance.sources.items()
+            if address not in free and ".characteristic." not in address
+        },
         "evaluations": optimum.evaluations,
         "noise": {fitted.name: float(sigma) for fitted, sigma in sigmas},
         "interrupted": optimum.interrupted,
         "searches": search_tables(plan, optimum),
-    }
-
-
-def _fixed_parameters(experiment: Experiment) -> dict[str, str]:
-    """Return the fixed parameters of the parts with their sources."""
-    free = {name for f in experiment.free for name in (f.address, f.name)}
-    return {
-        address: f"{number.display()} ({number.source.kind})"
-        for address, number in experiment.instance.sources.items()
-        if address not in free and ".characteristic." not in address
     }
 
 

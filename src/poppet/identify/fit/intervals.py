@@ -11,14 +11,14 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion
-from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
-from poppet.identify.fit.statistics import channel_fits, influences
+from poppet.identify.fit.statistics import influences
 from poppet.identify.free_parameter import FreeParameter, by_name, with_starts
 from poppet.identify.result import CONFIDENCE, Result
 from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import Channel
 
 Stages = Callable[[str, int, int], Any]
 """Called with the name of a stage after the fit, the completed steps and their total number."""
@@ -55,13 +55,8 @@ def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequenc
             done = replace(result, parameters=estimates, series=series, remarks=(*result.remarks, *remarks))
             return _mark_interrupted(done, Note("finding.stopped.profile", name))
         estimates[name] = replace(estimate, low=low, high=high)
-        facts = {
-            "low": low,
-            "high": high,
-            "linear_low": estimate.low,
-            "linear_high": estimate.high,
-            "unit": estimate.unit,
-        }
+        facts: dict[str, Any] = {"low": low, "high": high, "unit": estimate.unit}
+        facts |= {"linear_low": estimate.low, "linear_high": estimate.high}
         remarks.append(Note("finding.profile", name, **facts))
         series[f"profile.{name}"] = curve | facts | {"best": estimate.value}
     return replace(result, parameters=estimates, series=series, remarks=(*result.remarks, *remarks))
@@ -160,13 +155,17 @@ def add_bootstrap(plan: FitPlan, optimum: Optimum, result: Result, repeats: int,
     """Add intervals from fits to the model plus resampled residuals."""
     generator = np.random.default_rng(plan.settings.seed)
     start = with_starts(plan.free, optimum.x)
-    models = [channel_fit.model for channel_fit in channel_fits(plan.experiments, by_name(plan.free, optimum.x))]
+    models = [e.outputs(by_name(plan.free, optimum.x)) for e in plan.experiments]
     # Each fit starts from the optimum and the samples are white: a restart is not necessary.
     settings = SearchSettings(plan.settings.loss, kicks=0)
     estimates: list[FloatArray] = []
     while len(estimates) < repeats:
-        remaining = iter(models)
-        resampled = [_resample(e, remaining, start, generator) for e in plan.experiments]
+        resampled = [
+            e.with_samples(
+                [_resample(*pair, generator) for pair in zip(e.measurement.channels, series, strict=True)], start
+            )
+            for e, series in zip(plan.experiments, models, strict=True)
+        ]
         refit = optimise(resampled, start, settings, sigmas=optimum.sigmas)
         if refit.interrupted:
             result = _mark_interrupted(result, Note("finding.stopped.bootstrap", done=len(estimates), asked=repeats))
@@ -183,17 +182,11 @@ def add_bootstrap(plan: FitPlan, optimum: Optimum, result: Result, repeats: int,
     return replace(result, remarks=(*result.remarks, *remarks))
 
 
-def _resample(
-    experiment: Experiment, models: Any, free: tuple[FreeParameter, ...], generator: np.random.Generator
-) -> Experiment:
-    samples = []
-    for channel in experiment.measurement.channels:
-        model = next(models)
-        residual = channel.values - model
-        # Subtract the mean: a bias would shift all repetitions alike.
-        resampled = residual[generator.integers(0, residual.size, residual.size)]
-        samples.append(model + resampled - residual.mean())
-    return experiment.with_samples(samples, free)
+def _resample(channel: Channel, model: FloatArray, generator: np.random.Generator) -> FloatArray:
+    residual = channel.values - model
+    resampled = residual[generator.integers(0, residual.size, residual.size)]
+    # Subtract the mean: a bias would shift all repetitions alike.
+    return np.asarray(model + resampled - residual.mean())
 
 
 def _mark_interrupted(result: Result, note: Note) -> Result:

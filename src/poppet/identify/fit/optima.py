@@ -16,7 +16,7 @@ import numpy as np
 
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.fit_findings import error_model_of
-from poppet.identify.fit.losses import costs_of
+from poppet.identify.fit.residuals import costs_of
 from poppet.identify.fit.search import KnownOptimum, Optimum, SearchSettings, initial_sigmas, optimise, random_point
 from poppet.identify.fit.statistics import RANK, UNFELT, errors, estimates
 from poppet.identify.free_parameter import FreeParameter

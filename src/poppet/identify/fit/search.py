@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from poppet.core.errors import InputError, NameSuggestion, collect
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
-from poppet.identify.fit.losses import LOSSES, costs_of, curvatures_of, weights_of
-from poppet.identify.fit.whiteness import whiteness
+from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of, whiteness
 from poppet.identify.free_parameter import FreeParameter, by_name
 from poppet.identify.least_squares import LocalModel, condense, search
 from poppet.timeseries.checks import FloatArray
@@ -62,14 +61,9 @@ class SearchSettings:
     def __post_init__(self) -> None:
         problems = []
         if self.loss not in LOSSES:
+            near = NameSuggestion(str(self.loss), LOSSES)
             problems.append(
-                InputError(
-                    "fields.not_an_option",
-                    "loss",
-                    value=self.loss,
-                    meaning="loss function",
-                    near=NameSuggestion(str(self.loss), LOSSES),
-                )
+                InputError("fields.not_an_option", "loss", value=self.loss, meaning="loss function", near=near)
             )
         for name, low, high in (("starts", 1, 1000), ("seed", 0, 2**63 - 1), ("kicks", 0, 1000)):
             value = getattr(self, name)
@@ -270,9 +264,9 @@ def optimise(
         x = objective.best[1] if objective.best[1].size else x
     residual, jacobian = objective.residual_and_jacobian(x)
     cost = 0.5 * float(residual @ residual)
-    return Optimum(
-        x, cost, jacobian, residual, objective.sigmas, _active_bounds(free, x), interrupted, objective.evaluations
-    )
+    low, high, scale = np.array([(f.low, f.high, f.scale) for f in free]).reshape(-1, 3).T
+    active = np.where(x <= low + 1e-6 * scale, -1, np.where(x >= high - 1e-6 * scale, 1, 0))
+    return Optimum(x, cost, jacobian, residual, objective.sigmas, active, interrupted, objective.evaluations)
 
 
 def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator) -> FloatArray:
@@ -335,8 +329,8 @@ def _search_locally(objective: FitObjective, x: FloatArray, settings: SearchSett
     if not any(experiment.samples for experiment in objective.experiments):
         return _search_downhill(objective, x, settings, SAMPLED_DIFFERENCE)
     best, cost = x, np.inf
-    for begins_again in (False, True):
-        start_point = best if begins_again else x
+    for _ in range(2):
+        start_point = best
         for width in WIDTHS:
             point, local_cost = _search_downhill(objective, start_point, settings, width)
             if local_cost < cost:
@@ -383,11 +377,6 @@ def _search_downhill(
 def initial_sigmas(experiments: Sequence[Experiment]) -> list[float]:
     """Return the noise of each channel, as stated or estimated from the channel."""
     return [fitted.channel.noise or _estimate_noise(fitted.channel) for fitted in channels_of(experiments)]
-
-
-def _active_bounds(free: tuple[FreeParameter, ...], x: FloatArray) -> NDArray[np.int64]:
-    low, high, scale = np.array([(f.low, f.high, f.scale) for f in free]).reshape(-1, 3).T
-    return np.where(x <= low + 1e-6 * scale, -1, np.where(x >= high - 1e-6 * scale, 1, 0))
 
 
 def _estimate_noise(channel: Channel) -> float:

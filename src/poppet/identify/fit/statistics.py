@@ -10,10 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.losses import weights_of
-from poppet.identify.fit.rounding import Staircase
+from poppet.identify.fit.residuals import Staircase, correlation_time, weights_of
 from poppet.identify.fit.search import Optimum
-from poppet.identify.fit.whiteness import correlation_time
 from poppet.identify.free_parameter import FreeParameter
 from poppet.identify.gum import corrected_penalty, correlations, coverage_factor
 from poppet.identify.result import CONFIDENCE, Estimate, ResidualSummary, Verdict, judged

@@ -10,12 +10,11 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.message_format import facts_of
-from poppet.identify.clusters import clustered
 from poppet.identify.friction.friction_fit import LAWS, design
 from poppet.identify.friction.friction_fits import FrictionFits, levels_of
 from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
 from poppet.identify.friction.records import STATIC, STRIBECK, VISCOUS
-from poppet.identify.gum import coverage_factor
+from poppet.identify.gum import clustered, coverage_factor
 from poppet.identify.result import judged
 
 SMEARED = 1.5

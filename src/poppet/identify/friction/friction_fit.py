@@ -2,7 +2,7 @@
 
 All parameters of a law except the Stribeck velocity are linear. A scalar search finds the Stribeck velocity, from below
 the slowest row to above the fastest; the intervals include all equivalent values. The refits without one group give the
-validation error. The intervals use the sum of the residuals of each group (`poppet.identify.clusters`). Therefore
+validation error. The intervals use the sum of the residuals of each group (`poppet.identify.gum`). Therefore
 common errors of one recording or stroke do not make them too narrow.
 """
 
@@ -16,11 +16,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.identify.clusters import ClusterCovariance, clustered
-from poppet.identify.fit.whiteness import correlation_time
+from poppet.identify.fit.residuals import correlation_time
 from poppet.identify.friction.motion import STEADY, SlidingRows
 from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
-from poppet.identify.gum import coverage_factor
+from poppet.identify.gum import ClusterCovariance, clustered, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
 _SEARCHED = 40

@@ -1,4 +1,4 @@
-"""Fits of a tank test with other models: one fixed parameter is free."""
+"""Fits of a tank test with other models: one fixed parameter is free, or another thermal law."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from poppet.core.codes import Note
 from poppet.identify.fit.experiment import channels_of
 from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.identify_fit import STRONG
+from poppet.identify.fit.identify_fit import CLEAR, STRONG
+from poppet.identify.fit.residuals import correlation_time, is_white
 from poppet.identify.fit.search import FitObjective, Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
-from poppet.identify.fit.whiteness import correlation_time, is_white
 from poppet.identify.free_parameter import FreeParameter, with_starts
 from poppet.identify.result import Estimate, Result
 from poppet.identify.tank.tank_plan import TankRun, is_free, plan_tank_fit, plausible_wall
@@ -82,11 +82,7 @@ def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, res
     ):
         # Pressures with and without a light wall can be equal although the derivatives differ.
         is_blind = all(len(run.measurement.channels) == 1 for run in runs)
-        plans = {
-            name: alternative_plan
-            for name, alternative_plan in plans.items()
-            if is_blind and name == "wall_heat_capacity"
-        }
+        plans = {name: plans[name] for name in plans if is_blind and name == "wall_heat_capacity"}
     alternatives = []
     for name, alternative_plan in plans.items():
         # A light wall has additional minima: a wall that takes little heat resembles an adiabatic tank.
@@ -136,12 +132,8 @@ def wall_temperature_notes(
     simple, value = result.parameters[number], optimum.x[[f.name for f in lighter.free].index(number)]
     if simple.low <= value <= simple.high:
         return []
-    facts = {
-        "capacity": capacity,
-        "rise": rise,
-        "number": number,
-        "percent": 100.0 * (float(value) / simple.value - 1.0),
-    }
+    percent = 100.0 * (float(value) / simple.value - 1.0)
+    facts = {"capacity": capacity, "rise": rise, "number": number, "percent": percent}
     return [Note("finding.wall", "tank.wall_heat_capacity", **facts)]
 
 
@@ -248,15 +240,61 @@ def _fit_plan(
     )
 
 
-def _to_alternative(name: str, plan: FitPlan, optimum: Optimum, result: Result) -> Alternative:
-    sigmas = _sigmas(plan, result)
-    residuals = [
-        optimum.residual[fitted.rows] * s for fitted, s in zip(channels_of(plan.experiments), sigmas, strict=True)
-    ]
+def _evaluate(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dict[str, FloatArray], float]:
+    """Return the estimates, the residuals of each channel in SI units, and the AICc of an optimum."""
+    channels = zip(channels_of(plan.experiments), optimum.sigmas, strict=True)
+    residuals = {fitted.name: sigma * optimum.residual[fitted.rows] for fitted, sigma in channels}
     parameters = estimates(plan.free, optimum, error_model_of(plan.experiments, optimum, plan.settings))
-    difference = aicc(residuals, len(plan.free)) - float(result.comparison["aicc"])
-    return Alternative(name, parameters, difference, max(map(_samples_per_independent, residuals)))
+    return parameters, residuals, aicc(list(residuals.values()), len(plan.free))
 
 
-def _samples_per_independent(residual: FloatArray) -> float:
-    return 1.0 if is_white(residual) else correlation_time(residual)
+def _to_alternative(name: str, plan: FitPlan, optimum: Optimum, result: Result) -> Alternative:
+    parameters, residuals, criterion = _evaluate(plan, optimum)
+    difference = criterion - float(result.comparison["aicc"])
+    samples = max(1.0 if is_white(residual) else correlation_time(residual) for residual in residuals.values())
+    return Alternative(name, parameters, difference, samples)
+
+
+# Thermal laws -----------------------------------------------------------------------------------------------------
+
+
+def compare_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
+    """Add the estimates and the AICc under each law in `compare` to a result."""
+    names = [fitted.name for fitted in channels_of(plan.experiments)]
+    first_row = _law_row(result.comparison["aicc"], result.parameters, {k: result.residuals[k].rms for k in names})
+    laws: dict[str, dict[str, Any]] = {test.thermal: first_row}
+    for name in test.compare:
+        if name in laws:
+            continue
+        law = {"wall_conductance": 0.0, "thermal": "energy"} if name == "adiabatic" else {"thermal": name}
+        law_plan = plan_tank_fit(replace(test, compare=(), **law), runs)
+        settings, sigmas = SearchSettings(test.loss), _sigmas(law_plan, result)
+        optimum = optimise(law_plan.experiments, law_plan.free, settings, sigmas=sigmas)
+        if optimum.interrupted:
+            conditions = {**result.conditions, "interrupted": True}
+            return replace(result, conditions=conditions, remarks=(*result.remarks, Note("finding.stopped.laws")))
+        parameters, residuals, criterion = _evaluate(law_plan, optimum)
+        rms = {channel: float((piece @ piece / piece.size) ** 0.5) for channel, piece in residuals.items()}
+        laws[name] = _law_row(criterion, parameters, rms)
+    number = f"{test.part}.sonic_conductance"
+    remarks = [_law_note(laws, number)] if len(laws) > 1 and number in first_row["numbers"] else []
+    comparison = {**result.comparison, "thermal_laws": laws}
+    return replace(result, comparison=comparison, remarks=(*remarks, *result.remarks))
+
+
+def _law_row(criterion: float, parameters: Mapping[str, Estimate], rms: Mapping[str, float]) -> dict[str, Any]:
+    return {
+        "aicc": criterion,
+        "rms": dict(rms),
+        "numbers": {name: vars(estimate).copy() for name, estimate in parameters.items()},
+    }
+
+
+def _law_note(laws: Mapping[str, dict[str, Any]], number: str) -> Note:
+    """Return a note on the spread of C between the laws."""
+    least = min(law["aicc"] for law in laws.values())
+    values = {name: float(law["numbers"][number]["value"]) for name, law in laws.items()}
+    left = tuple(name for name, law in laws.items() if law["aicc"] - least < CLEAR)
+    facts = {"values": values, "factor": max(values.values()) / min(values.values()), "left": left}
+    unit = next(iter(laws.values()))["numbers"][number]["unit"]
+    return Note(f"finding.laws.{'one' if len(left) == 1 else 'several'}", number, **facts, unit=unit)

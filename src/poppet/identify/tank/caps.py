@@ -58,10 +58,9 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
     if result.conditions["interrupted"] or number not in result.parameters:
         return result
     alternatives = fit_alternatives(test, runs, plan, result)
-    comparison = {
-        **result.comparison,
-        **({"alternatives": alternatives_table(alternatives, number)} if alternatives else {}),
-    }
+    comparison = dict(result.comparison)
+    if alternatives:
+        comparison["alternatives"] = alternatives_table(alternatives, number)
     remarks = _alternative_notes(alternatives, result, number)
     if test.bore:
         coefficient = _discharge_coefficient(test, result.parameters[number])
@@ -96,25 +95,13 @@ def _alternative_notes(alternatives: Sequence[Alternative], result: Result, numb
     if not alternatives:
         return []
     simple, best = result.parameters[number], alternatives[0]
-    changes = {
-        alternative.name: 100.0 * (alternative.estimates[number].value / simple.value - 1.0)
-        for alternative in alternatives
-    }
-
-    def is_outside(alternative: Alternative) -> bool:
-        return not simple.low <= alternative.estimates[number].value <= simple.high
-
-    rival = next(
-        (
-            alternative
-            for alternative in alternatives
-            if _is_equivalent_model(alternative, result, number) and is_outside(alternative)
-        ),
-        None,
-    )
+    values = {alternative.name: alternative.estimates[number].value for alternative in alternatives}
+    changes = {name: 100.0 * (value / simple.value - 1.0) for name, value in values.items()}
+    outside = [a for a in alternatives if not simple.low <= values[a.name] <= simple.high]
+    rival = next((a for a in outside if _is_equivalent_model(a, result, number)), None)
     if best.gain > STRONG:
         degree = "clear"
-    elif best.gain > DOUBTFUL and is_outside(best):
+    elif best.gain > DOUBTFUL and best in outside:
         degree = "doubt"
     elif rival:
         degree, best = "alike", rival
@@ -122,19 +109,13 @@ def _alternative_notes(alternatives: Sequence[Alternative], result: Result, numb
         return []  # no evidence for another model
     else:
         degree = "somewhat" if best.gain > CLEAR else "none"
-    alike = tuple(
-        alternative.name for alternative in alternatives if abs(alternative.difference - best.difference) < CLEAR
-    )
+    sizes = {alternative.name: alternative.difference for alternative in alternatives}
+    alike = tuple(name for name, size in sizes.items() if abs(size - best.difference) < CLEAR)
     facts = {"models": alike, "size": -best.difference, "percent": changes[best.name]}
-    facts |= {"value": best.estimates[number].value, "unit": simple.unit}
+    facts |= {"value": values[best.name], "unit": simple.unit}
     return [
         Note(f"finding.other_model.{degree}", number, **facts),
-        Note(
-            "finding.other_models",
-            number,
-            changes=changes,
-            sizes={alternative.name: alternative.difference for alternative in alternatives},
-        ),
+        Note("finding.other_models", number, changes=changes, sizes=sizes),
     ]
 
 
@@ -177,8 +158,13 @@ def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
             continue
         if note.code == "finding.wall" and abs(note.facts["percent"]) <= 100.0 * DETERMINED:
             continue  # the change of C is below the limit of a verdict
-        for name in _capped_parameters(note, result):
-            if note.code not in reasons.setdefault(name, []):
+        recording, names = note.address.partition(".")[0], result.conditions["recordings"]
+        for name, estimate in result.parameters.items():
+            owner, field = name.partition(".")[0], name.rpartition(".")[2]
+            # A lack of fit of one recording does not affect the parameters of another.
+            is_of_other = recording in names and owner in names and owner != recording
+            is_capped = estimate.verdict == "determined" and field not in READ_OFF and not is_of_other
+            if is_capped and note.code not in reasons.setdefault(name, []):
                 reasons[name].append(note.code)
     if not reasons:
         return result
@@ -186,16 +172,3 @@ def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
     cap_note = Note("finding.capped", names=tuple(reasons))
     conditions = {**result.conditions, "capped": reasons}
     return replace(result, parameters=parameters, remarks=(cap_note, *result.remarks), conditions=conditions)
-
-
-def _capped_parameters(note: Note, result: Result) -> list[str]:
-    """Return the determined parameters that a note affects."""
-    recording, names = note.address.partition(".")[0], result.conditions["recordings"]
-    return [
-        name
-        for name, estimate in result.parameters.items()
-        if estimate.verdict == "determined"
-        and name.rpartition(".")[2] not in READ_OFF
-        # A lack of fit of one recording does not affect the parameters of another.
-        and not (recording in names and name.partition(".")[0] in names and name.partition(".")[0] != recording)
-    ]

@@ -6,15 +6,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from poppet.core.codes import Note
 from poppet.core.toml_file import TomlFile
 from poppet.identify.fit.identify_fit import Progress, run_fit
 from poppet.identify.fit.intervals import Stages
+from poppet.identify.gum import SPREAD, widened
 from poppet.identify.result import Result
+from poppet.identify.tank.alternatives import compare_laws
 from poppet.identify.tank.caps import apply_caps
-from poppet.identify.tank.laws import compare_laws
-from poppet.identify.tank.tank_ambient import widen_for_ambient
-from poppet.identify.tank.tank_plan import plan_tank_fit, read_runs
-from poppet.identify.tank.test import TankTest, read_test
+from poppet.identify.tank.tank_plan import TEMPERATURE, TankRun, plan_tank_fit, read_runs
+from poppet.identify.tank.test import ROOM, TankTest, read_test
+
+POWERS = {"sonic_conductance": 0.5, "wall_conductance": 1.0, "wall_heat_capacity": 1.0}
+"""Exponents of the temperature: with all temperatures times r, C / r^0.5 and h A / r give the same pressures."""
 
 
 def identify_tank(
@@ -86,3 +90,27 @@ def identify_tank(
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)
     return widen_for_ambient(test, runs, result)
+
+
+def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
+    """Widen the intervals of a result for an unknown ambient temperature."""
+
+    def is_known(run: TankRun) -> bool:
+        """Return True if the temperature of the flowing gas is known."""
+        if run.direction == "charge":
+            return run.supply_temperature is not None
+        return test.initial_temperature is not None or any(c.address == TEMPERATURE for c in run.measurement.channels)
+
+    if test.ambient_temperature is not None or all(map(is_known, runs)):
+        return result
+    wider = {
+        name: widened(estimate, POWERS[field] * SPREAD / ROOM)
+        for name, estimate in result.parameters.items()
+        if (field := name.rpartition(".")[2]) in POWERS and estimate.verdict in ("determined", "weak")
+    }
+    number = f"{test.part}.sonic_conductance"
+    if number not in wider:
+        return result
+    facts = {"celsius": ROOM - 273.15, "percent": 50.0 / ROOM, "spread": SPREAD, "names": tuple(wider)}
+    note = Note("finding.room", number, **facts)
+    return replace(result, parameters={**result.parameters, **wider}, remarks=(note, *result.remarks))

@@ -394,21 +394,29 @@ def _free_parameters(
         _read_free(address, argument, circuits[0]) for address, argument in shared.items() if is_free(argument)
     ]
     if test.thermal == "energy" and is_free(test.wall_conductance):
-        parameters += _free_walls(test.wall_conductance, runs, circuits)
+        if len({(run.direction, str(run.volume)) for run in runs}) == 1:
+            parameters.append(_read_free("tank.wall_conductance", test.wall_conductance, circuits[0]))
+        else:
+            walls = [test.wall_conductance] * len(runs)
+            parameters += _free_by_recording("tank.wall_conductance", walls, runs, circuits)
     for local in ("pressure", "temperature"):
-        parameters += _free_supplies(
-            f"supply.{local}", [getattr(run, f"supply_{local}") for run in runs], runs, circuits
-        )
+        supplies = [getattr(run, f"supply_{local}") for run in runs]
+        parameters += _free_supplies(f"supply.{local}", supplies, runs, circuits)
     if is_free(test.initial_temperature):
-        parameters += _free_by_recording(
-            "tank.initial_temperature", [test.initial_temperature] * len(runs), runs, circuits
-        )
+        temperatures = [test.initial_temperature] * len(runs)
+        parameters += _free_by_recording("tank.initial_temperature", temperatures, runs, circuits)
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     parameters += recording_parameters(measurements, circuits, roles)
     for run in runs:
         name = run.measurement.name
         if test.valve_delay == "free":
-            parameters.append(_free_delay(f"{name}.{test.part}.delay", f"{test.part}.opening", run))
+            # The delay starts from the onset of the change.
+            latest = run.measurement.duration - run.opens
+            onset = run.pressure.time[_index_of_change(run.pressure, ONSET)] - run.opens
+            delay, address = float(np.clip(onset, 0.0, 0.5 * latest)), f"{test.part}.opening"
+            parameters.append(
+                FreeParameter(f"{name}.{test.part}.delay", address, "s", delay, 0.0, latest, "dead_time", name)
+            )
         parameters += _free_offsets(test, run)
     return tuple(parameters)
 
@@ -424,13 +432,6 @@ def _free_offsets(test: TankTest, run: TankRun) -> list[FreeParameter]:
     sd = stated or (None if argument == "free" else USUAL_ZERO * float(np.ptp(run.pressure.values)))
     prior = None if sd is None else NormalPrior(0.0, sd)
     return [offset_parameter(run.measurement.name, run.pressure, prior)]
-
-
-def _free_walls(argument: Any, runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]) -> list[FreeParameter]:
-    address = "tank.wall_conductance"
-    if len({(run.direction, str(run.volume)) for run in runs}) == 1:
-        return [_read_free(address, argument, circuits[0])]
-    return _free_by_recording(address, [argument] * len(runs), runs, circuits)
 
 
 def _free_supplies(
@@ -460,10 +461,3 @@ def _read_free(address: str, argument: Any, circuit: BaseCircuit, *, recording: 
     table = argument if isinstance(argument, Mapping) else {}
     name = f"{recording}.{address}" if recording else ""
     return read_free(address, table, circuit, recording=recording, name=name, where=address.rpartition(".")[2])
-
-
-def _free_delay(name: str, address: str, run: TankRun) -> FreeParameter:
-    """Return the free delay of the valve, from the onset of the change."""
-    latest = run.measurement.duration - run.opens
-    begin = float(np.clip(run.pressure.time[_index_of_change(run.pressure, ONSET)] - run.opens, 0.0, 0.5 * latest))
-    return FreeParameter(name, address, "s", begin, 0.0, latest, "dead_time", run.measurement.name)

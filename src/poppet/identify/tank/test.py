@@ -152,27 +152,16 @@ class TankTest:
 
     def __post_init__(self) -> None:
         with ErrorCollector() as errors:
-            for name, valid in (("direction", DIRECTIONS), ("thermal", THERMAL)):
-                argument = getattr(self, name)
-                if argument not in valid:
-                    errors.add(
-                        "fields.not_an_option",
-                        name,
-                        value=argument,
-                        meaning=name,
-                        near=NameSuggestion(str(argument), valid),
-                    )
             laws = tuple(self.compare) if isinstance(self.compare, list | tuple) else (self.compare,)
             object.__setattr__(self, "compare", laws)
-            for name in laws:
-                if name not in COMPARED:
-                    errors.add(
-                        "fields.not_an_option",
-                        "compare",
-                        value=name,
-                        meaning="thermal law",
-                        near=NameSuggestion(str(name), COMPARED),
-                    )
+            for name, meaning, argument, valid in (
+                ("direction", "direction", self.direction, DIRECTIONS),
+                ("thermal", "thermal", self.thermal, THERMAL),
+                *(("compare", "thermal law", law, COMPARED) for law in laws),
+            ):
+                if argument not in valid:
+                    near = NameSuggestion(str(argument), valid)
+                    errors.add("fields.not_an_option", name, value=argument, meaning=meaning, near=near)
             if self.pressure_offset not in ("free", 0.0, None):
                 errors.add("tank.offset", "pressure_offset", value=self.pressure_offset)
             for name in ("bore", "bore_uncertainty"):
