@@ -3,10 +3,6 @@
 The measured data are not part of the repository; the fit files state their source. Usage:
 
     python examples/regulators/compare.py [PICTURE.png]
-
-The measured data are not part of the repository; the fit files say where they come from. Usage:
-
-    python examples/regulators/compare.py [PICTURE.png]
 """
 
 from __future__ import annotations

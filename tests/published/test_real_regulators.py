@@ -159,7 +159,7 @@ def test_another_recording_of_the_same_day_comes_out_as_documented(tmp_path):
 @pytest.mark.skipif(COPY is None, reason="POPPET_SOFTARM names no copy of the repository of these recordings")
 @pytest.mark.parametrize("channel", FITS["itv0050"])
 def test_the_documented_scores_of_other_days_are_those_that_come_out(channel):
-    text = (ROOT / "docs" / "regulators.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "regulators_days.md").read_text(encoding="utf-8")
     rows = re.findall(rf"^\| {channel} \| \d+ \w+, \d+ psi \| .*$", text, re.MULTILINE)
     module = days()
     scores, anew = module.judged(channel, module.recordings(Path(COPY), channel))
