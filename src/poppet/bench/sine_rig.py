@@ -49,8 +49,6 @@ class SineRig:
 
     The start is `rest`, or the end of a run of `settling` [s] with constant inputs. `input` and `output` are
     addresses.
-
-    `input` and `output` are the addresses of what is driven and what is looked at.
     """
 
     def __init__(
@@ -95,9 +93,8 @@ class SineRig:
         call = Call(self._problem(constant_coefficients(self.u), 0.0, np.array([end]), x, p))
         run = call.run()
         if not run.outcome.is_success:
-            raise SimulationError(
-                Note("limits.unsettled", outcome=run.outcome.value, text=str(Note(run.outcome.value)))
-            )
+            cause = run.outcome.value
+            raise SimulationError(Note("limits.unsettled", outcome=cause, text=str(Note(cause))))
         settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
         return settled, np.concatenate([self.point.numbers, call.memory]), end
 
@@ -151,8 +148,6 @@ def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, 
     """Return the component of one frequency in a series, its mean, and the relative rms of the rest.
 
     The Hann window separates sampling sidebands and slow drift from the fundamental.
-
-    The window keeps what repeats with the sampling, and a slow drift, out of the fundamental.
 
     Examples
     --------

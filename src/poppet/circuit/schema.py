@@ -23,10 +23,7 @@ Schema = dict[str, Any]
 _LIST: Schema = {"type": "array", "minItems": 1, "items": {"$ref": "#/$defs/value"}}
 _TEXT: Schema = {"type": "string"}
 _TIME_COLUMN: Schema = {
-    "anyOf": [
-        _TEXT,
-        {"type": "object", "properties": {"column": _TEXT, "unit": _TEXT}, "additionalProperties": False},
-    ]
+    "anyOf": [_TEXT, {"type": "object", "properties": {"column": _TEXT, "unit": _TEXT}, "additionalProperties": False}]
 }
 _SIGNAL_FIELDS: dict[str, Schema] = {
     "times": _LIST,
@@ -102,10 +99,7 @@ def _definitions() -> dict[str, Schema]:
 def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Schema:
     """A choice that an editor can follow: one field decides which definition holds."""
     branches = [
-        {
-            "if": {"properties": {field: {"const": kind}}, "required": [field]},
-            "then": {"$ref": f"#/$defs/{definition}"},
-        }
+        {"if": {"properties": {field: {"const": kind}}, "required": [field]}, "then": {"$ref": f"#/$defs/{definition}"}}
         for kind, definition in definitions.items()
     ]
     kind = {"enum": list(definitions), "description": f"what {noun} this is"}
@@ -171,12 +165,7 @@ def _number(spec: NumberSpec, owner: type) -> Schema:
         # Another quantity has other units and limits.
         spec = replace(spec, unit=f"{spec.unit} by default", low=-math.inf, high=math.inf, default=None, varies=None)
     # The limits are in SI and do not apply to text, which can have another unit.
-    limits = {
-        "minimum": spec.low,
-        "maximum": spec.high,
-        "exclusiveMinimum": spec.above,
-        "exclusiveMaximum": spec.below,
-    }
+    limits = {"minimum": spec.low, "maximum": spec.high, "exclusiveMinimum": spec.above, "exclusiveMaximum": spec.below}
     number: Schema = {"type": "number"} | {name: limit for name, limit in limits.items() if math.isfinite(limit)}
     sourced = {
         "value": {"anyOf": [number, _TEXT]},

@@ -306,7 +306,15 @@ class MeasuredLoop(Plant):
             samples = _round_period(max(samples + 1, _FINER * samples))
         if len(responses) < _FEWEST or len(relevant) < _ENOUGH:
             raise SimulationError(Note("tuning.not_followed", self.measurement, by=self.named(size)))
-        for period in _periods_to_refine(responses):
+        # Between neighbours with a large phase difference and a relevant magnitude.
+        smallest_relevant = _SMALL * max(map(abs, responses.values()))
+        finer = [
+            _round_period(math.sqrt(low * high))
+            for low, high in itertools.pairwise(sorted(responses))
+            if abs(np.angle(responses[high] / responses[low])) > _TURN
+            and max(abs(responses[low]), abs(responses[high])) > smallest_relevant
+        ]
+        for period in [period for period in finer if period not in responses]:
             answer = self._answer(settled, period, size, responses)
             responses |= {} if answer is None else {period: answer}
         order = sorted(responses, reverse=True)
@@ -388,15 +396,3 @@ def _interpolate_response(responses: Mapping[int, complex], samples: int) -> com
         return 0.0
     fraction = math.log(samples / nearest[0]) / math.log(nearest[1] / nearest[0])
     return responses[nearest[0]] * (responses[nearest[1]] / responses[nearest[0]]) ** fraction
-
-
-def _periods_to_refine(responses: Mapping[int, complex]) -> list[int]:
-    """Return new periods between neighbours with a large phase difference and a relevant magnitude."""
-    order, smallest_relevant = sorted(responses), _SMALL * max(map(abs, responses.values()))
-    periods = [
-        _round_period(math.sqrt(low * high))
-        for low, high in itertools.pairwise(order)
-        if abs(np.angle(responses[high] / responses[low])) > _TURN
-        and max(abs(responses[low]), abs(responses[high])) > smallest_relevant
-    ]
-    return [samples for samples in periods if samples not in responses]

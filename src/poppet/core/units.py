@@ -32,13 +32,7 @@ from poppet.core.unit_table import (
 )
 
 Kind = Literal[
-    "plain",
-    "pressure",
-    "pressure_difference",
-    "temperature",
-    "temperature_difference",
-    "mass_flow",
-    "volume_flow_anr",
+    "plain", "pressure", "pressure_difference", "temperature", "temperature_difference", "mass_flow", "volume_flow_anr"
 ]
 KINDS: tuple[Kind, ...] = get_args(Kind)
 

@@ -161,18 +161,17 @@ def run_batch(
     ends = RunEnds.of(batch)
     width = (lanes or usual_width()) if batch.problem.x0.size else 1
     threads = max(1, min(threads or usable_cores(), batch.size // width))
-    pool = _Pool(batch, ends, reduce, _workers(batch, ends, width, threads))
+    workers: list[Worker]
+    if width == 1:
+        workers = [ScalarWorker(batch, ends) for _ in range(threads)]
+    else:
+        functions = lane_functions(batch.problem.kernel, width)
+        workers = [Lanes(batch, ends, functions, width) for _ in range(threads)]
+    pool = _Pool(batch, ends, reduce, workers)
     pool.run(progress)
     stalled = np.flatnonzero(ends.counts[:, 5] == _OUTCOMES.index(Outcome.STALLED)).tolist()
     notes = {run: pool.repeat_stalled(run) for run in stalled}
     return BatchRun(batch, ends, pool.reduced, notes, width, threads)
-
-
-def _workers(batch: Batch, ends: RunEnds, width: int, count: int) -> list[Worker]:
-    if width == 1:
-        return [ScalarWorker(batch, ends) for _ in range(count)]
-    functions = lane_functions(batch.problem.kernel, width)
-    return [Lanes(batch, ends, functions, width) for _ in range(count)]
 
 
 def usable_cores() -> int:

@@ -46,21 +46,16 @@ def compile_functions(functions: Mapping[str, Any], *, further_text: str = "", f
     With `fuses`, the processor can use fused multiply-add operations, which round once instead of twice.
     """
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + further_text
-    text = text if fuses else _without_fused_operations(text)
+    if not fuses:
+        declared = re.compile(r"^declare double @llvm\.fmuladd\.f64\(.*\)$", re.MULTILINE)
+        text = declared.sub(
+            "define internal double @twice_rounded(double %a, double %b, double %c) alwaysinline {\n"
+            "  %m = fmul double %a, %b\n  %s = fadd double %m, %c\n  ret double %s\n}",
+            text.replace(" contract ", " "),
+        ).replace("@llvm.fmuladd.f64", "@twice_rounded")
     # Functions of `more` are found by their definitions.
     names = *functions, *re.findall(r"^define void @(\w+)\(", further_text, re.MULTILINE)
     return load(object_code(text, optimised_object), names)
-
-
-def _without_fused_operations(text: str) -> str:
-    """Return the text without operations that a processor can fuse."""
-    declared = re.compile(r"^declare double @llvm\.fmuladd\.f64\(.*\)$", re.MULTILINE)
-    text = declared.sub(
-        "define internal double @twice_rounded(double %a, double %b, double %c) alwaysinline {\n"
-        "  %m = fmul double %a, %b\n  %s = fadd double %m, %c\n  ret double %s\n}",
-        text.replace(" contract ", " "),
-    )
-    return text.replace("@llvm.fmuladd.f64", "@twice_rounded")
 
 
 def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:

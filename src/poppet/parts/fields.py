@@ -22,12 +22,8 @@ from poppet.core.units import Kind, quantity
 
 T = TypeVar("T")
 MISSING = (
-    "fields.missing",
-    "fields.missing_port",
-    "fields.missing_body",
-    "parts.no_characteristic",
-    "parts.forgotten_set",
-)
+    "fields.missing", "fields.missing_port", "fields.missing_body", "parts.no_characteristic", "parts.forgotten_set",
+)  # fmt: skip
 """Codes of errors of a missing or misspelt field."""
 NumberLike = Number | float | str | Mapping[str, Any] | None
 """Argument of a number field: SI value, text with unit, `Number`, or a table with value, source, locator and note."""

@@ -21,8 +21,6 @@ class Recording(Columns):
 
     The constructor does not check its arguments, because each run calls it; `from_series` and `read` check theirs.
 
-    The constructor trusts its arguments, since every run ends in it; `from_series` and `read` check theirs.
-
     Parameters
     ----------
     time : (n,) array

@@ -1,8 +1,6 @@
 """Files of recordings: CSV for all programs, Parquet for size and types, MAT for MATLAB.
 
 The modules in `timeseries/tables` read the three formats as tables. This module makes recordings of these tables.
-
-How the three formats are read as tables stands in `timeseries/tables`; here is what makes a recording of a table.
 """
 
 from __future__ import annotations

@@ -126,7 +126,7 @@ class TestPlan:
     def test_unknown_valve(self, valve):
         with pytest.raises(InputError) as caught:
             limits_plan(whole(), valve)
-        assert (caught.value.code, caught.value.facts["near"].known) == ("limits.unknown_valve", ["valve"])
+        assert (caught.value.code, caught.value.facts["near"].valid_names) == ("limits.unknown_valve", ["valve"])
 
     def test_several_valves_ask_for_a_name(self):
         parts = whole().parts

@@ -323,7 +323,7 @@ def test_unknown_suffixes(recording, tmp_path, name):
         with pytest.raises(InputError) as caught:
             attempt(tmp_path / name)
         assert caught.value.code == "files.suffix"
-        assert ".csv" in (caught.value.facts["near"].names or caught.value.facts["near"].known)
+        assert ".csv" in (caught.value.facts["near"].names or caught.value.facts["near"].valid_names)
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)

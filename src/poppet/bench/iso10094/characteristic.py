@@ -254,8 +254,6 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     """Return the setpoint at which the outlet leaves its pressure at setpoint zero.
 
     The outlet needs several lags before it moves at the rate of the setpoint.
-
-    It is some lags further on before it moves as fast as the setpoint.
     """
     scatter = 5.0 * scatter_of(x)
     if x.size < FEWEST_STAIRS or x[0] > max(ZERO_STEP, scatter):

@@ -200,9 +200,6 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     The sweep stops at the intersection of its straight line with the held level, which is robust to noise. In a slow
     ramp, the delay of a linear valve is the sum of its time constants and dead times at any rate.
 
-    The sweep stops where the straight line through it meets the level that is held, which noise hardly moves. Behind a
-    slow ramp a linear valve is late by the sum of its time constants and dead times, at any rate.
-
     Examples
     --------
     >>> t = np.linspace(0.0, 15.0, 1501)
@@ -234,9 +231,8 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
         return None
     delay = change / float(rate)
     span = abs(float(time[branch.end - 1] - time[branch.first]))
-    error = math.hypot(
-        noise_about([y[is_held]]).mean(int(is_held.sum())), noise_about([y[is_coming]], 3).of(inverse[2])
-    )
+    held_error = noise_about([y[is_held]]).mean(int(is_held.sum()))
+    error = math.hypot(held_error, noise_about([y[is_coming]], 3).of(inverse[2]))
     # The uncertainty of the line also affects the stop.
     stopped = EXTENDED * noise_of(x) * abs(float(rate)) / math.sqrt(float(is_coming.sum()))
     sweep = float(np.polyfit(clock, x[is_coming], 1)[0]) / max(stop - time[is_coming][0], step)
@@ -260,8 +256,6 @@ def caught_up(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArra
     """Return the swept value delayed by the mean lag, which corresponds to the outlet.
 
     An outlet that returns at the end of the sweep was ahead of it (integral action). This lead is not removed.
-
-    An outlet that goes back when the sweep stops was ahead of it, as behind an integral: no lag to take out.
     """
     delay = float(np.mean([lag.time for lag in lags])) if lags else 0.0
     return np.interp(time - delay, time, x) if delay > 0.0 else x

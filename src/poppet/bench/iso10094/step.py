@@ -286,9 +286,6 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     The largest line of the spectrum without drift is compared with the mean of the others (Fisher's g). The amplitude
     is that of the mean period, so noise and waveform cause little bias.
 
-    The largest line of the spectrum, after a straight drift is taken out, is compared with the mean of the others
-    (Fisher's g); the swing is that of the mean period, so that neither noise nor the form of the motion bias it much.
-
     Examples
     --------
     >>> t = np.linspace(0.0, 1.0, 500)

@@ -2,9 +2,6 @@ r"""Uncertainty of characteristic values: noise, sampling and repetition.
 
 Standard uncertainties follow the GUM (JCGM 100). The 95 % intervals combine normal and uniform distributions. The
 autocovariance of the noise prevents means of coloured noise from appearing too accurate.
-
-Standard uncertainties after the GUM (JCGM 100), and intervals of 95 % of what is partly normal and partly evenly
-distributed. Noise is described by its autocovariance: a mean of coloured noise is not taken for better than it is.
 """
 
 from __future__ import annotations
@@ -202,8 +199,6 @@ def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.
 
     `share` is the number of neighbouring values with common noise.
 
-    `share` is the number of neighbouring values that share their noise.
-
     Examples
     --------
     >>> x = np.linspace(0.0, 1.0, 81)
@@ -239,8 +234,6 @@ def unbiased(
     """Return a nonlinear value of curves without its noise bias.
 
     `functional` takes arrays of shape (draws, n), one per curve, and returns one value per draw.
-
-    `functional` takes arrays (draws, n), one of each curve, and gives a value per draw.
 
     Examples
     --------
@@ -285,10 +278,6 @@ def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> t
     DerSimonian and N. Laird, Controlled Clinical Trials 7 (1986) 177-188). Equal true values thus become equal, and
     different values stay the same.
 
-    Of values that noise has set apart the largest is too large. So far as they scatter no more than their noise does,
-    each is drawn to their mean, by as much as is due to it (R. DerSimonian and N. Laird, Controlled Clinical Trials 7
-    (1986) 177-188): values of one truth become one, values that differ stay what they are.
-
     Examples
     --------
     >>> value, doubt, place = greatest([2.0, 2.1, 2.1], [Uncertainty(0.1), Uncertainty(0.1), Uncertainty(0.1)])
@@ -297,10 +286,8 @@ def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> t
     >>> round(greatest([1.0, 2.0, 9.0], [Uncertainty(0.1), Uncertainty(0.1), Uncertainty(0.1)])[0], 2)
     9.0
     """
-    spread, array = (
-        np.array([uncertainty.standard for uncertainty in uncertainties]),
-        np.array(values, dtype=np.float64),
-    )
+    spread = np.array([uncertainty.standard for uncertainty in uncertainties])
+    array = np.array(values, dtype=np.float64)
     top = int(np.argmax(array))
     if array.size == 1 or not spread.min() > 0.0:
         return float(array[top]), uncertainties[top], top

@@ -1,7 +1,5 @@
 r"""Virtual valve with known characteristic values, for tests of the bench.
 
-.. math:: T \dot y + y = f(\mathrm{play}(w(t - T_d)))
-
 .. math:: T \dot y + y = f(\mathrm{play}(w(t - T_d))) \qquad
     \text{or} \qquad \ddot y + 2 D \omega \dot y + \omega^2 y = \omega^2 f(\ldots), \quad \omega = 1/T
 """

@@ -69,13 +69,12 @@ class _KinkSearch:
         low = 0.0
         for high in DISTANCES.tolist():
             for row in np.flatnonzero(self.jumps(column, sign * high)).tolist():
-                if row not in result:
-                    result[row] = self._bisect(column, sign, row, low, high) if low > 0.0 else 0.0
+                if row in result:
+                    continue
+                lower, upper = low, high if low > 0.0 else 0.0
+                for _ in range(BISECTIONS if low > 0.0 else 0):
+                    middle = 0.5 * (lower + upper)
+                    lower, upper = (lower, middle) if self.jumps(column, sign * middle)[row] else (middle, upper)
+                result[row] = upper
             low = high
         return result
-
-    def _bisect(self, column: int, sign: float, row: int, low: float, high: float) -> float:
-        for _ in range(BISECTIONS):
-            middle = 0.5 * (low + high)
-            low, high = (low, middle) if self.jumps(column, sign * middle)[row] else (middle, high)
-        return high

@@ -209,10 +209,7 @@ def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
         head = f"define internal void @{name}.{k}({formal}, ptr noalias nocapture %w) noinline {kind.attributes} {{"
         text += [head, *_print_block(block, inputs, outputs, kind), "  ret void", "}", ""]
     actual = ", ".join(f"ptr {a}" for a in [*inputs, *outputs, "%w"])
-    text += [
-        f"define void @{name}({formal}) {kind.attributes} {{",
-        f"  %w = alloca {kind.number}, i64 {listing.size}",
-    ]
+    text += [f"define void @{name}({formal}) {kind.attributes} {{", f"  %w = alloca {kind.number}, i64 {listing.size}"]
     text += [f"  call void @{name}.{k}({actual})" for k in range(len(parts))]
     return "\n".join([*text, "  ret void", "}", ""])
 

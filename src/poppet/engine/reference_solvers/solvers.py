@@ -154,7 +154,13 @@ class _Scipy(_Legs):
         self.lands_on_rows = solver == "radau"
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
-        method = self._quietly(partial(self._method, segment, begin, end, x))
+        method = self._quietly(
+            lambda: self.solver(
+                partial(rates, self.problem, segment), begin, x, end,
+                rtol=self.rtol, atol=self.rtol * self.scale, max_step=self.problem.maximum_step,
+                jac=partial(jacobian, self.problem, segment),
+            )
+        )  # fmt: skip
         if method is None:
             return
         for target in self._row_times(begin, end)[1:] if self.lands_on_rows else (end,):
@@ -170,13 +176,6 @@ class _Scipy(_Legs):
                 yield Leg(float(t0), float(method.t), x0, method.y.copy(), method.dense_output())
                 if method.status == "running" and self.has_too_many_steps():
                     return
-
-    def _method(self, segment: int, begin: float, end: float, x: Array) -> Any:
-        return self.solver(
-            partial(rates, self.problem, segment), begin, x, end,
-            rtol=self.rtol, atol=self.rtol * self.scale, max_step=self.problem.maximum_step,
-            jac=partial(jacobian, self.problem, segment),
-        )  # fmt: skip
 
     @staticmethod
     def _quietly(work: Callable[[], Any]) -> Any:

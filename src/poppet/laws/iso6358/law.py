@@ -224,12 +224,7 @@ def flow(
 
 
 def upstream_temperature(
-    pressure_1: Any,
-    pressure_2: Any,
-    temperature_1: Any,
-    temperature_2: Any,
-    *,
-    laminar_ratio: Any = LAMINAR_RATIO,
+    pressure_1: Any, pressure_2: Any, temperature_1: Any, temperature_2: Any, *, laminar_ratio: Any = LAMINAR_RATIO
 ) -> Any:
     r"""Return the stagnation temperature of the flow.
 

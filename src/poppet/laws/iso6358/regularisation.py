@@ -159,12 +159,7 @@ def upstream_temperature_between(
 
 
 def regime_code(
-    pressure_1: Any,
-    pressure_2: Any,
-    critical_ratio: Any,
-    cracking_pressure: Any,
-    laminar_ratio: Any,
-    one_way: bool,
+    pressure_1: Any, pressure_2: Any, critical_ratio: Any, cracking_pressure: Any, laminar_ratio: Any, one_way: bool
 ) -> tuple[Any, ...]:
     """Return the code of the flow regime.
 

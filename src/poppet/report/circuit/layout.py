@@ -120,20 +120,15 @@ class Layout:
             layers, back = range(len(self.rows)), -1 if sweep % 2 == 0 else 1
             for layer in layers[::-back]:
                 if layer + back in layers:
-                    self._sort(layer, layer + back)
+                    ranks = {name: float(k) for k, name in enumerate(self.rows[layer + back])}
+                    row, barycentres = self.rows[layer], {}
+                    for k, name in enumerate(row):
+                        linked_ranks = [ranks[neighbour] for neighbour in self.links[name] if neighbour in ranks]
+                        barycentres[name] = sum(linked_ranks) / len(linked_ranks) if linked_ranks else float(k)
+                    row.sort(key=barycentres.__getitem__)
             if (crossings := self._crossings()) < min_crossings:
                 best, min_crossings = [list(row) for row in self.rows], crossings
         self.rows = best
-
-    def _sort(self, layer: int, reference_layer: int) -> None:
-        ranks = {name: k for k, name in enumerate(self.rows[reference_layer])}
-        row = self.rows[layer]
-        barycentres = {name: float(k) for k, name in enumerate(row)}
-        for name in row:
-            linked_ranks = [ranks[neighbour] for neighbour in self.links[name] if neighbour in ranks]
-            if linked_ranks:
-                barycentres[name] = sum(linked_ranks) / len(linked_ranks)
-        row.sort(key=barycentres.__getitem__)
 
     def _crossings(self) -> int:
         total = 0

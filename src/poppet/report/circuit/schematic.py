@@ -205,11 +205,8 @@ class _Schematic:
         lines = (*part_caption(self.circuit, name), *[""] * self.counts.get(name, 0))
         prefix = f"{name}."
         tags = tuple(signal_caption(self.circuit, key) for key in self.circuit.signals if key.startswith(prefix))
-        tags += tuple(
-            f"{target.removeprefix(prefix).replace('_', ' ')} = {source}"
-            for target, source in self.circuit.connections.items()
-            if target.startswith(prefix)
-        )
+        connected = {k.removeprefix(prefix): v for k, v in self.circuit.connections.items() if k.startswith(prefix)}
+        tags += tuple(f"{target.replace('_', ' ')} = {source}" for target, source in connected.items())
         widths = [text_width(name, _NAME_TEXT, bold=True), *(text_width(line, _TEXT) for line in lines)]
         widths += [text_width(tag, _TEXT) + 0.1 for tag in tags]
         widths += [self.min_width] * (name in self.counts)
@@ -217,11 +214,8 @@ class _Schematic:
         max_ports = max(sum(self.sides[edge] is side for edge in ports) for side in (True, False)) if ports else 0
         symbol_height = max(_SYMBOL, _PORT_STEP * max_ports) + 0.06 if name in self.graph.passages else 0.0
         if symbol_height:
-            labels = [
-                max((text_width(_port_label(e[1]), 6.5) for e in ports if self.sides[e] is s), default=0.0)
-                for s in (True, False)
-            ]
-            widths.append(2.0 * max(labels) + (2.4 if isinstance(part.symbol_for(False), str) else 1.6) * _SYMBOL)
+            label = max((text_width(_port_label(edge[1]), 6.5) for edge in ports), default=0.0)
+            widths.append(2.0 * label + (2.4 if isinstance(part.symbol_for(False), str) else 1.6) * _SYMBOL)
         body = symbol_height + _LINE * len(lines) + 0.17 + 2.0 * _PAD
         body = max(body, _PORT_STEP * len(ports))
         return _Box(name, lines, tags, max(widths) + 2.0 * _PAD, body + _TAG * len(tags), symbol_height)
@@ -247,11 +241,9 @@ class _Schematic:
         """Return the ends of all pipes, in the order of the boxes at their other ends."""
         groups: dict[tuple[str, bool], list[tuple[float, Edge]]] = defaultdict(list)
         for edge, chain in self.layout.chains.items():
-            for name, neighbour, is_left in (
-                (edge[0], chain[1], self.sides[edge]),
-                (edge[2], chain[-2], not self.sides[edge]),
-            ):
-                groups[name, is_left].append((self.layout.positions[neighbour].y, edge))
+            positions, is_left = self.layout.positions, self.sides[edge]
+            groups[edge[0], is_left].append((positions[chain[1]].y, edge))
+            groups[edge[2], not is_left].append((positions[chain[-2]].y, edge))
         ends = {}
         for (name, is_left), members in groups.items():
             position, box = self.layout.positions[name], self.boxes[name]
@@ -324,11 +316,6 @@ class _Schematic:
         for k, tag in enumerate(box.tags):
             self._tag(position.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
 
-    def _is_mirrored(self, name: str) -> bool:
-        """Return True if positive flow enters at the right, or leaves a source at the left."""
-        ports = [edge for edge in self.graph.edges if edge[0] == name]
-        return self.sides[ports[0]] == (len(ports) == 1)
-
     def _symbol(self, name: str, x: float, y: float) -> None:
         """Draw the symbol of a part, or a box with a label, about a centre."""
         part = self.circuit.parts[name]
@@ -336,7 +323,10 @@ class _Schematic:
         symbol = part.symbol_for(is_driven)
         left, bottom = x - _SYMBOL / 2.0, y - _SYMBOL / 2.0
         if not isinstance(symbol, str):
-            self._strokes(symbol, left, bottom, _SYMBOL, is_mirrored=self._is_mirrored(name))
+            ports = [edge for edge in self.graph.edges if edge[0] == name]
+            # Positive flow enters at the right, or leaves a source at the left.
+            is_mirrored = self.sides[ports[0]] == (len(ports) == 1)
+            self._strokes(symbol, left, bottom, _SYMBOL, is_mirrored=is_mirrored)
             return
         label = symbol or part.kind.replace("_", " ")
         self._strokes(rectangle(-0.5, 0.2, 2.0, 0.6), left, bottom, _SYMBOL)

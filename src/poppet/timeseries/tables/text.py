@@ -2,9 +2,6 @@
 
 `read` accepts files of other programs and notes what it guessed. `read_exact` accepts the format of recordings and
 rejects other input with the line number.
-
-`read` takes files of others as they come and notes what it guessed; `read_exact` takes what recordings write, and
-refuses everything else by its line.
 """
 
 from __future__ import annotations
@@ -61,8 +58,6 @@ class _TextLayout:
         """Return True for a line with a number first, or with numbers in all numeric columns.
 
         A line that begins with a number and continues with text is an invalid sample, not a heading.
-
-        A line that begins like a sample and goes on with text is a sample with a mistake, not a heading.
         """
         cells = self.cells(text)
         kinds = [self.is_number(cell) for cell in cells]
@@ -106,8 +101,6 @@ def read_exact(path: Path) -> Table:
     """Read a CSV file of a recording: UTF-8, a heading line, a number in every cell.
 
     The complete headings are the names. Nothing is omitted or guessed.
-
-    Headings are kept whole, as names; nothing is left out and nothing is guessed.
     """
     text, bad_line = _text(path)
     if bad_line:
