@@ -129,7 +129,7 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
         (("iso10094", VALVE, "--report", "missing/r.html"), "does not exist"),
         (("iso10094", "nothing.toml"), "does not exist."),
         (("iso10094", "--recording", RECORDINGS, "--volume", "1 l"), "--volume has no effect on recordings."),
-        (("iso10094", "--recording", VALVE), "is not a field of a file of recordings."),
+        (("iso10094", "--recording", VALVE), "is not a valid field of a file of recordings."),
         (("iso6953", VALVE), "iso6953"),
         (("iso10094", VALVE, "--compare", "examples/bench/sweep.csv"), "is not valid TOML"),
     ],
@@ -149,7 +149,7 @@ def test_mistakes_of_a_file_of_recordings_have_their_lines(poppet, bench):
     path.write_text(text)
     code, _, err = poppet("bench", "iso10094", "--recording", RECORDINGS)
     assert code == 2
-    assert "recordings.steps.test = 'steps' is not a test. Did you mean step?" in err
+    assert "recordings.steps.test = 'steps' is not a valid test. Did you mean step?" in err
     assert "recordings.draw.outlet.flow is not a channel of the bench." in err
     assert re.search(r"recordings\.toml:\d+", err)
 

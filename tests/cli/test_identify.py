@@ -40,7 +40,8 @@ from result_keys import undocumented
 ROOT = Path(__file__).parents[2]
 EXAMPLES = ROOT / "examples" / "identify"
 PAGES = [ROOT / "README.md", ROOT / "examples" / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
-DOCUMENTS = {path.stem: path.read_text(encoding="utf-8") for path in sorted((ROOT / "docs").glob("identify*.md"))}
+PAGES = [*(ROOT / "docs").glob("identify*.md"), ROOT / "docs" / "fit_file.md"]
+DOCUMENTS = {path.stem: path.read_text(encoding="utf-8") for path in PAGES}
 WAYS = ("fit", "tank", "flow", "characteristic", "muscle", "friction")
 
 
@@ -96,7 +97,7 @@ def test_a_design_is_printed_and_written(poppet, tmp_path):
 
 def page_of(method: str) -> str:
     """Return the text of the page of a method, without its code blocks."""
-    page = DOCUMENTS["identify" if method == "fit" else f"identify_{method}"]
+    page = DOCUMENTS["fit_file" if method == "fit" else f"identify_{method}"]
     return re.sub(r"^```.*?^```$", "", page, flags=re.MULTILINE | re.DOTALL)
 
 

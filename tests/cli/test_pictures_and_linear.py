@@ -106,7 +106,7 @@ def asked(monkeypatch):
         calls.append((inputs, at))
         return Linear()
 
-    monkeypatch.setattr("poppet.circuit.circuit.Circuit.linearise", linearise)
+    monkeypatch.setattr("poppet.circuit.circuit.BaseCircuit.linearise", linearise)
     return calls
 
 

@@ -41,15 +41,18 @@ class Comparison:
     setpoint : (n,) array
         Setpoint of all controllers, SI.
     responses : dict
-        Controller to a (draws + 1, n) array of the measurement, SI, with the nominal run first; NaN in failed runs.
+        Mapping from the name of each controller to a (draws + 1, n) array of the measurement, SI. The first row is the
+        nominal run. Values after the failure of a run are NaN.
     commands : dict
-        Controller to its command in the nominal run, an (n,) array: fill minus vent opening, or SI.
+        Mapping from the name of each controller to an (n,) array of the command in the nominal run. The command is the
+        fill opening minus the vent opening, or another quantity in SI.
     figures : dict
-        Controller to metric to a (draws + 1,) array, with the nominal run first.
+        Mapping from the name of each controller to a mapping from the name of each metric to a (draws + 1,) array. The
+        first element is the nominal run.
     factors : dict
-        Address of each uncertain parameter to a (draws + 1,) array of factors.
+        Mapping from the address of each uncertain parameter to a (draws + 1,) array of factors.
     ranges : dict
-        Address to the relative range of the factors.
+        Mapping from the address of each uncertain parameter to the relative range of the factors.
     seed : int
         Seed of the random factors.
     quantity, command_quantity : str
@@ -69,31 +72,34 @@ class Comparison:
 
     @property
     def units(self) -> tuple[str, str]:
-        """SI units of the controlled and the commanded quantity."""
+        """SI unit of the controlled quantity and SI unit of the commanded quantity."""
         return QUANTITIES[self.quantity].unit, COMMANDS[self.command_quantity].unit
 
     @property
     def kinds(self) -> dict[str, StepMetric]:
-        """Metrics with their units and meanings."""
+        """Mapping from the name of each metric to the unit and the meaning of the metric."""
         return metrics_in(*self.units)
 
     @property
     def draws(self) -> int:
-        """Number of random runs."""
+        """Number of random runs of each controller, without the nominal run."""
         return len(next(iter(self.responses.values()))) - 1
 
     @property
     def failed(self) -> dict[str, int]:
-        """Count of failed runs of each controller."""
+        """Mapping from the name of each controller to the count of its failed runs."""
         return {name: int(np.sum(np.isnan(rows[:, -1]))) for name, rows in self.responses.items()}
 
     def summary(self) -> dict[str, dict[str, tuple[float, float, float]]]:
-        """Return nominal value, median and maximum of each metric.
+        """Return nominal value, median and maximum of each metric for each controller.
+
+        Median and maximum refer to the random runs.
 
         Returns
         -------
         dict
-            Controller to metric to the three values; without random runs all are nominal.
+            Mapping from the name of each controller to a mapping from the name of each metric to the three values. If
+            there are no random runs, all three are the nominal value.
         """
 
         def statistics(values: Array) -> tuple[float, float, float]:
@@ -105,7 +111,10 @@ class Comparison:
         }
 
     def save(self, path: str | Path) -> Path:
-        """Write one row for each run: controller, draw, factors, metrics.
+        """Write the metrics of all runs to a CSV file, one run in each row.
+
+        The columns are the name of the controller, the index of the draw (0 for the nominal run), the factors and the
+        metrics.
 
         Parameters
         ----------
@@ -135,23 +144,26 @@ def compare(
 ) -> Comparison:  # fmt: skip
     """Run several controllers on one plant with nominal and with random parameters.
 
+    Only the plant and the sensor are varied. A plant model inside a controller keeps the nominal parameters.
+
     The models in the controllers keep their nominal parameters.
 
     Parameters
     ----------
     circuits : mapping
-        Name of each contender to its circuit; the circuits may differ in the controller only.
+        Mapping from a name of each compared controller to the circuit with this controller. The circuits may differ in
+        the controller only.
     controller : str, optional
         Name of the controller, the same in all circuits; required if there are several.
     vary : mapping, optional
-        Address of a parameter of the plant or of the sensor to its relative range: with 0.2, factors are uniformly
-        distributed from 0.8 to 1.2.
+        Mapping from the address of a parameter of the plant or of the sensor to a relative range. A range of 0.2 means
+        that the factors are uniformly distributed from 0.8 to 1.2.
     draws : int, optional
         Number of random runs; without `vary` only the nominal run is made.
     seed : int, optional
         Seed of the factors; equal seeds give equal plants.
     progress : callable, optional
-        Function of the number of finished runs and the total.
+        Function that is called with the count of finished runs and the total count.
 
     Returns
     -------
@@ -201,7 +213,7 @@ def compare(
 
 
 class _Contender:
-    """Circuit of one controller that is run with scaled parameters."""
+    """One of the compared controllers in its circuit, with the results of all its runs."""
 
     def __init__(self, instance: Instance, options: Run, plant: Plant) -> None:
         controller, self.part = plant.controller, plant.part
@@ -237,7 +249,10 @@ def _check_fair(
     reference_case: tuple[BaseCircuit, Any],
     controller: str,
 ) -> None:
-    """Collect errors of differences between two circuits other than the controller."""
+    """Add an error for each difference between two circuits outside the controller.
+
+    `case` and `reference_case` are pairs of a circuit and the dictionary from `_shape`.
+    """
     values, reference_values = ({**circuit.parameters, **shape} for circuit, shape in (case, reference_case))
     for key in sorted({*values, *reference_values}):
         of_controller = key.startswith(f"{controller}.") and key.removeprefix(f"{controller}.") not in _SHARED
@@ -249,7 +264,7 @@ def _check_fair(
 
 
 def _shape(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
-    """Return the properties, other than parameters, that must be equal in all circuits."""
+    """Return all properties except parameters that must be equal in the compared circuits."""
     return {
         "parts": [part.structure() for name, part in circuit.parts.items() if name != plant.controller],
         "acts": plant.part.acts,

@@ -1,7 +1,8 @@
 """Frequency responses of plants to sines of a given size, for plants without a useful linear model.
 
-The loop runs with a weak controller, and a sine is added to the command. The ratio of measurement and command at this
-frequency is the sinusoidal describing function of the plant at the size of the sine of the command.
+The loop runs with a weak controller, and a sine is added to the command. The complex ratio of measurement to command
+at the frequency of the sine is the sinusoidal describing function of the plant. This function depends on the amplitude
+of the command.
 """
 
 from __future__ import annotations
@@ -33,11 +34,11 @@ if TYPE_CHECKING:
 
 ProgressCallback = Callable[[str], None]
 _WEAK = 0.15
-"""Fraction of the gain of the circuit during the measurement."""
+"""Gain of the weak controller during the measurement, as a fraction of the gain in the circuit."""
 _ROWS = 64
-"""Maximum count of stored rows in a period."""
+"""Maximum count of stored rows in a period of the sine."""
 _FINER = 1.33
-"""Ratio of neighbouring frequencies."""
+"""Ratio of neighbouring frequencies of a sweep."""
 _LAGS, _SPAN = -135.0, 15.0
 """Phase at the highest relevant frequency [deg], and the range of relevant periods above that of this frequency."""
 _FLAT, _LESS = -8.0, 5.0
@@ -55,14 +56,14 @@ _FEWEST, _ENOUGH, _LOST = 8, 3, 2
 _TURN, _SMALL = math.radians(20.0), 0.005
 """Phase difference that needs a frequency in between, and fraction of the largest response that is negligible."""
 _EVERY = 4
-"""Decimation of frequencies in the test of stability."""
+"""The stability test uses every fourth frequency."""
 _RUNS, _QUIET = 8, 0.1
-"""Maximum count of runs to a steady state, and tolerance of its command as a fraction of the sine."""
+"""Maximum count of runs to a steady state, and tolerance of the steady command as a fraction of the smallest sine."""
 
 
 @dataclass(frozen=True, eq=False)
 class MeasuredPlant(LoopPlant):
-    """Plant that is described by its responses to sines.
+    """Plant that is described by measured frequency responses to sines of one size.
 
     Parameters
     ----------
@@ -73,7 +74,7 @@ class MeasuredPlant(LoopPlant):
     sample_time : float
         T [s].
     stabilised_by : Gains
-        Gains of the measured loop, which is stable.
+        Gains of the controller during the measurement, with which the loop is stable.
 
     Notes
     -----
@@ -118,7 +119,10 @@ class MeasuredPlant(LoopPlant):
         return z, self.response(z)
 
     def _phase_change(self, gains: Gains) -> float:
-        """Return the change of the angle of 1 + L up to half the sampling frequency."""
+        """Return the change of the angle of 1 + L over the frequency range [rad].
+
+        The range ends at half the sampling frequency. L is the response of the open loop with the given gains.
+        """
         z, answers = self._coarse_response
         angle = np.unwrap(np.angle(1.0 + answers * gains.response(z, self.sample_time)))
         return float(angle[-1] - angle[0])
@@ -134,7 +138,9 @@ class MeasuredPlant(LoopPlant):
         return abs(self._phase_change(gains) - self._reference_phase - integral_turn) < 0.5 * np.pi
 
     def covers(self, gains: Gains, bound: float) -> bool:
-        """Return True if a bound is kept outside the measured frequencies for any phase.
+        """Return True if Ms and Mt keep the bound outside the measured frequency range.
+
+        The check uses the magnitude of the open loop only, so it is valid for any phase.
 
         Parameters
         ----------
@@ -146,7 +152,7 @@ class MeasuredPlant(LoopPlant):
         Returns
         -------
         bool
-            A plant that is a gain at low frequencies meets the condition there.
+            Below the measured range, the condition is also met if the plant is a constant gain.
         """
         low, high = np.abs(self.responses * gains.response(self.at(self.known_frequencies), self.sample_time))[[0, -1]]
         is_gain = abs(np.angle(self.responses[0])) < 0.25 * np.pi
@@ -155,7 +161,7 @@ class MeasuredPlant(LoopPlant):
 
 @dataclass(frozen=True, eq=False)
 class SettledPlant:
-    """Plant in a steady state with a weak controller."""
+    """Plant at a steady state that a weak controller holds while sines are added to the command."""
 
     circuit: BaseCircuit  # starts at the steady state
     rest: Recording
@@ -165,7 +171,12 @@ class SettledPlant:
     loop: Loop
 
     def answer(self, samples: int, size: float) -> tuple[complex, complex] | None:
-        """Return measurement per command, and the sine of the command; None without a sinusoidal response."""
+        """Return the plant response to a sine, and the complex amplitude of the command.
+
+        `samples` is the period of the sine in samples, and `size` is the amplitude that is added to the command. The
+        plant response is the ratio of measurement to command. The method returns None if the run fails or the response
+        is not sinusoidal.
+        """
         decimation = max(1, math.ceil(samples / _ROWS))
         step, rows = decimation * self.loop.sample_time, samples // decimation
         name, period, count = self.loop.controller, samples * self.loop.sample_time, _PERIODS
@@ -191,7 +202,11 @@ class SettledPlant:
 
 
 def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
-    """Return the sine with a period of `rows` in each series, and the relative distortion of the first series."""
+    """Fit a sine to each series; return the amplitudes and the distortion of the first series.
+
+    `rows` is the period of the sine in rows. The amplitudes are complex. The distortion is the amplitude of the
+    residuals relative to that of the sine.
+    """
     k = np.arange(series.shape[1])
     angle, drift = 2.0 * np.pi * k / rows, k / k.size - 0.5
     base = np.stack([np.cos(angle), np.sin(angle), np.ones(k.size), drift], axis=1)
@@ -205,7 +220,10 @@ def _fit_sine(series: Array, rows: int) -> tuple[Complex, float]:
 
 @dataclass(frozen=True, eq=False)
 class MeasuredLoop(Plant):
-    """Plant whose responses are measured with sines of one or several sizes in the command."""
+    """Plant whose frequency responses are measured with sines that are added to the command.
+
+    `amplitudes` contains the sizes of the sines; the plant has one frequency response for each size.
+    """
 
     loop: Loop = None  # type: ignore[assignment]
     amplitudes: tuple[float, ...] = ()
@@ -214,7 +232,7 @@ class MeasuredLoop(Plant):
 
     @property
     def vent_factor(self) -> float:
-        """Vent factor of the controller during the measurement."""
+        """Opening of the vent valve per negative command during the measurement."""
         return self.loop.numbers.get("vent_factor", 1.0)
 
     def sampled(  # type: ignore[override]  # no state space
@@ -223,7 +241,7 @@ class MeasuredLoop(Plant):
         return point.models[branch]  # type: ignore[return-value]
 
     def named(self, amplitude: float) -> str:
-        """Return a size of the command's sine in its readable unit."""
+        """Return a label for an amplitude of the command in a readable unit."""
         unit = COMMANDS[command_of(self.part)].unit
         shown_unit = readable_unit_of(unit)
         suffix = "" if shown_unit == "1" else f" {shown_unit}"
@@ -239,7 +257,10 @@ class MeasuredLoop(Plant):
     def verify(
         self, circuit: BaseCircuit, value: float, gains: Gains, margins: Mapping[str, Margins]
     ) -> Iterator[Verification]:
-        """Yield the verification of a tuned loop for each size of sine."""
+        """Yield a verification of the tuned loop for each size of the sines.
+
+        Each verification is a run with a setpoint step that starts at the operating point `value`.
+        """
         for size in self.amplitudes:
             label = point_label(self, value, self.named(size))
             self.report_progress(f"a step at {label}")
@@ -247,7 +268,10 @@ class MeasuredLoop(Plant):
             yield verify_step(circuit, self.controller, steady_run, value, size, gains, crossover, label)
 
     def settle(self, target: float) -> SettledPlant:
-        """Return the plant in a steady state of its loop, with a weak controller."""
+        """Run the loop to a steady state, then replace the controller by a weak one.
+
+        `target` is the setpoint of the run. The weak controller has a fraction of the gain and no integral.
+        """
         name, circuit, numbers = self.controller, self.loop.circuit, self.loop.numbers
         part: Any = self.loop.part  # a PID
         signals = {a: s for a, s in circuit.signals.items() if a.partition(".")[0] != name}
@@ -272,7 +296,10 @@ class MeasuredLoop(Plant):
         return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop)
 
     def _run_to_steady_state(self, circuit: BaseCircuit, target: float) -> tuple[Recording, float, float]:
-        """Return a run to a steady state, with the means of measurement and command there."""
+        """Run a circuit until the mean command is constant; return the last run and two means.
+
+        The means are those of the measurement and of the command in the second half of the run.
+        """
         duration = max(float(circuit.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
         previous, start = np.inf, None
         self.report_progress(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.shown(target))}")
@@ -287,7 +314,7 @@ class MeasuredLoop(Plant):
         raise SimulationError(Note("tuning.not_held", self.measurement, **self.shown(target)))
 
     def _sweep(self, settled: SettledPlant, size: float) -> MeasuredPlant:
-        """Return the responses from half the sampling frequency to the lowest relevant frequency."""
+        """Measure the plant from a period of four samples down to the lowest relevant frequency."""
         responses: dict[int, complex] = {}
         relevant: list[int] = []  # periods with a relevant phase, from high frequencies
         failures, time, samples = 0, self.loop.sample_time, 4
@@ -325,7 +352,11 @@ class MeasuredLoop(Plant):
     def _answer(
         self, settled: SettledPlant, samples: int, size: float, responses: Mapping[int, complex]
     ) -> complex | None:
-        """Return the response to a sine that has the given size in the command."""
+        """Return the plant response to a sine with the size `size` in the command.
+
+        The amplitude of the added sine is corrected until the command has this size. `responses` contains the
+        responses measured so far by period. The result is None if there is no sinusoidal response.
+        """
         frequency = 1.0 / (samples * self.loop.sample_time)
         self.report_progress(f"{frequency:.3g} Hz by {self.named(size)}")
         z = np.exp(2j * np.pi * np.array([1.0 / samples]))
@@ -344,7 +375,7 @@ class MeasuredLoop(Plant):
 def make_measured_loop(
     circuit: BaseCircuit, controller: str | None, amplitudes: Sequence[Any], progress: ProgressCallback | None
 ) -> MeasuredLoop:
-    """Return the plant of a controller for sines of some sizes.
+    """Return the plant of a controller for measurements with sines of the given sizes.
 
     Parameters
     ----------
@@ -384,13 +415,17 @@ def make_measured_loop(
 
 
 def _round_period(samples: float) -> int:
-    """Return the nearest period with an integer count of rows."""
+    """Return the nearest period in samples that contains an integer count of stored rows."""
     decimation = max(1, math.ceil(samples / _ROWS))
     return decimation * round(samples / decimation)
 
 
 def _interpolate_response(responses: Mapping[int, complex], samples: int) -> complex:
-    """Return the response by a power law of the two nearest periods; 0 if there are fewer."""
+    """Estimate the response at a period from the responses at the two nearest periods.
+
+    `responses` maps periods in samples to measured responses. The estimate is a power law of the period. It is 0 if
+    fewer than two responses are available.
+    """
     nearest = sorted(responses, key=lambda n: abs(math.log(n / samples)))[:2]
     if len(nearest) < 2:
         return 0.0

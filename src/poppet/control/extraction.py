@@ -41,8 +41,9 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
 
     Notes
     -----
-    Outer loops, whose controllers command only this one, are omitted. Friction with stiction is replaced by its viscous
-    part and hysteresis is omitted: at rest both act as springs. `notes` reports this.
+    Outer loops are omitted; their controllers command only this controller. Friction with stiction is replaced by
+    viscous friction, and hysteresis is omitted, because both act as springs in a steady state. The notes of the plant
+    report these changes.
     """
     loop = loop_of(circuit, controller)
     part, controller = loop.part, loop.controller
@@ -58,7 +59,7 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
 
 
 class Loop(NamedTuple):
-    """Controller in its circuit, without outer loops."""
+    """Controller in a circuit from which the outer loops of this controller are removed."""
 
     circuit: BaseCircuit
     controller: str
@@ -69,7 +70,7 @@ class Loop(NamedTuple):
 
     @property
     def numbers(self) -> dict[str, float]:
-        """Parameters of the controller, SI."""
+        """Mapping from the name of each parameter of the controller to the SI value."""
         return self.part.parameters(self.circuit.surroundings)
 
     @property
@@ -79,12 +80,15 @@ class Loop(NamedTuple):
 
     @property
     def shown(self) -> str:
-        """Address of the output of the sensor."""
+        """Address of the sensor output of the controller."""
         return f"{self.controller}.sensor_{self.part.controls}"
 
 
 def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
-    """Return the loop of a controller; without a name, of the only one."""
+    """Return the loop of the named controller.
+
+    The name is optional if the circuit has only one sampled controller.
+    """
     controllers = {name: part for name, part in circuit.parts.items() if isinstance(part, SampledLoop)}
     if controller is None and len(controllers) == 1:
         controller = next(iter(controllers))
@@ -108,7 +112,9 @@ def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
 
 
 def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> BaseCircuit:
-    """Return a circuit in which the command of a controller is free.
+    """Return a circuit in which the command of a controller can be set from outside.
+
+    The manual command of the controller, or the inputs of the valves, can then be set from outside.
 
     Parameters
     ----------
@@ -117,12 +123,13 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
     controller : str
         Name of the controller.
     keeps : bool
-        Keep the controller with a free command, instead of removing it.
+        If True, the controller remains and keeps only the connection of its measurement, so its manual command is free.
+        If False, the controller is removed, so the inputs that it drives are free.
 
     Returns
     -------
     Circuit
-        Circuit with free inputs in place of the commands.
+        Circuit with free inputs.
     """
 
     def stays(target: str, source: str = "") -> bool:
@@ -141,7 +148,10 @@ def release_command(circuit: BaseCircuit, controller: str, *, keeps: bool) -> Ba
 
 
 def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
-    """Return a circuit without outer loops, whose controllers command only this one."""
+    """Return the circuit without outer controllers.
+
+    An outer controller commands only `controller` or other outer controllers.
+    """
     targets_of: dict[str, set[str]] = {}
     for target, source in circuit.connections.items():
         name = source.partition(".")[0]
@@ -165,7 +175,10 @@ def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
 
 
 def _without_stiction(circuit: BaseCircuit) -> tuple[BaseCircuit, tuple[Note, ...]]:
-    """Return a circuit with viscous friction in place of stiction, and notes on the changes."""
+    """Replace stiction by viscous friction; return the circuit and notes on the changes.
+
+    The hysteresis of muscles is removed.
+    """
     changed: dict[str, Any] = {}
     notes = []
     for name, part in circuit.parts.items():

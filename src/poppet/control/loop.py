@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 DECADES = 6.0
-"""Range of evaluated frequencies below half the sampling frequency [decades]."""
+"""Width of the range of evaluated frequencies, which ends at half the sampling frequency [decades]."""
 DENSE = 4000
 _UNOBSERVABLE = 1e-9
 """Fraction of the output below which a mode counts as not observable."""
@@ -40,7 +40,9 @@ class Gains:
     derivative_filter: float = 0.0
 
     def response(self, z: Complex, sample_time: float) -> Complex:
-        r"""Return the response from a decrease of the measurement to the command.
+        r"""Return the frequency response of the controller.
+
+        The input is a decrease of the measurement, and the output is the command.
 
         .. math:: C(z) = K \left(1 + \frac{T}{T_i} \frac{1}{z-1} + \frac{T_d (z - 1)}{(T_f + T) z - T_f}\right)
 
@@ -65,19 +67,19 @@ class Gains:
 
 
 class LoopPlant(ABC):
-    """Plant of a sampled controller, with a frequency response and a test of stability."""
+    """Plant that a sampled controller commands, with a frequency response and a stability test."""
 
     if TYPE_CHECKING:
         sample_time: float  # a field of each subclass
 
     @property
     def frequencies(self) -> Array:
-        """Evaluated frequencies, up to half the sampling frequency [Hz]."""
+        """Frequencies at which the loop is evaluated, up to half the sampling frequency [Hz]."""
         highest = 0.5 / self.sample_time
         return np.geomspace(highest * 10.0**-DECADES, highest, DENSE)
 
     def at(self, frequencies: Array) -> Complex:
-        """Return the points of the z plane for frequencies.
+        """Return the points of the z plane that correspond to frequencies.
 
         Parameters
         ----------
@@ -93,7 +95,7 @@ class LoopPlant(ABC):
 
     @abstractmethod
     def response(self, z: Complex) -> Complex:
-        """Return the response from the command to the measurement.
+        """Return the frequency response of the plant from the command to the measurement.
 
         Parameters
         ----------
@@ -108,7 +110,7 @@ class LoopPlant(ABC):
 
     @abstractmethod
     def is_stable_with(self, gains: Gains) -> bool:
-        """Return True if all observable modes of the loop decay.
+        """Return True if the closed loop of this plant and a controller is stable.
 
         Parameters
         ----------
@@ -160,7 +162,7 @@ def sampled_plant(
     model: LinearModel, weights: dict[str, float], output: str, *, sample_time: float, sensor_lag: float = 0.0,
     delay: int = 0,
 ) -> SampledPlant:  # fmt: skip
-    """Return a linear model with hold and sensor."""
+    """Return a linear model as a sampled plant with hold, delay and sensor."""
     from scipy.linalg import expm
 
     columns = {name: model.inputs.index(name) for name in weights}
@@ -193,7 +195,7 @@ class Margins:
     is_stable : bool
         True if all observable modes decay.
     sensitivity : float
-        Ms, maximum of |1/(1 + L)|: the inverse of the smallest distance to -1.
+        Ms, maximum of |1/(1 + L)|, where L is the open-loop response: the inverse of its smallest distance to -1.
     complementary : float
         Mt, maximum of |L/(1 + L)|.
     gain_margin : float
@@ -216,7 +218,9 @@ class Margins:
 
 
 def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) -> Margins:
-    """Return the margins of a loop on a dense grid of frequencies.
+    """Return stability and robustness margins of a loop of plant and controller.
+
+    The margins are evaluated at the frequencies of the plant.
 
     Parameters
     ----------
@@ -230,7 +234,7 @@ def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) 
     Returns
     -------
     Margins
-        The margins of an unstable loop describe its frequency response only.
+        Margins of the loop. For an unstable loop they only describe the frequency response.
 
     Examples
     --------
@@ -271,7 +275,9 @@ def margins(plant: LoopPlant, gains: Gains, *, response: Complex | None = None) 
 
 
 def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0) -> tuple[Array, Array, Array]:
-    """Return the matrices of the closed loop from the setpoint to the measurement: x+ = a x + b w, y x.
+    """Return the matrices a, b and y of the closed loop from setpoint to measurement.
+
+    The loop is x+ = a x + b w with the measurement y x, where x+ is the state one sample later and w is the setpoint.
 
     The states are those of the plant, delayed commands, the integral, the filtered derivative and the last measurement.
     """
@@ -303,7 +309,7 @@ def closed_loop(plant: SampledPlant, gains: Gains, setpoint_weight: float = 1.0)
 
 
 def step_response(plant: SampledPlant, gains: Gains, setpoint_weight: float, samples: int) -> Array:
-    """Return the measurement after a unit step of the setpoint."""
+    """Return the measurement of the closed loop at each sample after a unit setpoint step."""
     a, b, y = closed_loop(plant, gains, setpoint_weight)
     x, measured = np.zeros(len(b)), np.empty(samples)
     for k in range(samples):

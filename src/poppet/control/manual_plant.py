@@ -43,7 +43,11 @@ _SEEN, _ANSWERS = 1e-12, 2000
 
 
 class ManualPlant(Plant):
-    """Plant whose controller is in manual mode in `instance`; `commands` has its connections."""
+    """Plant in which the controller remains in manual mode.
+
+    The command of the plant is the manual command. `instance` contains the controller, and `commands` contains the
+    connections of the controller in the circuit.
+    """
 
     @property
     def _hand(self) -> str:
@@ -95,7 +99,10 @@ class ManualPlant(Plant):
         return self.sampled(OperatingPoint(0.0, 0.0, {"": model}, {}), "")
 
     def _answer(self, model: SampledModel) -> float:
-        """Return the measurement after a step of the command; 0 if it is rounding."""
+        """Return the measurement 2000 samples after a step of the command.
+
+        The result is 0 if the value is not larger than rounding errors.
+        """
         plant = self._plant_of(model)
         x = np.zeros(len(plant.B))
         for _ in range(_ANSWERS):
@@ -105,7 +112,7 @@ class ManualPlant(Plant):
         return answer if abs(answer) > _SEEN * scale else 0.0
 
     def _find_state(self, trim: _Trim, target: float) -> tuple[Array, float]:
-        """Return state and command of a steady state at a value of the measurement."""
+        """Return the state vector and the command of the steady state with the measurement `target`."""
         low, high = trim.limits
         causes: list[Note] = []
         for v, command in self._search_starts(trim, causes):
@@ -122,7 +129,10 @@ class ManualPlant(Plant):
         return InputError(code, self.measurement, inputs=tuple(self.targets), branch=branch, **self.shown(target))
 
     def _search_starts(self, trim: _Trim, causes: list[Note]) -> Iterator[tuple[Array, float]]:
-        """Yield start points of a search; add the reason to `causes` if there is no steady state."""
+        """Yield pairs of state vector and command as start points of the search.
+
+        If a start point has no steady state, the reason is added to `causes`.
+        """
         low, high = trim.limits
         bias = self.part.parameters(self.instance.surroundings)["bias"]
         command = bias if low < bias < high else 0.5 * (low + high)
@@ -140,7 +150,10 @@ class ManualPlant(Plant):
 
 
 def _reachable(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return the elements that can be reached from `start`; `edges[i, j]` leads from j to i."""
+    """Return the mask of all elements that paths from the elements in `start` reach.
+
+    `edges[i, j]` is True if there is a path of one step from j to i.
+    """
     reached = start
     while not np.array_equal(reached, further := reached | edges @ reached):
         reached = further
@@ -148,7 +161,7 @@ def _reachable(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDArray[np
 
 
 class _Trim:
-    """Search for steady states of a circuit over the command."""
+    """Search for the command and the state at which the measurement has a given steady value."""
 
     def __init__(self, instance: Instance, point: SampledPoint, manual_input: str, output: str, part: Any) -> None:
         self.instance, self.point, self.column = instance, point, point.input_names.index(manual_input)
@@ -162,18 +175,22 @@ class _Trim:
         self.limits = (-low, high) if part.is_of_openings else (low, high)
 
     def at(self, command: float) -> SampledPoint:
-        """Return the circuit with another command."""
+        """Return a copy of the operating point with another command."""
         point = copy(self.point)
         point.u = self.point.u.copy()
         point.u[self.column] = command
         return point
 
     def shown(self, v: Array, command: float) -> float:
-        """Return the measurement."""
+        """Return the measurement for the state vector `v` and a command."""
         return float(self.at(command).between(v).outputs[self.row])
 
     def follow(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
-        """Return the steady state at a value of the measurement, in one or several steps."""
+        """Return state vector and command of the steady state with the measurement `target`.
+
+        The search starts at the state `v`. It uses intermediate targets if a single step fails. The result is None if
+        this fails too.
+        """
         operating_state = self._solve(v, command, target)
         if operating_state is not None:
             return operating_state
@@ -186,7 +203,10 @@ class _Trim:
         return operating_state
 
     def _solve(self, v: Array, command: float, target: float) -> tuple[Array, float] | None:
-        """Return the steady state at a value of the measurement by Newton's method."""
+        """Solve for state vector and command of a steady state by Newton's method.
+
+        The result is None if there is no convergence to the measurement `target`.
+        """
         size = np.append(self.point.size, self.command_size)
 
         def scaled(w: Array) -> tuple[Array, Array]:
@@ -208,7 +228,10 @@ class _Trim:
         return w[:-1], float(w[-1]) if abs(w[-1]) > _NONE * self.command_size else 0.0
 
     def model(self, v: Array, command: float, sign: float) -> SampledModel:
-        """Return the linear model at a steady state, on one side of the kinks of valves and inner loops."""
+        """Return the linear model at a steady state for small commands of one sign.
+
+        `sign` selects the side because valves and inner loops have kinks.
+        """
         nudged = sign * NUDGE
         if self.is_of_openings:
             if command * sign > NUDGE:
@@ -220,7 +243,10 @@ class _Trim:
         return model_at(*self._run(v, command + nudged * self.command_size, 0.25 * float(np.min(gaps))))
 
     def _run(self, v: Array, command: float, duration: float) -> tuple[SampledPoint, Array]:
-        """Return the state after a run with a command; a long run ends at the start of a sample."""
+        """Run the circuit with a constant command; return the operating point and the final state.
+
+        A run longer than a sample has a duration of whole samples.
+        """
         point = self.at(command)
         (x, p), begin = point.at_clock(v), point.clock.start
         sample = point.clock.sample_time

@@ -13,16 +13,16 @@ from poppet.core.number_format import USUAL
 Array = NDArray[np.float64]
 
 SETTLED = 0.02
-"""Band about the setpoint for the settling time, as a fraction of the step."""
+"""Half width of the settling band about the setpoint, as a fraction of the step."""
 _READ = {"rad": "deg", "rad/s": "deg/s"}
 """Readable units in addition to `USUAL`."""
 OPEN = 1e-3
-"""Lowest opening of an open valve."""
+"""Opening above which a valve counts as open."""
 
 
 @dataclass(frozen=True)
 class StepMetric:
-    """Unit and meaning of a metric; smaller values are better."""
+    """Unit and meaning of a metric; a smaller value of the metric is better."""
 
     unit: str
     meaning: str
@@ -41,12 +41,12 @@ METRICS = {
 
 
 def readable_unit_of(unit: str) -> str:
-    """Return the readable unit of an SI unit."""
+    """Return the unit in which values of an SI unit are displayed, such as bar."""
     return _READ.get(unit) or USUAL.get(unit, unit)
 
 
 def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
-    """Return the metrics of a loop with their SI units.
+    """Return unit and meaning of each metric for given units of a loop.
 
     Parameters
     ----------
@@ -73,7 +73,7 @@ def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
 
 
 def readable_metric_unit(metric: StepMetric, unit: str, command_unit: str = "1") -> str:
-    """Return the readable unit of a metric of a loop."""
+    """Return the display unit of a metric for given SI units of a loop."""
     readable_units = {unit: readable_unit_of(unit), command_unit: readable_unit_of(command_unit)}
     if metric.unit in readable_units:
         return readable_units[metric.unit]
@@ -88,7 +88,7 @@ def readable_metric_unit(metric: StepMetric, unit: str, command_unit: str = "1")
 def step_metrics(
     time: Array, setpoint: Array, measured: Array, fill: Array, vent: Array | None = None
 ) -> dict[str, float]:
-    r"""Return the metrics of a response to setpoint steps.
+    r"""Return the metrics of a measured response to a series of setpoint steps.
 
     .. math:: \mathrm{IAE} = \int |w - y|\,dt, \qquad \mathrm{ITAE} = \int (t - t_\mathrm{step}) |w - y|\,dt
 
@@ -156,7 +156,10 @@ def _step(time: Array, measured: Array, initial: float, final: float) -> tuple[f
 
 
 def _first(time: Array, progress: Array, level: float) -> float:
-    """Return the time of the first crossing of a level, with linear interpolation [s]."""
+    """Return the time at which `progress` first reaches a level, linearly interpolated [s].
+
+    The result is infinite if the level is not reached.
+    """
     rows_above = np.flatnonzero(progress >= level)
     if not rows_above.size:
         return np.inf

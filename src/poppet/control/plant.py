@@ -23,7 +23,7 @@ COMMANDS = {"command": 1.0, "fill_command": 1.0, "vent_command": -1.0}
 SIGNS = {"command": 1.0, "fill": 1.0, "vent": -1.0}
 """Sides of an operating point and the signs of their commands."""
 _TOLERANCE = 1e-4
-"""Relative tolerance of an operating point."""
+"""Tolerance of the measurement at an operating point, relative to the requested value."""
 _CORRECTIONS = 6
 _ABSOLUTE, _RELATIVE = 1e-15, 1e-7
 """Absolute and relative tolerance of the command at an operating point."""
@@ -42,11 +42,11 @@ class OperatingPoint:
     command : float
         Command at the steady state; a positive opening fills.
     models : dict
-        Side to the linear model for commands of its sign. Sides are `fill` and `vent`, or `command` and, for a valve
-        with two sides, `back`. The side of the steady command has the model of the steady state. The other side has the
-        model of a small command at the same state.
+        Mapping from each side of the command to the linear model for commands of its sign. The sides are `fill` and
+        `vent`, or `command` and, for a valve with two sides, `back`. The side of the steady command has the model of
+        the steady state. The other side has the model of a small command at the same state.
     weights : dict
-        Side to the inputs that its command moves, with their signs.
+        Mapping from each side to a mapping from the address of each driven input to the sign of the command.
     """
 
     value: float
@@ -57,7 +57,7 @@ class OperatingPoint:
 
 @dataclass(frozen=True, eq=False)
 class Plant:
-    """Circuit without one controller.
+    """Circuit from which one controller is removed.
 
     Parameters
     ----------
@@ -70,7 +70,7 @@ class Plant:
     measurement : str
         Address of the measurement.
     commands : dict
-        Output of the controller to the inputs that it drives.
+        Mapping from each output of the controller to the addresses of the inputs that the output drives.
     begins : str
         Address of the initial value of the measurement; empty if it depends on other states.
     notes : tuple of Note
@@ -87,19 +87,19 @@ class Plant:
 
     @property
     def targets(self) -> list[str]:
-        """Inputs that the controller drives."""
+        """Addresses of the inputs that the controller drives."""
         return [target for inputs in self.commands.values() for target in inputs]
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """The sides on which a command acts."""
+        """Sides on which the command acts, such as `fill` and `vent`."""
         if not self.part.is_of_openings:
             return ("command",)
         outputs = {"fill": "fill_command", "vent": "vent_command", "command": "command", "back": "command"}
         return tuple(side for side, output in outputs.items() if output in self.commands)
 
     def read(self, value: Any) -> float:
-        """Return a value of the measurement in SI.
+        """Convert a value of the measured quantity to SI.
 
         Parameters
         ----------
@@ -115,7 +115,7 @@ class Plant:
         return float(parsed.value + (self.instance.surroundings.pressure if parsed.reference == "gauge" else 0.0))
 
     def shown(self, value: float) -> dict[str, Any]:
-        """Return a value of the measurement in its readable unit.
+        """Convert an SI value of the measured quantity to a readable unit.
 
         Parameters
         ----------
@@ -132,11 +132,11 @@ class Plant:
 
     @property
     def delay(self) -> int:
-        """Delay of a command [samples]."""
+        """Delay from a measurement to its command [samples]."""
         return 1 if self.part.acts == NEXT_SAMPLE else 0
 
     def sampled(self, point: OperatingPoint, branch: str, factor: float = 1.0) -> SampledPlant:
-        """Return the sampled plant for one side of the command.
+        """Return the sampled plant for commands on one side of an operating point.
 
         Parameters
         ----------
@@ -160,7 +160,7 @@ class Plant:
         )  # fmt: skip
 
     def operating_point(self, value: Any) -> OperatingPoint:
-        """Return the steady state at a value of the measurement.
+        """Return the steady state at which the measurement has a given value.
 
         Parameters
         ----------
@@ -198,7 +198,10 @@ class Plant:
         return OperatingPoint(steady.y[self.measurement], command, models, weights)
 
     def _with_initial_value(self, target: float) -> Instance:
-        """Return the plant with an initial pressure from which it settles at the target."""
+        """Return the plant with the initial pressure that leads to the measurement `target`.
+
+        The command is zero. If a leak determines the steady state, the initial pressure has no effect.
+        """
         if not self.begins:
             return self.instance
         initial, instance = target, self.instance
@@ -214,7 +217,7 @@ class Plant:
         return instance
 
     def _find_holding_command(self, instance: Instance, target: float) -> float:
-        """Return the command with a steady state at the target."""
+        """Return the command that keeps the measurement at the target."""
         from scipy.optimize import brentq
 
         def error(command: float) -> float:
@@ -238,7 +241,7 @@ class Plant:
         return {target: values[output] for output, targets in self.commands.items() for target in targets}
 
     def _weights(self) -> dict[str, dict[str, float]]:
-        """Return the inputs that small changes of the command move, by side."""
+        """Return, for each side, the inputs that its command drives and their signs."""
         outputs = {"command": "command", "fill": "fill_command", "vent": "vent_command"}
         connected = [(branch, output) for branch, output in outputs.items() if output in self.commands]
         return {branch: dict.fromkeys(self.commands[output], COMMANDS[output]) for branch, output in connected}
@@ -260,5 +263,5 @@ class Plant:
 
 
 def point_label(plant: Plant, value: float, branch: str) -> str:
-    """Return the label of an operating point and a side, `2 bar, fill`."""
+    """Return a label of an operating point and a side, such as `2 bar, fill`."""
     return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"

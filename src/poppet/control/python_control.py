@@ -20,7 +20,7 @@ def _package() -> Any:
 
 
 def plant_to_control(plant: SampledPlant) -> Any:
-    """Return a sampled plant with its delay as a discrete-time state space."""
+    """Convert a sampled plant with its delay to a discrete-time state space of python-control."""
     n, d = len(plant.B), plant.delay
     a, b, c = np.zeros((n + d, n + d)), np.zeros((n + d, 1)), np.zeros((1, n + d))
     a[:n, :n], c[0, :n] = plant.A, plant.C
@@ -33,7 +33,10 @@ def plant_to_control(plant: SampledPlant) -> Any:
 
 
 def gains_to_control(gains: Gains, sample_time: float) -> Any:
-    """Return a controller as a discrete-time transfer function from the error to the command."""
+    """Convert the gains of a controller to a discrete-time transfer function of python-control.
+
+    The input is the error, and the output is the command.
+    """
     z = _package().tf([1.0, 0.0], [1.0], sample_time)
     result = gains.gain * (z / z)
     if gains.integral_time > 0.0:
@@ -45,7 +48,7 @@ def gains_to_control(gains: Gains, sample_time: float) -> Any:
 
 
 def gains_from_control(system: Any) -> Gains:
-    """Return the gains of the part `pid` for a controller of python-control."""
+    """Convert a PID controller of python-control to the gains of the part `pid`."""
     control = _package()
     sample_time = system.dt
     if not isinstance(sample_time, float) or sample_time <= 0.0:
@@ -72,7 +75,7 @@ def gains_from_control(system: Any) -> Gains:
 
 
 def _fractions(system: Any) -> tuple[Any, float, Any]:
-    """Return poles, direct part and residues of a transfer function with single poles."""
+    """Return poles, direct term and residues of a transfer function without multiple poles."""
     numerator, denominator = (np.atleast_1d(np.squeeze(polynomial[0][0])) for polynomial in (system.num, system.den))
     numerator = np.trim_zeros(numerator, "f") if np.any(numerator) else numerator
     if len(numerator) > len(denominator):
@@ -85,7 +88,7 @@ def _fractions(system: Any) -> tuple[Any, float, Any]:
 
 
 def model_from_control(system: Any) -> LinearModel:
-    """Return the linear model of a continuous state space of python-control."""
+    """Convert a continuous-time state space of python-control to a linear model."""
     if system.dt:
         raise InputError("control.discrete", dt=system.dt)
     labels = system.state_labels, system.input_labels, system.output_labels

@@ -52,7 +52,7 @@ _SAMPLES = 20_000
 
 @dataclass(frozen=True)
 class TunedPoint:
-    """Gains for one or several operating points, with margins.
+    """Gains that are tuned for one or several operating points, with the margins of all loops.
 
     Parameters
     ----------
@@ -61,17 +61,17 @@ class TunedPoint:
     vent_factor : float
         Opening of the vent valve per negative command.
     setpoint_weight : float
-        Largest of 1, 0.8, ..., 0 with an overshoot of at most 5 %.
+        Factor on the setpoint in the proportional term: the largest of 1, 0.8, ..., 0 with an overshoot of at most 5 %.
     overshoot : float
         Maximum overshoot of all plants, as a fraction of the step.
     margins : dict
-        Operating point and side, `2 bar, fill`, to the margins.
+        Mapping from the label of an operating point and a side, such as `2 bar, fill`, to the margins.
     values : tuple of float
         Operating points, SI.
     commands : tuple of float
         Commands at these operating points, SI; positive openings fill.
     plants : dict
-        Operating point and side to the plant.
+        Mapping from the label of an operating point and a side to the plant.
     verified : tuple of Verification
         Verifications of a tuning by sines.
     """
@@ -88,18 +88,18 @@ class TunedPoint:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Sides, or sizes of sines, for which the bound is kept at all operating points."""
+        """Sides, or sizes of sines, for which the margins at all operating points keep the bound."""
         return tuple(dict.fromkeys(name.partition(", ")[2] for name in self.margins))
 
     @property
     def is_stable(self) -> bool:
-        """True if all loops are stable."""
+        """True if the loops at all operating points are stable."""
         return all(loop_margins.is_stable for loop_margins in self.margins.values())
 
 
 @dataclass(frozen=True)
 class Tuning:
-    """Result of a tuning.
+    """Result of a tuning: gains for one or several operating points, with margins.
 
     Parameters
     ----------
@@ -127,17 +127,17 @@ class Tuning:
 
     @property
     def is_scheduled(self) -> bool:
-        """True if the gains depend on the operating point."""
+        """True if the gains depend on the operating point (gain schedule)."""
         return len(self.points) > 1
 
     @property
     def is_verified(self) -> bool:
-        """True for a tuning by sines, which is verified by runs."""
+        """True if the tuning used sines and was verified by runs with setpoint steps."""
         return bool(self.points[0].verified)
 
     @property
     def bounded(self) -> str:
-        """Bound, sides of the valves and operating points, as text."""
+        """Text with the bound of the sensitivities and the tuned sides and operating points."""
         sides = " and ".join(_SIDES.get(side, f"by {side}") for side in self.points[0].sides)
         unit = QUANTITIES[self.quantity].unit
         readable_unit = readable_unit_of(unit)
@@ -147,7 +147,7 @@ class Tuning:
 
     @property
     def held(self) -> str:
-        """Commands at the operating points, as text."""
+        """Text with the steady commands at the operating points."""
         commands = [command for point in self.points for command in point.commands]
         if not any(commands):
             return "at rest"
@@ -157,12 +157,14 @@ class Tuning:
         return f"held by a command of {values}{'' if readable_unit == '1' else f' {readable_unit}'}"
 
     def fields(self) -> dict[str, Any]:
-        """Return the fields of a `pid` part, with their source.
+        """Return the tuned fields of the `pid` part, with the sources of the values.
+
+        The numbers have the tuning as their source.
 
         Returns
         -------
         dict
-            Field to number or schedule; None for a field to remove.
+            Mapping from the name of each field to a number or a schedule. None means that the field is removed.
         """
         basis = "answers to sines" if self.is_verified else "linear models"
         source = Source("fitted", note=f"tuned on {basis} for {self.bounded}")
@@ -191,7 +193,7 @@ class Tuning:
         return common | dict.fromkeys(columns) | {"schedule": schedule}
 
     def applied(self, circuit: BaseCircuit) -> BaseCircuit:
-        """Return the circuit with the tuned controller.
+        """Return a copy of the circuit in which the controller has the tuned gains.
 
         Parameters
         ----------
@@ -207,7 +209,7 @@ class Tuning:
         return replace(circuit, parts={**circuit.parts, self.controller: replace(part, **self.fields())})
 
     def text(self) -> str:
-        """Return the fields as a table of a circuit file.
+        """Return the tuned fields as a TOML table of a circuit file.
 
         Returns
         -------
@@ -225,7 +227,7 @@ class Tuning:
 
 
 def _value_text(number: Number) -> str:
-    """Return a number as text of a circuit file."""
+    """Format a number as a value in a circuit file."""
     if number.unit == "1":
         return f"{number.value:.6g}"
     readable_unit = "ms" if number.unit == "s" else readable_unit_of(number.unit)
@@ -236,7 +238,7 @@ def tune(
     circuit: BaseCircuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
     sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: ProgressCallback | None = None,
 ) -> Tuning:  # fmt: skip
-    """Return one set of gains that keeps the bound at all operating points.
+    """Tune one set of gains whose margins keep the bound at all operating points.
 
     Parameters
     ----------
@@ -282,7 +284,7 @@ def schedule(
     circuit: BaseCircuit, controller: str | None = None, *, at: Sequence[Any] | None = None, form: str = "pi",
     sensitivity: float = 1.4, amplitudes: Sequence[Any] = (), progress: ProgressCallback | None = None,
 ) -> Tuning:  # fmt: skip
-    """Return gains for each operating point, for a controller with a schedule.
+    """Tune a gain schedule with one set of gains for each operating point.
 
     Parameters
     ----------
@@ -378,7 +380,10 @@ def _tune_points(
 
 
 def _choose_weight_by_runs(plant: MeasuredLoop, point: TunedPoint, bound: float, form: str) -> TunedPoint:
-    """Return the point with the largest setpoint weight of acceptable overshoot, and its verifications."""
+    """Choose the largest setpoint weight with an acceptable overshoot in verification runs.
+
+    The returned point contains these verifications.
+    """
     for weight in _weights(point.gains):
         point = replace(point, setpoint_weight=weight)
         circuit = _make_tuning(plant, (point,), bound, form).applied(plant.loop.circuit)
@@ -395,7 +400,12 @@ def _weights(gains: Gains) -> tuple[float, ...]:
 
 
 def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
-    """Return the mean ratio of the responses to fill and vent commands at a high frequency."""
+    """Return the ratio of the plant responses to fill and vent commands at high frequency.
+
+    The result is the geometric mean over the operating points with both sides, and 1 if there are none.
+
+    The result is the geometric mean over the operating points, and 1 if a side is missing.
+    """
     ratios = []
     for point in points:
         if {"fill", "vent"} <= set(point.models):
@@ -406,7 +416,7 @@ def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
 
 
 class _Loops:
-    """Loops of several plants with common gains and a bound."""
+    """Loops of one controller with several plants, for a search of gains under a common bound."""
 
     def __init__(self, plants: Sequence[LoopPlant], bound: float) -> None:
         self.plants, self.bound, self.time = plants, bound, plants[0].sample_time
@@ -422,7 +432,11 @@ class _Loops:
         self.gains = np.geomspace(low, high, n_gains)
 
     def best(self, form: str, filter_time: float | None) -> Gains:
-        """Return the gains with the largest integral gain, or the largest gain of a proportional controller."""
+        """Return the gains with the largest integral gain that keep the bound.
+
+        For a proportional controller the gain itself is the largest one. `filter_time` is the filter time of the
+        derivative; None derives it from the derivative time.
+        """
         if form == "p":
             return Gains(self.largest_gain(Gains(1.0)))
         best_gains, best_value = Gains(0.0), 0.0
@@ -444,7 +458,10 @@ class _Loops:
         return best_gains
 
     def reduce_gain(self, gains: Gains) -> tuple[Gains, list[Margins]]:
-        """Return gains that keep the bound on the dense grid too, and their margins."""
+        """Reduce the gain until the margins on the dense frequency grid keep the bound.
+
+        Return the gains and the margins of each loop.
+        """
         if gains.gain <= 0.0:
             raise SimulationError(Note("tuning.no_gains", bound=self.bound))
         for _ in range(100):
@@ -456,7 +473,10 @@ class _Loops:
         raise SimulationError(Note("tuning.not_kept", bound=self.bound))
 
     def peaks(self, unit: Gains, gains: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the maximum of Ms and Mt of all plants for each gain."""
+        """Return the maximum of Ms and Mt over all plants for each gain.
+
+        `unit` is the controller with a gain of 1, and `gains` contains the factors on it.
+        """
         unit_response, k = unit.response(self.z, self.time), gains[:, None]
         worst = np.zeros(len(gains))
         for response in self.responses:
@@ -468,7 +488,10 @@ class _Loops:
         return np.sqrt(worst)
 
     def largest_gain(self, unit: Gains) -> float:
-        """Return the largest gain that keeps the bound in a stable loop; 0 if there is none."""
+        """Return the largest gain for which all loops are stable and keep the bound.
+
+        `unit` is the controller with a gain of 1. The result is 0 if there is no such gain.
+        """
         feasible = np.flatnonzero(self.peaks(unit, self.gains) <= self.bound)
         # Unstable loops can keep the bound too: they encircle -1 at a distance.
         for k in feasible[::-1]:
@@ -486,7 +509,7 @@ class _Loops:
 def _setpoint_weight(
     plants: Sequence[SampledPlant], gains: Gains, loop_margins: Sequence[Margins]
 ) -> tuple[float, float]:
-    """Return the largest setpoint weight of acceptable overshoot, and the overshoot."""
+    """Return the largest setpoint weight with an acceptable overshoot, and this overshoot."""
     worst = 0.0
     for weight in _weights(gains):
         worst = 0.0

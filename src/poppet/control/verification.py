@@ -26,24 +26,25 @@ _SWINGS, _GROWS, _OVERSHOOTS = 0.05, 1.1, 25.0
 
 @dataclass(frozen=True)
 class Verification:
-    """Response of a tuned loop to a setpoint step and its reverse.
+    """Simulated response of a tuned loop to a setpoint step and the reverse step.
 
     Parameters
     ----------
     at : str
-        Operating point and size, `100 mm, sines of 0.05`.
+        Label of the operating point and the size of the sines, such as `100 mm, sines of 0.05`.
     step : float
         Size of the step, SI; the proportional part responds with the size of the sine.
     overshoot : float
         Maximum of both steps [%].
     settling_time : float
-        Time until it remains within 2 % of the step, maximum of both [s]; infinite if it does not.
+        Time until the measurement remains within 2 % of the step, maximum of both steps [s]. It is infinite if the
+        measurement does not settle.
     swing : float
-        Amplitude in the last quarter of a step, as a fraction of the step.
+        Amplitude of the oscillation in the last quarter of a step, as a fraction of the step.
     growth : float
-        Ratio of the amplitudes in the last two quarters.
+        Ratio of the amplitudes of the oscillation in the last and the third quarter of a step.
     time, setpoint, measured : (n,) array
-        Series from the row before the first step; time in [s], SI.
+        Times [s], setpoint and measurement [SI]; the first row is the one before the first step.
     """
 
     at: str
@@ -57,7 +58,7 @@ class Verification:
     measured: Array = field(repr=False, compare=False)
 
     def notes(self, address: str) -> tuple[Note, ...]:
-        """Return a note if the response has a deficiency.
+        """Return a note if the verified response oscillates, overshoots or does not settle.
 
         Parameters
         ----------
@@ -83,7 +84,11 @@ def verify_step(
     circuit: BaseCircuit, controller: str, steady_run: Recording, value: float, size: float, gains: Gains,
     crossover: float, label: str,
 ) -> Verification:  # fmt: skip
-    """Run a tuned loop from a steady state through a setpoint step and its reverse."""
+    """Simulate a tuned loop with a setpoint step and the reverse step from a steady state.
+
+    `steady_run` is the run to the steady state at the setpoint `value`. `size` is the size of the sines, from which
+    the step results. `crossover` is the crossover frequency, from which the duration results [Hz].
+    """
     part = circuit.parts[controller]
     sample_time = part.parameters(circuit.surroundings)["sample_time"]
     output = f"{controller}.sensor_{part.controls}"  # type: ignore[attr-defined]

@@ -1,1 +1,4 @@
-"""Exports of a circuit: C, FMU, structured text, WebAssembly pages; all are made from one trace of the model."""
+"""Exports of a circuit: C, FMU, structured text and HTML pages with WebAssembly.
+
+All exports are made from the same symbolic (CasADi) model of the circuit.
+"""

@@ -147,7 +147,10 @@ def to_control(
 
 
 def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str]) -> BaseCircuit:
-    """Return the circuit without some controllers; their outputs become free inputs."""
+    """Return the circuit without the named controllers.
+
+    The inputs that these controllers set become free inputs.
+    """
     available = [name for name, part in circuit.parts.items() if isinstance(part, Controller)]
     for name in (controllers,) if isinstance(controllers, str) else controllers:
         if name not in available:
@@ -158,7 +161,10 @@ def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str])
 
 
 def _free_indices(circuit: BaseCircuit, addresses: Sequence[str]) -> list[int]:
-    """Return the indices in p of parameters that can change alone."""
+    """Return the indices in p of the given parameters.
+
+    Parameters that cannot change without other changes are rejected.
+    """
     if not addresses:
         return []
     run = circuit.run if circuit.run.duration is not None else replace(circuit.run, duration="1 s")
@@ -178,7 +184,7 @@ def _free_indices(circuit: BaseCircuit, addresses: Sequence[str]) -> list[int]:
 
 
 def _input_indices(selected: Sequence[str] | None, available: Sequence[str]) -> list[int]:
-    """Return the indices of the selected inputs; of all inputs if None."""
+    """Return the indices of the selected inputs, or of all inputs if `selected` is None."""
     if selected is None:
         return [*range(len(available))]
     with ErrorCollector() as errors:

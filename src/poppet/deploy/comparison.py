@@ -1,4 +1,7 @@
-"""Comparison of a run with that of the kernel, as long as the kernel agrees with its own slightly changed runs."""
+"""Comparison of a run by an export target with the same run by the kernel.
+
+The kernel also repeats its run with slightly changed problems. The comparison ends where these repetitions diverge.
+"""
 
 from __future__ import annotations
 
@@ -17,19 +20,19 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 START_CHANGE = 1e-14
-"""Relative change of the start state, to measure the effect of rounding on a run."""
+"""Relative change of the start state that represents rounding errors."""
 TOLERANCE_CHANGE = 1e-8
-"""Relative change of a tolerance, which changes the error of each step as rounding does."""
+"""Relative change of the tolerance that represents rounding errors: it slightly changes the error of each step."""
 TOLERANCE_FRACTIONS = (0.1, 0.03, 0.01)
-"""Tolerances of the kernel per limit of another method; their errors represent those of that method."""
+"""Tolerances of the kernel divided by the limit of a check. The errors at these tolerances represent another method."""
 MARGIN = 10.0
-"""Allowed ratio of a difference to the effect of small changes on the kernel."""
+"""Maximum ratio of a difference to the effect that small changes of the problem have on the kernel."""
 MAX_EFFECT = 1e-6
-"""Effect of small changes on the kernel up to which a run is compared."""
+"""Relative effect of small changes on the kernel above which a run is no longer compared."""
 
 
 class ReferenceRun(NamedTuple):
-    """Run of the kernel for comparison."""
+    """Run of the kernel with which another run is compared."""
 
     problem: Problem
     values: Array  # (n_outputs, n_times)
@@ -38,12 +41,12 @@ class ReferenceRun(NamedTuple):
 
     @property
     def gas(self) -> Flags:
-        """Outputs that are positive states: pressures and masses."""
+        """Mask of the outputs that are positive states: pressures and masses."""
         return self._outputs({state.name for state in self.problem.kernel.model.states if state.positive})
 
     @property
     def states(self) -> Flags:
-        """Outputs that are states: they do not jump."""
+        """Mask of the outputs that are states, which do not jump."""
         return self._outputs({state.name for state in self.problem.kernel.model.states})
 
     def _outputs(self, names: Container[str]) -> Flags:
@@ -60,24 +63,37 @@ class RunComparison(NamedTuple):
     n_rows: int  # up to which the states of the gas are compared
 
     def max_differences(self, *, whole_run: bool = False) -> Array:
-        """Return the maximum compared difference of each output, or that of the whole run; -1 if there is none."""
+        """Return the maximum difference of each output at its compared times.
+
+        With `whole_run`, the maximum is over all available times. The result is -1 for an output without such times.
+        """
         cells = self.is_available if whole_run else self.is_compared
         return np.asarray(np.where(cells, self.differences, -1.0).max(axis=1, initial=-1.0))
 
     def max_ratios(self) -> Array:
-        """Return the maximum ratio of compared to allowed difference of each output; -1 if there is none."""
+        """Return the maximum ratio of difference to allowed difference for each output.
+
+        The result is -1 for an output that is not compared at any time.
+        """
         ratios = np.where(self.is_compared, self.differences / self.allowed, -1.0)
         return np.asarray(ratios.max(axis=1, initial=-1.0))
 
 
 def without_fused_operations(problem: Problem) -> Problem:
-    """Return the problem with a kernel without fused operations (FMA), like the exported C code."""
+    """Return the problem with a kernel that is compiled without fused operations (FMA).
+
+    The exported C code has no fused operations either.
+    """
     kernel, p = compile_kernel(problem.kernel.model, fuses=False), problem.p.copy()
     return replace(problem, kernel=kernel, p=p, x0=kernel.start(p))
 
 
 def run_reference(problem: Problem, n_rows: int) -> ReferenceRun:
-    """Run a problem with the kernel; at most `n_rows` rows are compared."""
+    """Run a problem with the kernel as reference for a comparison.
+
+    At most the first `n_rows` output times are kept. If a stop condition ends the run, the last time is omitted,
+    because it depends on rounding.
+    """
     run = Call(problem).run()
     model = problem.kernel.model
     nominal = {state.name: state.nominal for state in model.states}
@@ -89,7 +105,11 @@ def run_reference(problem: Problem, n_rows: int) -> ReferenceRun:
 
 
 def relative_differences(values: Array, reference: ReferenceRun) -> Array:
-    """Return the differences relative to the size of each output, (n_outputs, n_times); infinite if not finite."""
+    """Return the absolute differences from the reference, relative to the size of each output.
+
+    The shape is (n_outputs, n_times). A difference that is not finite becomes infinite. The difference remains in SI
+    units if the size of the output is 0.
+    """
     n = min(values.shape[1], reference.values.shape[1])
     differences = np.abs(values[:, :n] - reference.values[:, :n])
     np.divide(differences, reference.sizes[:, None], out=differences, where=reference.sizes[:, None] > 0.0)
@@ -97,7 +117,11 @@ def relative_differences(values: Array, reference: ReferenceRun) -> Array:
 
 
 def change_effects(reference: ReferenceRun, problems: Iterable[Problem]) -> Array:
-    """Return the maximum effect of small changes of the problem on the kernel up to each row, (n_outputs, n_times)."""
+    """Return the effect of small changes of the problem on each output of the kernel.
+
+    The value for an output at a time is the maximum relative difference up to that time, over all changed `problems`.
+    The shape is (n_outputs, n_times).
+    """
     effects = np.zeros(reference.values.shape)
     for problem in problems:
         run = Call(problem).run()
@@ -110,20 +134,30 @@ def change_effects(reference: ReferenceRun, problems: Iterable[Problem]) -> Arra
 
 
 def rounding_changes(problem: Problem) -> list[Problem]:
-    """Return problems that differ by rounding."""
+    """Return copies of a problem with changes of the size of rounding errors.
+
+    Two copies change the start state, one changes the tolerance.
+    """
     starts = [replace(problem, x0=problem.x0 * (1.0 + sign * START_CHANGE)) for sign in (1.0, -1.0)]
     return [*starts, replace(problem, relative_tolerance=problem.relative_tolerance * (1.0 + TOLERANCE_CHANGE))]
 
 
 def tolerance_changes(problem: Problem, limit: float) -> list[Problem]:
-    """Return the problem with the tolerances that represent another method."""
+    """Return copies of a problem with smaller tolerances, which are fractions of `limit`.
+
+    Their errors represent the errors of another integration method.
+    """
     return [replace(problem, relative_tolerance=fraction * limit) for fraction in TOLERANCE_FRACTIONS]
 
 
 def compare_runs(
     values: Array, reference: ReferenceRun, effects: Array, limit: float, is_available: Flags
 ) -> RunComparison:
-    """Compare a run with that of the kernel, row by row.
+    """Compare a run with the reference run of the kernel at each output time.
+
+    The allowed difference of an output is the larger of the limit and `MARGIN` times the effect of small changes. The
+    comparison of an output ends when this effect is too large. If that output is a pressure or mass of gas, the
+    comparison of all outputs ends.
 
     The allowed difference of an output is the larger of the limit and `MARGIN` times the effect of small changes. An
     output is no longer compared after this effect is too large. If that output is a state of the gas, no output is

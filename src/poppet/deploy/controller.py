@@ -123,13 +123,19 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
 
 
 def select_parts(circuit: BaseCircuit, text: str | None) -> list[str]:
-    """Return the parts of the option --part; `controller` selects the only controller."""
+    """Return the names of the controllers in the text of the option --part.
+
+    The text `controller` selects the only controller of the circuit.
+    """
     parts = [name.strip() for name in (text or "").split(",") if name.strip()]
     return [] if parts == ["controller"] and "controller" not in circuit.parts else parts
 
 
 def find_controllers(circuit: BaseCircuit) -> dict[str, Part]:
-    """Return the controllers by the names of their parts, in the order of the circuit; a compound has at most one."""
+    """Return the controllers of a circuit by the names of the parts that contain them.
+
+    The order is that of the circuit. A compound part has at most one controller.
+    """
     controllers: dict[str, Part] = {}
     for name, part in circuit.parts.items():
         members = part.members if isinstance(part, Compound) else {"": part}
@@ -155,7 +161,7 @@ def _select_controllers(circuit: BaseCircuit, parts: tuple[str, ...]) -> dict[st
 
 
 def _circuit_of_controllers(circuit: BaseCircuit, selected: Mapping[str, Part]) -> BaseCircuit:
-    """Return a circuit of the selected controllers with the connections between them."""
+    """Return a circuit that contains only the selected controllers and the connections between them."""
 
     def address_inside(address: str) -> str:
         name, _, local = address.partition(".")
@@ -204,7 +210,11 @@ def _program(export_model: ExportModel, circuit: BaseCircuit, title: str) -> Con
 def _trace_functions(
     export_model: ExportModel, circuit: BaseCircuit, sensors: Mapping[str, tuple[str, str]]
 ) -> tuple[dict[str, Any], list[int]]:
-    """Return the functions of all inputs and parameters, and the indices of their outputs in the model."""
+    """Return the CasADi functions of a controller program, with all inputs and parameters as arguments.
+
+    The measured values replace the states of the sensors. The second result contains the indices of the program's
+    outputs among the outputs of the model.
+    """
     import casadi as ca
 
     model, s, e = export_model.model, export_model.model.symbols, export_model.model.expressions
@@ -236,7 +246,10 @@ def _trace_functions(
 
 
 def _used_elements(arguments: Sequence[tuple[Any, int]]) -> list[int]:
-    """Return the elements of an argument, given by function and position, on which any result depends."""
+    """Return the indices of the elements of an argument that affect any of the functions.
+
+    Each element of `arguments` is a function and the position of the argument in it.
+    """
     indices: set[int] = set()
     for function, position in arguments:
         indices |= set(function.jac_sparsity(0, position).get_col())
@@ -244,7 +257,10 @@ def _used_elements(arguments: Sequence[tuple[Any, int]]) -> list[int]:
 
 
 def _restrict_arguments(functions: Mapping[str, Any], elements: Mapping[str, list[int]]) -> dict[str, Any]:
-    """Return the functions with only the selected elements of some arguments."""
+    """Return the functions with shorter argument vectors.
+
+    `elements` maps the name of an argument to the indices of the elements that remain.
+    """
     import casadi as ca
 
     restricted = {}

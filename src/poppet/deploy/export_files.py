@@ -1,4 +1,7 @@
-"""Files of an export: valid identifiers, safe texts, and folders that are written completely or not at all."""
+"""Identifiers, comments and string literals of exported files, and writing of an export.
+
+A folder is written completely or not at all.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ from poppet.core.toml import toml_text
 from poppet.core.version import __version__
 
 MARK = "poppet-export.toml"
-"""Manifest in every folder of an export: only a folder with a manifest is written again."""
+"""File name of the manifest in each exported folder. Only an empty folder or one with this file can be rewritten."""
 # Words of C, C++ and structured text, in lower case because structured text ignores the case.
 _RESERVED = frozenset(
     re.findall(
@@ -39,7 +42,7 @@ _FILE_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]*")
 
 
 def identifier(text: str) -> str:
-    """Return a text as a valid identifier in C, C++, XML and structured text.
+    """Convert a text to a valid identifier in C, C++, XML and structured text.
 
     Examples
     --------
@@ -52,7 +55,9 @@ def identifier(text: str) -> str:
 
 
 def identifiers(texts: Sequence[str]) -> list[str]:
-    """Return one identifier for each text; they also differ if the case is ignored.
+    """Convert texts to distinct identifiers.
+
+    They also differ if upper and lower case are not distinguished.
 
     Examples
     --------
@@ -73,7 +78,9 @@ def identifiers(texts: Sequence[str]) -> list[str]:
 
 
 def comment_text(text: str) -> str:
-    """Return a text for a comment in any language: one line of printable ASCII that cannot end the comment.
+    """Convert a text to one line of printable ASCII for a comment.
+
+    The line cannot end the comment in any of the exported languages.
 
     Examples
     --------
@@ -88,7 +95,9 @@ def comment_text(text: str) -> str:
 
 
 def c_string(text: str) -> str:
-    """Return a string literal of C; special characters are written as octal bytes.
+    """Convert a text to a string literal of C.
+
+    Special characters are written as octal codes of their UTF-8 bytes.
 
     Examples
     --------

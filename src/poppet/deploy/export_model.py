@@ -1,4 +1,7 @@
-"""Model of a circuit for the export targets: parameters, inputs with signals, states, outputs, tolerances."""
+"""Model of a circuit in the form that all export targets use.
+
+It contains parameters, inputs with signals, states, outputs and tolerances.
+"""
 
 from __future__ import annotations
 
@@ -31,7 +34,10 @@ MAX_SEGMENTS = 100_000
 
 
 class ExportParameter(NamedTuple):
-    """Parameter in p, SI and absolute."""
+    """Parameter of the exported model; p is the vector of all parameters.
+
+    Values are in SI units, and pressures and temperatures are absolute.
+    """
 
     address: str
     identifier: str
@@ -46,12 +52,15 @@ class ExportParameter(NamedTuple):
 
     @property
     def is_free(self) -> bool:
-        """True if the value can change at run time."""
+        """True if the exported program can change the value at run time."""
         return not self.fixed
 
 
 class ExportInput(NamedTuple):
-    """Input in u, SI and absolute."""
+    """Input of the exported model; u is the vector of all inputs.
+
+    Values are in SI units, and pressures and temperatures are absolute.
+    """
 
     address: str
     identifier: str
@@ -65,7 +74,7 @@ class ExportInput(NamedTuple):
 
 
 class ExportQuantity(NamedTuple):
-    """State, discrete state or output."""
+    """State, discrete state or output of the exported model."""
 
     address: str
     identifier: str
@@ -75,7 +84,10 @@ class ExportQuantity(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ExportModel:
-    """Names, units, indices and start values of a circuit; the problem has the signals and tolerances."""
+    """Names, units, indices and start values of all quantities of an exported circuit.
+
+    The field `problem` contains the signals and tolerances.
+    """
 
     name: str  # an identifier
     title: str
@@ -89,12 +101,12 @@ class ExportModel:
 
     @property
     def model(self) -> Model:
-        """Traced model."""
+        """Symbolic (CasADi) model of the circuit."""
         return self.instance.model
 
     @cached_property
     def functions(self) -> dict[str, Any]:
-        """CasADi functions of the model, the input of a code generator (printer)."""
+        """CasADi functions of the model by name, from which a code generator (printer) writes code."""
         return trace_functions(self.model)
 
 
@@ -165,7 +177,7 @@ def _export_parameters(circuit: BaseCircuit, instance: Instance, problem: Proble
 
 
 def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declarations of all parameters by address."""
+    """Return the declaration of each parameter by address: unit, limits and meaning."""
     specs = number_specs(circuit)
     for section in ("ambient", "gas"):
         specs |= {f"{section}.{key}": spec for key, spec, _ in flatten(getattr(circuit, section))}
@@ -173,14 +185,24 @@ def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def _next_float(limit: float, direction: float) -> float:
-    """Return the number next to an excluded limit; next to zero, the smallest normal number."""
+    """Return a valid value next to an excluded limit.
+
+    `direction` is 1 for a larger value and -1 for a smaller one. An infinite limit is returned unchanged.
+    """
     if not np.isfinite(limit):
         return limit
     return limit + direction * max(abs(limit) * sys.float_info.epsilon, sys.float_info.min)
 
 
 def find_tied(circuit: BaseCircuit) -> frozenset[str]:
-    """Return the addresses of parameters that must not change alone.
+    """Return the addresses of parameters that cannot change without other changes.
+
+    A parameter is such a parameter if other parameters or the structure of the circuit depend on it, or if no value
+    near its own is valid.
+
+    Only the part that contains a parameter is checked, because a parameter acts on the run-time values of its part
+    alone. All parameters are free if the part declares neither derived values nor checks. The ambient conditions and
+    the gas act on all parts, so the whole circuit is checked.
 
     Either other parameters or the structure depend on such a parameter, or no neighbouring value is valid. A parameter
     of a part acts on the run-time values of this part alone. If a part declares neither derived values nor checks, all
@@ -217,14 +239,21 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
 
 
 def _below(values: Mapping[str, float], name: str) -> dict[str, float]:
-    """Return the values whose addresses begin with a name, by the rest of their addresses."""
+    """Return the values of one part or section, with addresses relative to it.
+
+    Only addresses that begin with `name` and a dot are selected.
+    """
     return {key.removeprefix(f"{name}."): value for key, value in values.items() if key.startswith(f"{name}.")}
 
 
 def _tied_in_part(
     part: Part, neighbours: Mapping[str, float], surroundings: Surroundings, check: Callable[[Part], None]
 ) -> set[str]:
-    """Return the parameters of a part that must not change alone; `check` rejects an invalid changed part."""
+    """Return the names of parameters of a part that cannot change without other changes.
+
+    `neighbours` contains a changed value of each parameter. `check` raises an error for a changed part that is not
+    valid.
+    """
     tied: set[str] = set()
     values = part.parameters(surroundings)
     if isinstance(part, Compound) and type(part).parameters is Compound.parameters:

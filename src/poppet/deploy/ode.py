@@ -38,7 +38,7 @@ class Stretch:
     _segment: int
 
     def f(self, t: float, x: Array) -> Array:
-        """Return the rates.
+        """Return the rates of change of the states.
 
         Parameters
         ----------
@@ -95,7 +95,10 @@ class Stretch:
         return dict(zip(kernel.model.columns[0], columns, strict=True))
 
     def _whole(self, x: Array) -> Array:
-        """Return the states with quadratures, on which no rate depends."""
+        """Return the states followed by zeros for the quadratures.
+
+        No rate depends on the quadratures.
+        """
         return np.concatenate([x, np.zeros(self._problem.x0.size - len(x))])
 
 
@@ -170,7 +173,7 @@ class Ode:
         return {name: np.array([row[name] for row in rows]) for name in self._problem.kernel.model.columns[0]}
 
     def stretch(self, t: float, x: Array, memory: Array | None = None) -> Stretch:
-        """Return the interval after a time, up to the next jump or change of a discrete state.
+        """Return the interval from `t` to the next jump of a signal or change of a discrete state.
 
         Parameters
         ----------

@@ -1,4 +1,7 @@
-"""Registry of the export targets. A target is one declaration and one function, which returns files."""
+"""Registry of the export targets.
+
+A target is a declaration with a function that returns the exported files.
+"""
 
 from __future__ import annotations
 
@@ -22,7 +25,10 @@ PART = Option("--part LIST", "sampled controllers to export, by name; `controlle
 
 
 class CircuitSource(NamedTuple):
-    """Origin of a circuit, for targets that include the circuit file in the export."""
+    """Origin of a circuit: file text, file name and changes.
+
+    Targets use it to include the circuit file in the export.
+    """
 
     text: str = ""  # of the circuit file; empty if unknown
     name: str = ""  # of the circuit file, without suffix
@@ -39,7 +45,7 @@ class Export(NamedTuple):
 
 
 class Target(NamedTuple):
-    """Export target."""
+    """Declaration of an export target."""
 
     name: str
     summary: str  # of the help, without a full stop
@@ -56,11 +62,11 @@ class Target(NamedTuple):
 
     @property
     def command(self) -> str:
-        """Name of the command."""
+        """Name of the command-line command of the target."""
         return self.name if self.name == "live" else f"export {self.name}"
 
     def make(self, circuit: BaseCircuit, source: CircuitSource | None = None, **settings: Any) -> Export:
-        """Return the files of a circuit; nothing is written.
+        """Return the exported files of a circuit without writing them.
 
         Parameters
         ----------
@@ -107,7 +113,7 @@ class Target(NamedTuple):
         return export
 
     def parity_checks(self) -> Sequence[ParityCheck]:
-        """Return the checks of `poppet export check`."""
+        """Return the parity checks of the target, which `poppet export check` runs."""
         checks: Callable[[], Sequence[ParityCheck]] = _imported(self.checks)
         return checks()
 

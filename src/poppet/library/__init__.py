@@ -28,16 +28,18 @@ __all__ = [
 
 @dataclass(frozen=True)
 class ParameterSet:
-    """A published parameter set.
+    """Published parameters of one valve or muscle, or of parts of it.
 
     Parameters
     ----------
     reference : str
         Source of the set.
     parts : mapping
-        Kind of part to variant (mode, preset; else empty) to the numbers of the part by dotted name.
+        Mapping from the kind of a part to a mapping from a variant to the parameters by dotted name. The variant is the
+        mode of a main stage, the preset of electronics, or empty for other kinds.
     characteristics : mapping, optional
-        Name of each flow characteristic, `varga2012.closed`, to a function that takes this name.
+        Mapping from the name of each flow characteristic, such as `varga2012.closed`, to a function that returns the
+        characteristic for this name.
     """
 
     reference: str
@@ -68,7 +70,7 @@ _VARIANTS = {"main_stage": "mode", "electronics": "preset"}
 
 
 def sets() -> tuple[str, ...]:
-    """Return the names of the parameter sets.
+    """Return the names of all parameter sets.
 
     Returns
     -------
@@ -84,7 +86,7 @@ def sets() -> tuple[str, ...]:
 
 
 def characteristics() -> tuple[str, ...]:
-    """Return the names of the flow characteristics.
+    """Return the names of all published flow characteristics.
 
     Returns
     -------
@@ -100,7 +102,7 @@ def characteristics() -> tuple[str, ...]:
 
 
 def gas_names() -> tuple[str, ...]:
-    """Return the names of the gases.
+    """Return the names of all gases in the library.
 
     Returns
     -------
@@ -116,17 +118,18 @@ def gas_names() -> tuple[str, ...]:
 
 
 def characteristic(name: str) -> Characteristic:
-    """Return a published flow characteristic.
+    """Return a published flow characteristic by name.
 
     Parameters
     ----------
     name : str
-        `varga2012` (as printed, also `varga2012.printed`), `varga2012.closed`, `.monotone` or `.table`.
+        `varga2012` or `varga2012.printed` (polynomials as printed), `varga2012.closed` (C is zero for strokes up to 0),
+        `varga2012.monotone` (C also never decreases with the stroke) or `varga2012.table` (interpolated table).
 
     Returns
     -------
     Characteristic
-        Characteristic with the sources of its numbers.
+        Characteristic whose parameters have sources.
 
     Raises
     ------
@@ -145,7 +148,7 @@ def characteristic(name: str) -> Characteristic:
 
 
 def main_stage(name: str, mode: str) -> Mapping[str, Number]:
-    """Return mechanics and exhaust of a published main stage.
+    """Return the mechanical and exhaust parameters of a published main stage.
 
     Parameters
     ----------
@@ -173,7 +176,7 @@ def main_stage(name: str, mode: str) -> Mapping[str, Number]:
 
 
 def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
-    """Return the numbers of a part in a published set.
+    """Return the parameters of a kind of part in a published set.
 
     Parameters
     ----------
@@ -182,7 +185,7 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
     kind : str
         Kind of part, `pilot_stage`.
     variant : str, optional
-        Mode of a main stage, preset of electronics.
+        Mode of a main stage or preset of electronics; empty for other kinds.
 
     Returns
     -------
@@ -208,19 +211,19 @@ def numbers(name: str, kind: str, variant: str = "") -> Mapping[str, Number]:
 
 
 def complete_sets(*kinds: str) -> tuple[str, ...]:
-    """Return the names of the sets that have numbers for all of these kinds of parts."""
+    """Return the names of the sets that contain parameters for all given kinds of parts."""
     return tuple(name for name, parameter_set in _SETS.items() if set(kinds) <= set(parameter_set.parts))
 
 
 def every_set(kind: str) -> list[Mapping[str, Number]]:
-    """Return the numbers of a kind of part in all variants of the sets that are loaded."""
+    """Return the parameters for a kind of part, one mapping per variant and loaded set."""
     # A part has numbers of loaded sets only. Each part that is made calls this function: it does not read plugins.
     loaded = [parameter_set.parts.get(kind, {}) for parameter_set in _SETS.data.values()]
     return [numbers for variants in loaded for numbers in variants.values()]
 
 
 def gas(name: str) -> Gas:
-    """Return an ideal gas.
+    """Return an ideal gas by name.
 
     Parameters
     ----------
@@ -250,7 +253,9 @@ def gas(name: str) -> Gas:
 
 
 def describe(name: str) -> str:
-    """Return the text of a set, a characteristic or a gas: numbers with units and sources.
+    """Return a text that lists all parameters of a set, a characteristic or a gas.
+
+    The text contains the values, units and sources.
 
     Parameters
     ----------

@@ -30,7 +30,10 @@ def _numbers(values: Mapping[str, float], source: Source) -> dict[str, Number]:
 
 
 def _printed(a1: float, a2: float, a3: float, a4: float, a5: float, a6: float) -> dict[str, float]:
-    """Return SI values of the printed parameters, which are for pressure in bar and contraction in per cent."""
+    """Convert the printed parameters of Sarosi's law to SI.
+
+    The printed parameters are for pressures in bar and contractions in per cent.
+    """
     return {"a1": a1 * 1e-5, "a2": a2, "a3": a3 * 1e2, "a4": a4 * 1e-3, "a5": a5 * 1e-5, "a6": a6}
 
 

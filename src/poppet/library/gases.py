@@ -40,11 +40,11 @@ class Gas:
     isentropic_exponent : Number
         Ratio of the heat capacities at 20 degC [1].
     note : str
-        Laws that are valid for the gas.
+        Note on the laws that are valid for the gas.
     transport : mapping of str to Number
         Coefficients of Sutherland's law; empty if they are not available.
     real : mapping of str to Number
-        Critical temperature [K] and pressure [Pa], acentric factor, coefficients of c_p0/R in powers of T [K].
+        Critical temperature [K], critical pressure [Pa], acentric factor, coefficients of c_p0/R in powers of T [K].
 
     Notes
     -----
@@ -66,18 +66,18 @@ class Gas:
 
     @property
     def is_like_air(self) -> bool:
-        """True if the transport properties of air are valid for heat transfer of the gas."""
+        """True if heat transfer laws with the transport properties of air are valid for the gas."""
         return self.note != NOT_FOR_THIS
 
     @property
     def as_real(self) -> RealGas:
-        """Parameters of the correlations of real gases."""
+        """Critical constants and heat capacity of the gas, for the calculation of real-gas errors."""
         heat = tuple(float(value) for name, value in self.real.items() if name.startswith("heat_capacity."))
         critical, pressure, factor = (float(self.real[name]) for name in _CRITICAL)
         return RealGas(critical, pressure, factor, heat)
 
     def numbers(self) -> dict[str, Number]:
-        """Return all numbers of the gas.
+        """Return all parameters of the gas by name.
 
         Returns
         -------
@@ -108,7 +108,11 @@ _DRY_AIR = tuple(
 def _real(
     critical: tuple[float, float, float], source: Source, heat_capacity: tuple[float, ...], mixture: str = ""
 ) -> dict[str, Number]:
-    """Return critical temperature [K] and pressure [Pa], acentric factor and heat capacity."""
+    """Return the parameters of a real gas as numbers with sources.
+
+    `critical` contains the critical temperature [K], the critical pressure [Pa] and the acentric factor. `mixture` is
+    a note on the composition.
+    """
     units = dict(zip(_CRITICAL, ("K", "Pa", "1"), strict=True))
     numbers = {name: Number(x, unit, source) for x, (name, unit) in zip(critical, units.items(), strict=True)}
     nasa = Source("paper", POLYNOMIALS, mixture)
@@ -119,7 +123,7 @@ def _real(
 def _from_molar_mass(
     name: str, molar_mass: float, isentropic_exponent: float, note: str, real: Mapping[str, Number]
 ) -> Gas:
-    """Return a gas for a molar mass [kg/mol]."""
+    """Return a gas with the specific gas constant that results from a molar mass [kg/mol]."""
     weight = Source("standard", WEIGHTS, f"M = {1e3 * molar_mass:.6g} g/mol")
     return Gas(
         name,

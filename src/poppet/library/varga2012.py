@@ -41,7 +41,7 @@ SONIC_CONDUCTANCE = (
     printed(5.0034e-9, C, EQ_C, "C(0): the polynomial has no closed state"),
 )
 
-# --- Variants of the characteristic ---
+# --- Variants of the flow characteristic ---
 
 CLOSING = assumed(2e-5, "m", "stroke over which the seat closes; the printed polynomial does not close")
 TABLE_STROKES = tuple(1e-4 * i for i in range(11))
@@ -60,22 +60,34 @@ def _polynomials(name: str, *, closing: Number | None = None, monotone: bool = F
 
 
 def printed_characteristic(name: str = f"{NAME}.printed") -> Characteristic:
-    """Return the printed polynomials, with constant values outside 0..1 mm."""
+    """Return the flow characteristic with the printed polynomials.
+
+    Outside strokes of 0 to 1 mm, C and b keep the values at the ends of this range.
+    """
     return _polynomials(name)
 
 
 def closed_characteristic(name: str = f"{NAME}.closed") -> Characteristic:
-    """Return the printed polynomials with a closing law: C is zero for strokes up to 0."""
+    """Return the printed flow characteristic with a closing law near zero stroke.
+
+    With this law C is zero for strokes up to 0. The printed polynomial for C is not zero there.
+    """
     return _polynomials(name, closing=CLOSING)
 
 
 def monotone_characteristic(name: str = f"{NAME}.monotone") -> Characteristic:
-    """Return the running maximum of the printed conductance, closed for strokes up to 0."""
+    """Return the closed flow characteristic with a conductance that never decreases with the stroke.
+
+    The running maximum replaces the printed conductance. C is zero for strokes up to 0.
+    """
     return _polynomials(name, closing=CLOSING, monotone=True)
 
 
 def table_characteristic(name: str = f"{NAME}.table") -> Characteristic:
-    """Return monotone cubics through eleven points of the printed polynomials, 0.1 mm apart."""
+    """Return the flow characteristic as a table of the printed polynomials.
+
+    The table has eleven points, 0.1 mm apart, with monotone cubic interpolation.
+    """
     polynomials = printed_characteristic()
     return Characteristic(
         _tabled(polynomials.sonic_conductance, C, EQ_C),
@@ -100,7 +112,7 @@ CHARACTERISTICS: Mapping[str, Callable[[str], Characteristic]] = {
     f"{NAME}.table": table_characteristic,
 }
 
-# --- Mechanics: no number of it is printed ---
+# --- Mechanics: the paper prints no values of these parameters ---
 
 STOP_STIFFNESS = assumed(7.07e9, "N/m^1.5", "20 N press the plate 2 um into the stop")
 STOP_DISSIPATION = assumed(300.0, "s/m", "20 g at 0.1 m/s rebound with 0.15 of their speed; 20 N rest overdamped")

@@ -472,7 +472,7 @@ def test_hostile_names_stay_text_and_wrong_wishes_are_refused() -> None:
 
 
 def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("poppet.deploy.fmu.package.compilers", lambda platform: [])
+    monkeypatch.setattr("poppet.deploy.fmu.package.link_commands", lambda platform: [])
     fmu = build_fmu(example("two_tanks"), platforms=("linux64", "win64"))
     assert [(note.code, note.facts["platform"]) for note in fmu.notes] == [
         ("deploy.fmu.no_binary", "linux64"),

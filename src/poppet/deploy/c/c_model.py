@@ -18,7 +18,10 @@ from poppet.engine.printers.instructions import SIGNATURES, trace_functions
 
 @cache
 def integrator_code(name: str = "integrate") -> str:
-    """Return the adaptive integrator, ``int64_t integrate(const int64_t *fields)``, with another name."""
+    """Return the C source of the adaptive integrator under another function name.
+
+    The signature is ``int64_t integrate(const int64_t *fields)``; `name` replaces `integrate`.
+    """
     text = files("poppet.engine").joinpath("integrator.c").read_text(encoding="utf-8")
     head = "int64_t integrate(const int64_t *fields)"
     assert head in text
@@ -26,13 +29,19 @@ def integrator_code(name: str = "integrate") -> str:
 
 
 def integrator_excerpt(*markers: str) -> str:
-    """Return the types and functions of the integrator that contain the markers."""
+    """Return the blocks of the integrator source that contain the given markers.
+
+    A block is a type or function between two empty lines. Each marker selects the first block that contains it.
+    """
     blocks = integrator_code().split("\n\n")
     return "\n\n".join(next(block for block in blocks if marker in block) for marker in markers)
 
 
 def model_code(export_model: ExportModel, prefix: str = "") -> str:
-    """Return all functions of the model and the integration step, with a prefix of their names."""
+    """Return the C code of all model functions and of the integration step.
+
+    Every function name begins with `prefix`.
+    """
     functions = _print_functions(export_model, export_model.functions, "void", prefix)
     model = export_model.model
     if model.size:
@@ -41,14 +50,17 @@ def model_code(export_model: ExportModel, prefix: str = "") -> str:
 
 
 def static_code(export_model: ExportModel, functions: dict[str, Any]) -> str:
-    """Return functions with file scope."""
+    """Return the C code of model functions as `static` functions, visible only in their source file."""
     return _with_prelude(_print_functions(export_model, functions, "static void", shares_inverses=True))
 
 
 def _print_functions(
     export_model: ExportModel, functions: dict[str, Any], head: str, prefix: str = "", *, shares_inverses: bool = False
 ) -> list[str]:
-    """Return the C code of functions; comments name the elements of their arguments and results."""
+    """Return the C code of each CasADi function.
+
+    Comments in the code name the elements of arguments and results by their addresses in the circuit.
+    """
     addresses = {
         name: [comment_text(quantity.address) for quantity in getattr(export_model, name)]
         for name in ("states", "parameters", "memory", "inputs", "outputs")
@@ -69,7 +81,10 @@ def _with_prelude(functions: list[str]) -> str:
 
 
 def fixed_step_functions(model: Model) -> dict[str, Any]:
-    """Return the functions for integration with a fixed step, without the quadratures of the flows."""
+    """Return the model functions for integration with a fixed step.
+
+    The quadratures, which integrate flows for the balances, are omitted from the state vector.
+    """
     names: tuple[str, ...] = ("rates", "jacobian", "factor", "solve", "outputs", "start", "update")
     n, symbols, expressions = len(model.states), dict(model.symbols), dict(model.expressions)
     symbols["x"], expressions["rates"] = symbols["x"][:n], expressions["rates"][:n]
@@ -81,7 +96,10 @@ def fixed_step_functions(model: Model) -> dict[str, Any]:
 
 
 def fill_template(file: str, name: str, fields: Mapping[str, str]) -> str:
-    """Return a template with its fields, and the name of the model as prefix of its names."""
+    """Return a C template with its placeholders replaced by the values of `fields`.
+
+    `name`, the name of the model, replaces the prefix `model` of the C names in the template.
+    """
     text = files("poppet.deploy.c").joinpath("texts", file).read_text(encoding="utf-8")
     text = re.sub(r"\b(model|MODEL)_", lambda match: f"{name if match[1] == 'model' else name.upper()}_", text)
     # The fields are inserted last and in one pass: texts of the circuit are not searched for fields.
@@ -89,17 +107,20 @@ def fill_template(file: str, name: str, fields: Mapping[str, str]) -> str:
 
 
 def number_list(numbers: Iterable[float]) -> str:
-    """Return a list of C literals with all digits."""
+    """Return numbers as C literals with all digits, separated by commas."""
     return ", ".join(DOUBLE.literal(float(number)) for number in numbers)
 
 
 def number_rows(rows: Iterable[Iterable[float]]) -> str:
-    """Return a table of numbers, one line per row."""
+    """Return a two-dimensional table of numbers as C literals, one line per row."""
     return ",\n".join(f"  {number_list(row)}" for row in rows) or "  0.0"
 
 
 def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
-    """Return the members of an enumeration with comments; the last member has no comma."""
+    """Return the members of a C enumeration, each with a comment.
+
+    Each element of `rows` is an identifier, to which the prefix is added, and a comment.
+    """
     lines = [
         f"  {prefix}_{name} = {k}{'' if k == len(rows) - 1 else ','} /* {comment} */"
         for k, (name, comment) in enumerate(rows)
@@ -108,7 +129,7 @@ def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
 
 
 def comment_rows(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
-    """Return identifiers with comments that have the address, the unit and the value."""
+    """Return the identifier of each quantity with a comment: address, unit and optionally the value."""
     return [
         (q.identifier, f"{comment_text(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
         for q in quantities

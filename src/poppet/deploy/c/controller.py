@@ -88,7 +88,10 @@ def c_controller(
 
 
 def _time_elements(program: ControllerProgram) -> list[int]:
-    """Return the indices of discrete states that are times or counters: no input acts on them."""
+    """Return the indices of discrete states that are times or counters.
+
+    These are the timers and all discrete states on which no input acts.
+    """
     update = program.functions["update"]
     sources: dict[int, set[int]] = {k: set() for k in range(len(program.memory))}
     for row, column in zip(*update.jac_sparsity(0, 3).get_triplet(), strict=True):
@@ -100,7 +103,10 @@ def _time_elements(program: ControllerProgram) -> list[int]:
 
 
 def _test_vector(program: ControllerProgram, precision: str) -> dict[str, str]:
-    """Return calls with random inputs of typical size, and the expected outputs."""
+    """Return test calls of the controller with random inputs of typical size, and the expected outputs.
+
+    The result maps each placeholder of the C template to its text.
+    """
     generator = np.random.default_rng(0)
     sizes: dict[str, float] = {}
     for item in program.inputs:

@@ -43,9 +43,9 @@ if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
 
 N_ROWS = 20
-"""Rows of the test vector after the start."""
+"""Number of output times of the test vector after the start."""
 FIXED_STEP = 0.05
-"""Allowed error of a state, relative to its size, in a run with a fixed step of a length that no circuit determines."""
+"""Allowed error of a state relative to its size, in a run with a fixed step. The step is not adapted to the circuit."""
 MAX_SUBSTEPS = 10_000
 STEP = "th x us p f0 J drift w -> k x1"
 UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
@@ -126,12 +126,15 @@ def _flags(flags: Iterable[bool]) -> str:
 
 
 def _table_rows(rows: Sequence[str], empty: str) -> str:
-    """Return the elements of a table; a C table has at least one."""
+    """Return the initialiser of a C table, one line per row.
+
+    A C table needs at least one element: `empty` is the only element of a table without rows.
+    """
     return ",\n".join(f"  {row}" for row in rows) or f"  {empty}"
 
 
 def _tables(export_model: ExportModel) -> dict[str, str]:
-    """Return the constants of the circuit: parameters, inputs, names and units, signals."""
+    """Return the C constants of the circuit by template placeholder: parameters, inputs, names, units and signals."""
     problem, upper = export_model.problem, export_model.name.upper()
     parameters = [
         f"{{{c_string(q.address)}, {c_string(q.unit)}, {number_list([q.value, q.low, q.high])}, {int(q.is_free)}}}"
@@ -169,7 +172,7 @@ def _tables(export_model: ExportModel) -> dict[str, str]:
 
 
 def _sizes(export_model: ExportModel) -> dict[str, str]:
-    """Return the sizes of the arrays."""
+    """Return the sizes of the C arrays by template placeholder."""
     model, problem = export_model.model, export_model.problem
     sizes = {
         "N_NUMBERS": len(export_model.parameters), "N_INPUTS": len(export_model.inputs),
@@ -195,7 +198,11 @@ def _prototypes(export_model: ExportModel) -> str:
 
 
 def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
-    """Return the prototypes, the job of the integrator and its constants."""
+    """Return the C code that sets up the adaptive integrator, by template placeholder.
+
+    It contains the prototypes of the model functions, the job (the array of addresses and sizes that the integrator
+    reads) and the constants.
+    """
     problem, name, model = export_model.problem, export_model.name, export_model.model
     kernel, conditions, upper = problem.kernel, problem.stop_conditions, name.upper()
     job = {key: str(value) for key, value in kernel.job.items() if key.startswith("n_")}
@@ -229,7 +236,7 @@ def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
 
 
 def _fixed_step(export_model: ExportModel) -> dict[str, str]:
-    """Return the functions of the fixed step."""
+    """Return the C code for integration with a fixed step, by template placeholder."""
     functions, name = fixed_step_functions(export_model.model), export_model.name
     fields = {
         "FUNCTIONS": static_code(export_model, functions),
@@ -254,7 +261,10 @@ def _fixed_step(export_model: ExportModel) -> dict[str, str]:
 
 
 def _test_vector(circuit: BaseCircuit, export_model: ExportModel) -> dict[str, str]:
-    """Return rows of states for the host program to check, with allowed differences; other outputs may jump."""
+    """Return expected states at several times, with the allowed differences, by template placeholder.
+
+    The host program compares its results with them. Other outputs are not compared, because they may jump.
+    """
     circuit.simulate()  # raises the error of a run that fails
     grid = np.linspace(0.0, export_model.problem.grid[-1], N_ROWS + 1)
     fused = replace(export_model.problem, grid=grid)

@@ -1,1 +1,1 @@
-"""Export as an FMU (FMI 2.0 and 3.0): description, C code around the kernel, binaries."""
+"""Export as an FMU (FMI 2.0 and 3.0): model description, C code for the FMI functions, binaries."""

@@ -1,4 +1,7 @@
-"""Binaries of an FMU: the kernel as object code for each platform, linked with C code to a library."""
+"""Binaries of an FMU for each platform.
+
+Each library contains the kernel as object code and the C code for the FMI functions.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,7 @@ from poppet.engine.printers.llvm_step import print_step
 
 
 class Platform(NamedTuple):
-    """Platform of a binary."""
+    """Operating system and processor for which a binary is compiled."""
 
     triple: str  # of LLVM
     target: str  # of Zig
@@ -44,7 +47,7 @@ FLAGS = ("-shared", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden
 
 
 def kernel_code(export_model: ExportModel, added: Mapping[str, Any]) -> str:
-    """Return LLVM IR of the functions of a model and of added functions."""
+    """Return the functions of a model and the `added` functions as LLVM IR."""
     functions = {name: f for name, f in export_model.functions.items() if name != "energy"} | dict(added)
     model = export_model.model
     if not model.size:
@@ -54,7 +57,10 @@ def kernel_code(export_model: ExportModel, added: Mapping[str, Any]) -> str:
 
 
 def compile_kernel_object(code: str, platform: Platform) -> bytes:
-    """Return object code of the functions of a model and of the integrator, with hidden symbols."""
+    """Compile the LLVM IR of a model, with the integrator, to object code for a platform.
+
+    The symbols are hidden: they cannot collide with names in other libraries.
+    """
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
@@ -77,12 +83,12 @@ def compile_kernel_object(code: str, platform: Platform) -> bytes:
 
 
 def has_zig() -> bool:
-    """Return True if the extra `fmu` is installed."""
+    """Return True if the Zig compiler of the extra `fmu` is installed."""
     return importlib.util.find_spec("ziglang") is not None
 
 
 def link_commands(platform: str) -> list[list[str]]:
-    """Return the commands that link for a platform, the preferred one first."""
+    """Return the available linker commands for a platform, the preferred command first."""
     commands = []
     if has_zig():
         commands.append([sys.executable, "-m", "ziglang", "cc", "-target", PLATFORMS[platform].target])
@@ -93,7 +99,10 @@ def link_commands(platform: str) -> list[list[str]]:
 
 
 def link_library(code: str, sources: Mapping[str, str], platform_name: str, main: str) -> bytes:
-    """Return the library of an FMU for a platform; the source `main` includes the others."""
+    """Return the bytes of the FMU library for a platform.
+
+    `code` is the LLVM IR of the model. `main` is the name of the C source that includes all other sources.
+    """
     platform = PLATFORMS[platform_name]
     library = f"model{platform.suffix}"
     command = [*link_commands(platform_name)[0], *FLAGS, "-I.", "-o", library, main, "kernel.o", "-lm"]

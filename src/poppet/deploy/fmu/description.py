@@ -29,7 +29,10 @@ DISPLAY_UNITS = {
 
 
 def element(name: str, attributes: Mapping[str, str], children: Sequence[str] = (), depth: int = 0) -> str:
-    """Return an XML element; special characters of names and titles are escaped."""
+    """Return an XML element with its attributes and child elements.
+
+    Special characters in attributes are escaped. `depth` is the level of indentation.
+    """
     indent = "  " * depth
     text = "".join(f" {key}={quoteattr(_INVALID_IN_XML.sub('?', value))}" for key, value in attributes.items())
     if not children:
@@ -38,7 +41,7 @@ def element(name: str, attributes: Mapping[str, str], children: Sequence[str] = 
 
 
 def build_description(identifier: str, sources: Sequence[str]) -> str:
-    """Return the description of the sources of an FMU (FMI 3.0)."""
+    """Return the text of `buildDescription.xml`, which lists the C sources of an FMU (FMI 3.0)."""
     files = [element("SourceFile", {"name": name}, depth=3) for name in sources]
     file_set = element("SourceFileSet", {"language": "C99"}, files, 2)
     build = element("BuildConfiguration", {"modelIdentifier": identifier}, [file_set], 1)
@@ -46,7 +49,10 @@ def build_description(identifier: str, sources: Sequence[str]) -> str:
 
 
 def describe_model(layout: FmuLayout, fmi: int, token: str, identifier: str) -> str:
-    """Return the model description for a version of FMI."""
+    """Return the text of `modelDescription.xml` for FMI version 2 or 3.
+
+    `token` identifies the content of the model: it is the GUID of the FMU.
+    """
     return _describe_2(layout, token, identifier) if fmi == 2 else _describe_3(layout, token, identifier)
 
 
@@ -132,7 +138,10 @@ def _description(
     layout: FmuLayout, version: str, head: Mapping[str, str], modes: list[str], variables: list[str],
     structure: list[str],
 ) -> str:  # fmt: skip
-    """Return the description, whose order of elements is common to both versions of FMI."""
+    """Return the complete XML text of a model description.
+
+    The order of the elements is common to both versions of FMI.
+    """
     export_model = layout.export_model
     problem, title = export_model.problem, " ".join(export_model.title.split())
     token = {key: value for key, value in head.items() if key != "numberOfEventIndicators"}
@@ -181,7 +190,7 @@ def _real_attributes(variable: Variable, nominals: Mapping[int, float]) -> dict[
 
 
 def nominal_sizes(layout: FmuLayout) -> list[float]:
-    """Return the size of each state in the error control of the kernel."""
+    """Return the size of each state for the error control, as the kernel uses it [SI]."""
     states, x = layout.export_model.model.states, layout.export_model.problem.x0
     return [abs(float(x[k])) if s.positive and x[k] else s.nominal for k, s in enumerate(states)]
 
@@ -191,7 +200,10 @@ def _nominal_by_reference(layout: FmuLayout) -> dict[int, float]:
 
 
 def _dependency_rows(layout: FmuLayout) -> list[list[tuple[Variable, list[int]]]]:
-    """Return outputs, derivatives and initial unknowns, each variable with the references that it depends on."""
+    """Return the outputs, the derivatives and the initial unknowns of the model structure, in three lists.
+
+    Each entry is a variable and the value references of the variables on which it depends.
+    """
     n, first_output = len(layout.export_model.states), layout.output_reference(0)
     by_state = {layout.state_reference(k): [layout.state_reference(k)] for k in range(n)}
     of_outputs, of_rates = layout.dependencies("outputs"), layout.dependencies("rates")
@@ -214,7 +226,10 @@ def _dependency_rows(layout: FmuLayout) -> list[list[tuple[Variable, list[int]]]
 
 
 def _unit_elements(layout: FmuLayout) -> list[str]:
-    """Return the definitions of all units: exponents of the base units, and display units."""
+    """Return the XML definitions of all units that the variables use.
+
+    A definition contains the exponents of the base units and the display unit.
+    """
     elements = []
     for name in sorted({v.unit for v in layout.variables} - {"", "1"}):
         unit = read_unit(name)

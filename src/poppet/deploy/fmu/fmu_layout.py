@@ -1,4 +1,7 @@
-"""Variables of an FMU: roles of the inputs, parameters, states and outputs, and their value references."""
+"""Variables of an FMU and their value references.
+
+The role of each input and parameter determines which variable of the FMU represents it.
+"""
 
 from __future__ import annotations
 
@@ -17,9 +20,9 @@ from poppet.deploy.export_model import ExportModel
 Flags = NDArray[np.bool_]
 
 NUMBER, CONSTANT, PORT, DRIVEN = range(4)
-"""Source of an input: a parameter in p, its default value, the importer, or the importer and the circuit's signal."""
+"""Sources of the value of an input, in this order: parameter in p, default value, importer, importer and signal."""
 UNCHANGED, FIXED, TUNABLE, INPUT = range(4)
-"""Role of a parameter: constant, set before the run, set during the run, or an input of the FMU."""
+"""Role of a parameter, in this order: constant, set before the run, set during the run, input of the FMU."""
 FOLLOWS = "follow_signals"
 TIME_REFERENCE, FOLLOWS_REFERENCE, FIRST_REFERENCE = range(3)
 
@@ -42,7 +45,7 @@ class Variable(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class FmuLayout:
-    """Roles, dependencies, references and variables of an export model."""
+    """Layout of an FMU: roles, dependencies, value references and variables of an exported model."""
 
     export_model: ExportModel
     requested: frozenset[str]  # inputs and parameters that the importer sets, in addition to inputs with signals
@@ -51,7 +54,7 @@ class FmuLayout:
 
     @cached_property
     def sources(self) -> tuple[int, ...]:
-        """Source of each input."""
+        """Source of the value of each input: one of `CONSTANT`, `NUMBER`, `PORT` and `DRIVEN`."""
         sources = []
         for item, info in zip(self.export_model.inputs, self.export_model.model.inputs, strict=True):
             if item.is_driven:
@@ -64,7 +67,7 @@ class FmuLayout:
 
     @cached_property
     def roles(self) -> tuple[int, ...]:
-        """Role of each parameter."""
+        """Role of each parameter: one of `UNCHANGED`, `FIXED`, `TUNABLE` and `INPUT`."""
         inputs = list(zip(self.export_model.inputs, self.sources, strict=True))
         of_inputs = {item.parameter for item, source in inputs if source == NUMBER}
         ports = {item.address for item, source in inputs if source >= PORT}
@@ -82,25 +85,28 @@ class FmuLayout:
 
     @cached_property
     def acts_on_run(self) -> Flags:
-        """Parameters that act on rates, outputs or discrete states."""
+        """Mask of the parameters that affect rates, outputs or updates of discrete states."""
         patterns = [self._pattern(name, "p") for name in ("rates", "outputs", "update")]
         return np.asarray(np.vstack(patterns).any(axis=0))
 
     @cached_property
     def acts_on_start(self) -> Flags:
-        """Parameters that act on the initial state."""
+        """Mask of the parameters that affect the initial states and discrete states."""
         return np.asarray(np.vstack([self._pattern(name, "p") for name in ("start", "memory_start")]).any(axis=0))
 
     # Dependencies -------------------------------------------------------------------------------------------------
 
     def _pattern(self, expression: str, symbol: str) -> Flags:
-        """Return the sparsity of an expression, without quadratures and discrete states."""
+        """Return the sparsity of an expression with respect to x, u or p, as a Boolean matrix.
+
+        The columns of the quadratures and discrete states are omitted.
+        """
         model = self.export_model.model
         width = {"x": len(model.states), "u": len(model.inputs), "p": len(model.parameters)}[symbol]
         return self._full_pattern(expression, symbol)[:, :width]
 
     def _memory_pattern(self, expression: str) -> NDArray[np.int_]:
-        """Return the sparsity of an expression with respect to the discrete states."""
+        """Return the sparsity of an expression with respect to the discrete states, as a matrix of 0 and 1."""
         return self._full_pattern(expression, "p")[:, len(self.export_model.model.parameters) :].astype(int)
 
     def _full_pattern(self, expression: str, symbol: str) -> Flags:
@@ -117,7 +123,11 @@ class FmuLayout:
 
     @cached_property
     def direct_dependencies(self) -> dict[str, tuple[Flags, Flags, Flags]]:
-        """States, inputs and parameters that act on rates and outputs, also by way of the discrete states."""
+        """Masks of the states, inputs and parameters that affect each rate and output.
+
+        Effects through the discrete states are included. The keys are `rates` and `outputs`, and the masks are in the
+        order x, u, p.
+        """
         memory = [self._pattern("update", symbol) for symbol in "xup"]
         between_memory = self._memory_pattern("update")
         for _ in range(between_memory.shape[0]):  # effects over several sample instants
@@ -136,13 +146,19 @@ class FmuLayout:
         return dependencies
 
     def dependencies(self, name: str) -> list[list[int]]:
-        """Return, for each rate or output, the references of the states and driven values that act on it."""
+        """Return the value references on which each rate or output depends.
+
+        `name` is `rates` or `outputs`. The references are those of states and of variables that the importer sets.
+        """
         x, u, p = self.direct_dependencies[name]
         u, p = self._resolve_inputs(u, p)
         return [self._references(x[k], u[k], p[k], (INPUT,)) for k in range(len(x))]
 
     def initial_dependencies(self, name: str) -> list[list[int]]:
-        """Return, for each initial state, rate or output, the references of the inputs and parameters that act."""
+        """Return the value references on which each initial state, rate or output depends.
+
+        `name` is `start`, `rates` or `outputs`. The references are those of inputs and parameters.
+        """
         start = self._pattern("start", "p")
         if name == "start":
             u, p = np.zeros((len(start), len(self.export_model.inputs)), dtype=bool), start
@@ -158,7 +174,7 @@ class FmuLayout:
         return [self._references(no_states, u[k], p[k], (FIXED, TUNABLE, INPUT)) for k in range(len(p))]
 
     def _resolve_inputs(self, u: Flags, p: Flags) -> tuple[Flags, Flags]:
-        """Replace the dependency on an input with a parameter as source by that on the parameter."""
+        """Replace the dependency on an input by the dependency on the parameter that sets the input."""
         u, p = u.copy(), p.copy()
         for k, (item, source) in enumerate(zip(self.export_model.inputs, self.sources, strict=True)):
             if source == NUMBER:
@@ -168,7 +184,10 @@ class FmuLayout:
         return u, p
 
     def _references(self, x: Flags, u: Flags, p: Flags, roles: Collection[int]) -> list[int]:
-        """Return the references of states, inputs, and parameters with one of the roles."""
+        """Return the value references of the elements of x, u and p that are True in the masks.
+
+        Parameters without one of the roles are omitted.
+        """
         state_of = {parameter: k for k, parameter in self.initial_parameters.items()}
         of_p = [
             self.state_reference(state_of[k]) if k in state_of else self.parameter_reference(k)
@@ -180,7 +199,10 @@ class FmuLayout:
 
     @cached_property
     def guided(self) -> list[tuple[int, int]]:
-        """Parameters with the first value of an input that moves a body, and the index of that input."""
+        """Index pairs for inputs that move a body: parameter with the first value, and input.
+
+        Only inputs that the importer sets are included.
+        """
         names = [item.name for item in self.export_model.model.inputs]
         bases = sorted({item.slope_of for item in self.export_model.model.inputs if item.slope_of})
         pairs = [(self.export_model.instance.place(base), names.index(base)) for base in bases if base in names]
@@ -191,30 +213,33 @@ class FmuLayout:
     # References ---------------------------------------------------------------------------------------------------
 
     def parameter_reference(self, k: int) -> int:
-        """Return the reference of a parameter in p."""
+        """Return the value reference of parameter k in p."""
         return FIRST_REFERENCE + int(k)
 
     def input_reference(self, k: int) -> int:
-        """Return the reference of an input in u."""
+        """Return the value reference of input k in u."""
         return self.parameter_reference(len(self.export_model.parameters)) + k
 
     def state_reference(self, k: int) -> int:
-        """Return the reference of a state in x."""
+        """Return the value reference of state k in x."""
         return self.input_reference(len(self.export_model.inputs)) + k
 
     def rate_reference(self, k: int) -> int:
-        """Return the reference of the derivative of a state."""
+        """Return the value reference of the derivative of state k in x."""
         return self.state_reference(len(self.export_model.states)) + k
 
     def output_reference(self, k: int) -> int:
-        """Return the reference of an output in y."""
+        """Return the value reference of output k in y."""
         return self.rate_reference(len(self.export_model.states)) + k
 
     # Variables ----------------------------------------------------------------------------------------------------
 
     @cached_property
     def state_outputs(self) -> dict[int, int]:
-        """Indices of outputs that equal a state with the same address, and the indices of the states."""
+        """Mapping from the index of an output to the index of the state that it equals.
+
+        Both have the same address.
+        """
         import casadi as ca
 
         model = self.export_model.model
@@ -228,14 +253,17 @@ class FmuLayout:
 
     @cached_property
     def initial_parameters(self) -> dict[int, int]:
-        """Indices of states whose initial value is a parameter without other use, and those of the parameters."""
+        """Mapping from the index of a state to the index of its initial value among the parameters.
+
+        Only parameters without any other effect are included.
+        """
         index_of = {parameter.address: k for k, parameter in enumerate(self.export_model.parameters)}
         pairs = {k: index_of.get(state.address, -1) for k, state in enumerate(self.export_model.states)}
         return {k: index for k, index in pairs.items() if index >= 0 and self.roles[index] == FIXED}
 
     @cached_property
     def computed_addresses(self) -> set[str]:
-        """Addresses of states, and of outputs that do not equal an input with the same address."""
+        """Addresses of all states, and of outputs other than copies of an input with the same address."""
         import casadi as ca
 
         model = self.export_model.model
@@ -250,7 +278,7 @@ class FmuLayout:
 
     @cached_property
     def variables(self) -> list[Variable]:
-        """All variables; each address appears once."""
+        """All variables of the FMU; each address appears once."""
         variables = [Variable("time", TIME_REFERENCE, "independent", "continuous", unit="s", meaning="time")]
         if DRIVEN in self.sources:
             text = "the inputs follow the signals of the circuit, and what is set is not looked at"
@@ -300,7 +328,7 @@ class FmuLayout:
         )  # fmt: skip
 
     def _state_variables(self, k: int, names: set[str]) -> list[Variable]:
-        """Return a state and its derivative."""
+        """Return the variables of state k and of its derivative."""
         state = self.export_model.states[k]
         name, outputs = structured_name(state.address), self.export_model.outputs
         is_other_output = k not in self.state_outputs.values() and any(y.address == state.address for y in outputs)
@@ -326,7 +354,9 @@ _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]*")
 
 
 def structured_name(address: str) -> str:
-    """Return an address in the naming convention `structured`, which quotes some names.
+    """Convert an address to the FMI naming convention `structured`.
+
+    Names with special characters are quoted.
 
     Examples
     --------

@@ -1,4 +1,7 @@
-"""Headers `model.h` and `names.h` of an FMU: sizes, parameters, signals and limits as constants of C."""
+"""C headers `model.h` and `names.h` of an FMU.
+
+They contain array sizes, parameters, signals and limits as constants.
+"""
 
 from __future__ import annotations
 
@@ -20,21 +23,24 @@ DIRECTIONAL = "t x u p dx du dp -> df dy"
 
 
 def literal(value: float) -> str:
-    """Return a C90 literal with all digits."""
+    """Return a number as a C90 literal with all digits."""
     if math.isinf(value):
         return "-HUGE_VAL" if value < 0.0 else "HUGE_VAL"
     return repr(float(value))
 
 
 def array(kind: str, name: str, values: Iterable[Any]) -> str:
-    """Return a constant array; an empty array gets one element, because C has no empty arrays."""
+    """Return the definition of a constant C array with elements of type `kind`.
+
+    An empty array gets one element, because C has no empty arrays.
+    """
     texts = [literal(v) if kind == "double" else str(int(v)) for v in values] or ["0"]
     lines = [", ".join(texts[k : k + PER_LINE]) for k in range(0, len(texts), PER_LINE)]
     return f"static const {kind} {name}[{len(texts)}] = {{\n  " + ",\n  ".join(lines) + "\n};"
 
 
 def prototypes(functions: Sequence[str]) -> list[str]:
-    """Return the prototypes of the functions of the model."""
+    """Return the C prototypes of the named model functions."""
     signatures = {**SIGNATURES, "directional": DIRECTIONAL}
     signatures |= {"step": "th x us p rates J drift scratch -> stages x1", "dense": "stages -> coefficients"}
     lines = []
@@ -48,7 +54,7 @@ def prototypes(functions: Sequence[str]) -> list[str]:
 
 
 def names_header(functions: Sequence[str], fmi: int) -> str:
-    """Return the text of `names.h`, which adds the prefix of the FMU to the functions of the model."""
+    """Return the text of `names.h`, which adds a unique prefix to the names of the model functions."""
     prefix = f"FMI{fmi}_FUNCTION_PREFIX"
     lines = [
         "/* Names of the model where FMUs are linked together; written by poppet. */",
@@ -62,7 +68,7 @@ def names_header(functions: Sequence[str], fmi: int) -> str:
 
 
 def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str:
-    """Return the text of `model.h`."""
+    """Return the text of `model.h`, which contains all constants of an FMU."""
     export_model, problem = layout.export_model, layout.export_model.problem
     model, kernel = export_model.model, export_model.instance.kernel
     sizes = {
@@ -132,6 +138,9 @@ def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str
 
 
 def _reason(condition: StopCondition) -> str:
-    """Return the message of a stop condition: its text, or the stroke that leaves its domain."""
+    """Return the message that reports a stop condition.
+
+    It is the text of the condition, or it names the stroke that leaves its domain.
+    """
     reason = condition.reason
     return str(reason.facts.get("condition", f"{reason.address} leaves its domain"))

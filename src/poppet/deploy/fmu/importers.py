@@ -23,14 +23,14 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 EXCHANGE_TOLERANCE = 1e-9
-"""Relative tolerance of the importer's CVODE, whose errors accumulate over a run."""
+"""Relative tolerance of the solver CVODE in the importer. It is small, because errors accumulate over a run."""
 NANOSECOND = 1e-9
-"""Unit of time in libcosim [s]."""
+"""Duration of one time unit of libcosim [s]."""
 CIRCUIT, CHANGES, PARAMETERS = "resources/circuit.toml", "resources/changes.toml", "resources/numbers"
 
 
 class ImporterRun(NamedTuple):
-    """Run of an FMU with the signals of the circuit."""
+    """Outputs of an FMU that an importer has run with the signals of the circuit."""
 
     values: Array  # (n_names, n_times)
     points: Array  # (n_times,) ends of the importer's steps [s]
@@ -59,7 +59,10 @@ def fmi_version(path: Path) -> int:
 
 
 def read_description(path: Path) -> tuple[list[str], list[str]]:
-    """Return the names of all variables of an FMU, and the problems that FMPy finds in its description."""
+    """Return the names of all variables of an FMU, and errors in its description.
+
+    FMPy finds the errors.
+    """
     with needed("FMPy", "running an FMU", "check"):
         import fmpy
         from fmpy.validation import validate_fmu
@@ -68,7 +71,10 @@ def read_description(path: Path) -> tuple[list[str], list[str]]:
 
 
 def run_in_fmpy(path: Path, kind: str, grid: Array, names: Sequence[str]) -> ImporterRun:
-    """Run an FMU in FMPy: `CoSimulation`, or `ModelExchange` with CVODE."""
+    """Run an FMU in FMPy, and return the values of the named variables at the times of `grid`.
+
+    `kind` is `CoSimulation` or `ModelExchange`. Model exchange uses the solver CVODE.
+    """
     import fmpy
 
     variables = {v.name for v in fmpy.read_model_description(str(path)).modelVariables}
@@ -91,7 +97,10 @@ def run_in_fmpy(path: Path, kind: str, grid: Array, names: Sequence[str]) -> Imp
 
 
 def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRun:
-    """Run an FMU in libcosim, which gives rows from the end of the first step."""
+    """Run an FMU in libcosim, and return the values of the named variables at the times of `grid`.
+
+    The first values are available at the end of the first step.
+    """
     with needed("libcosimpy", "running an FMU in a second host", "check"):
         from libcosimpy.CosimExecution import CosimExecution
         from libcosimpy.CosimLogging import CosimLogLevel, log_output_level
@@ -118,7 +127,11 @@ def run_in_libcosim(path: Path, grid: Array, names: Sequence[str]) -> ImporterRu
 
 
 def circuit_resources(text: str, changes: Mapping[str, float | str], result: str | None) -> dict[str, bytes]:
-    """Return the circuit file and the changes before the export, as resources of an FMU."""
+    """Return the files of an FMU that contain the circuit, by path.
+
+    They are the circuit file and the changes that were made before the export. `result` is the path of a file with
+    identified parameters.
+    """
     if not text:
         return {}
     # Strings and numbers of JSON are valid in TOML.
@@ -130,7 +143,7 @@ def circuit_resources(text: str, changes: Mapping[str, float | str], result: str
 
 
 def read_circuit(path: Path) -> BaseCircuit:
-    """Return the circuit inside an FMU.
+    """Read the circuit that is stored inside an FMU.
 
     Raises
     ------

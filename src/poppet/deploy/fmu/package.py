@@ -1,4 +1,7 @@
-"""FMU of a circuit: description, sources, binaries and the circuit file in a reproducible archive."""
+"""FMU of a circuit as a reproducible archive.
+
+The archive contains the model description, C sources, binaries and the circuit file.
+"""
 
 from __future__ import annotations
 
@@ -35,7 +38,7 @@ C_END = "#ifdef __cplusplus\n}\n#endif\n"
 
 
 class Fmu(NamedTuple):
-    """FMU in memory."""
+    """Content of an FMU in memory."""
 
     layout: FmuLayout
     content: dict[str, bytes]  # path in the archive to bytes
@@ -44,7 +47,10 @@ class Fmu(NamedTuple):
 
 
 def directional_derivatives(model: Any) -> Any:
-    """Return the CasADi function of the derivatives of rates and outputs along a direction of x, u and p."""
+    """Return the CasADi function of directional derivatives of rates and outputs.
+
+    The direction is a change of x, u and p.
+    """
     import casadi as ca
 
     s, e = model.symbols, model.expressions
@@ -154,7 +160,10 @@ License, whose text stands in them. All other sources were written by poppet, an
 
 
 def model_source(export_model: ExportModel, derivatives: Any) -> str:
-    """Return the functions of a model and the integrator in C, for importers that compile."""
+    """Return the C source of the model functions and of the integrator.
+
+    It is for importers that compile the FMU. `derivatives` is the function of directional derivatives.
+    """
     directional = print_function(derivatives, "directional", DIRECTIONAL, prefix="model_")
     functions = model_code(export_model, "model_")
     # One prelude for both.
@@ -170,7 +179,7 @@ def _read(folder: str, name: str) -> str:
 
 
 def pack(content: Mapping[str, bytes]) -> bytes:
-    """Return a ZIP archive whose bytes depend on the content only."""
+    """Return a ZIP archive of files; equal content gives equal bytes."""
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as archive:
         for path in sorted(content, key=lambda path: (path != "modelDescription.xml", path)):

@@ -1,4 +1,4 @@
-"""Content of a page as data: curves and bars of the outputs, the schematic, the sliders."""
+"""Content of a live page as JSON data: curves and bars of the outputs, schematic, sliders."""
 
 from __future__ import annotations
 
@@ -39,13 +39,13 @@ _INPUT_UNITS = {
     "1": ("1", "%"),
     "s": ("s", "ms", "min", "h"),
 }
-"""Valid units of a column of measured values, by SI unit."""
+"""Units that the user can select for a column of measured values, by SI unit."""
 
 
 def page_content(
     export_model: ExportModel, circuit: BaseCircuit, recording: Recording, sliders: Sequence[Slider]
 ) -> dict[str, Any]:
-    """Return the content of the page without the kernel and its arrays."""
+    """Return the data of a live page except the kernel and its arrays."""
     ambient = circuit.surroundings.pressure
     sheet = Sheet({"": recording}, None, None, "", inner=False)
     index_of = {output.address: k for k, output in enumerate(export_model.outputs)}
@@ -79,7 +79,10 @@ def _output(address: str, unit: str, ambient: float) -> dict[str, Any]:
 
 
 def _panels(sheet: Sheet, index_of: dict[str, int]) -> list[dict[str, Any]]:
-    """Return the panels for `plots.js`; each line has the index of its output."""
+    """Return the curve panels as data for `plots.js`.
+
+    Each line refers to an output by index.
+    """
     panels = []
     for panel, colours in zip(sheet.panels, sheet.colours, strict=True):
         lines = [
@@ -95,7 +98,11 @@ def _panels(sheet: Sheet, index_of: dict[str, int]) -> list[dict[str, Any]]:
 
 
 def _bands(sheet: Sheet, index_of: dict[str, int]) -> list[dict[str, Any]]:
-    """Return the bars of codes: the output, the meanings of the codes, and the flow with its noise level."""
+    """Return the bars that show codes (integer outputs such as a flow regime) versus time.
+
+    Each bar has the index of its output, a text and colour for each code, and, for a flow regime, the index of the
+    flow.
+    """
     bars = []
     for band in sheet.bands:
         flow = index_of.get(f"{band.name.removesuffix('regime')}mass_flow_rate", -1) if "regime" in band.name else -1
@@ -105,7 +112,7 @@ def _bands(sheet: Sheet, index_of: dict[str, int]) -> list[dict[str, Any]]:
 
 
 def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
-    """Return the schematic with space in its boxes, the values in the boxes, and the moving bodies."""
+    """Return the schematic as SVG, with the positions of values and of moving bodies in its boxes."""
     inner = export_model.instance.inner
     values_of: dict[str, list[dict[str, Any]]] = {}
     for unit, symbol in _SYMBOLS.items():
@@ -141,7 +148,10 @@ def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
 
 
 def _mover(export_model: ExportModel, part: str) -> dict[str, Any] | None:
-    """Return the moving body of a part: the index of its output, its symbol, and its end stops if they are defined."""
+    """Return the data of the moving body of a part, or None if the part has no moving body.
+
+    The data are the index of the position output, the symbol and, if defined, the end stops.
+    """
     for k, output in enumerate(export_model.outputs):
         path, _, name = output.address.rpartition(".")
         if path == part and name in _MOVES and output.unit in ("m", "rad"):

@@ -27,7 +27,7 @@ _ADDRESS_RELOCATIONS = {3: "leb", 4: "sleb", 5: "i32"}
 
 
 class Module(NamedTuple):
-    """Linked module, with the facts that its page requires."""
+    """Linked WebAssembly module, with the data that the page needs to call it."""
 
     code: bytes
     table: Mapping[str, int]  # index of each function that is called by its index
@@ -36,12 +36,12 @@ class Module(NamedTuple):
 
 
 class LinkError(ValueError):
-    """Error of an object with features that this linker does not support."""
+    """Error raised for an object file with features that this linker does not support."""
 
 
 @dataclass
 class _ByteReader:
-    """Reader of the binary format."""
+    """Reader of the binary format of WebAssembly."""
 
     data: bytes
     position: int = 0
@@ -51,7 +51,7 @@ class _ByteReader:
         return self.data[self.position - 1]
 
     def number(self) -> int:
-        """Read an unsigned LEB128."""
+        """Read an unsigned integer in LEB128 encoding."""
         value = shift = 0
         while True:
             byte = self.byte()
@@ -61,7 +61,7 @@ class _ByteReader:
                 return value
 
     def signed(self) -> int:
-        """Read a signed LEB128."""
+        """Read a signed integer in LEB128 encoding."""
         start = self.position
         value = self.number()
         bits = 7 * (self.position - start)
@@ -83,7 +83,7 @@ class _ByteReader:
 
 @dataclass
 class _Object:
-    """Sections of an object."""
+    """Sections of a WebAssembly object file."""
 
     sections: dict[int, bytearray] = field(default_factory=dict)
     kinds: list[int] = field(default_factory=list)  # kinds of the sections in the order of the file
@@ -96,7 +96,7 @@ class _Object:
 
 
 def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: int) -> Module:
-    """Return the module of one object.
+    """Link one WebAssembly object file to a module.
 
     Parameters
     ----------
@@ -162,7 +162,10 @@ def _read_object(code: bytes) -> _Object:
 
 
 def _read_imports(wasm_object: _Object) -> None:
-    """Read the imports: functions, and memory, table and stack pointer, which the module will define."""
+    """Read the imports of an object: functions, memory, table and stack pointer.
+
+    The module defines the memory, the table and the stack pointer itself.
+    """
     reader, other_imports = _ByteReader(bytes(wasm_object.sections[_IMPORT])), []
     for _ in range(reader.number()):
         begin = reader.position
@@ -187,7 +190,7 @@ def _read_imports(wasm_object: _Object) -> None:
 
 
 def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
-    """Yield address and content of each data segment."""
+    """Yield the address and the content of each data segment of an object."""
     reader = _ByteReader(bytes(wasm_object.sections.get(_DATA, b"\0")))
     for _ in range(reader.number()):
         if reader.byte() != 0 or reader.byte() != 0x41:
@@ -241,7 +244,7 @@ def _relocate(wasm_object: _Object, section: int, relocations: bytes, base: int)
 
 
 def _move_data(wasm_object: _Object, base: int) -> int:
-    """Move the data segments behind the stack and return their size."""
+    """Move the data segments behind the stack, and return their total size in bytes."""
     segments = list(_iterate_segments(wasm_object))
     if segments:
         encoded = [
@@ -261,13 +264,16 @@ def _encode_unsigned(value: int) -> bytes:
 
 
 def _encode_signed(value: int) -> bytes:
-    """Return a number that is not negative as a signed LEB128."""
+    """Encode a non-negative integer as a signed LEB128."""
     encoded = _encode_unsigned(value)
     return encoded if encoded[-1] < 0x40 else bytes([*encoded[:-1], encoded[-1] | 0x80, 0])
 
 
 def _encode_padded(value: int) -> bytes:
-    """Return a LEB128 of five bytes; below 2^31 the signed and unsigned forms are equal."""
+    """Encode an integer as a LEB128 of five bytes.
+
+    Below 2^31 the signed and the unsigned form are equal.
+    """
     return bytes([*((value >> 7 * k) & 0x7F | 0x80 for k in range(4)), (value >> 28) & 0x7F])
 
 

@@ -26,11 +26,14 @@ _CURVES = "<!-- curves -->"
 MAX_ROWS = 2001
 """Maximum number of rows that a page computes; a longer run has a larger output step on the page."""
 MAX_ATTEMPTS = 500_000
-"""Maximum number of steps of a run on a page, because the user waits for it."""
+"""Maximum number of solver steps on a page, because the user waits for the result."""
 
 
 def export_live(circuit: BaseCircuit, source: CircuitSource, *, parameters: Sequence[str] = ()) -> Export:
-    """Export a circuit as a page; `parameters` is the option of the target."""
+    """Export a circuit as a live page.
+
+    `parameters` contains the values of the option --parameter.
+    """
     page = printable(live_page(circuit, parameters=parameters)).encode()
     return Export({"page.html": page}, f"{len(page) / 1000:.0f} kB; runs in any browser, without a network connection.")
 
@@ -86,7 +89,10 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
 
 
 def _figure(content: dict[str, Any], duration: float) -> str:
-    """Return the plot of curves and bars; the page fills its columns."""
+    """Return the HTML of the figure with curves and bars.
+
+    The script of the page fills in the values.
+    """
     name, size = content["time"]
     x: dict[str, Any] = {"label": f"time [{name}]", "range": [0.0, duration / size]}
     common: dict[str, Any] = {"group": 0, "share": 1.0}

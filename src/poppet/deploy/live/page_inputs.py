@@ -29,7 +29,10 @@ _KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_f
 
 @dataclass(frozen=True)
 class Slider:
-    """Parameter or input with a slider, in SI; `unit` is the display unit. The names of the fields are read by JS."""
+    """Parameter or input with a slider; `unit` is the display unit, and all values are in SI units.
+
+    The script of the page reads the fields by these names.
+    """
 
     address: str
     value: float
@@ -50,18 +53,24 @@ class Slider:
     delay: float = 0.0  # of the signal [s]
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
-        """Return factor and shift from SI to the display unit."""
+        """Return the factor and the offset of the conversion from SI to the display unit."""
         return affine(self.si, self.unit, ambient_pressure)
 
 
 def affine(unit: str, display_unit: str, ambient_pressure: float = 1e5) -> tuple[float, float]:
-    """Return factor and shift of the conversion from one unit to another."""
+    """Return the factor and the offset of the conversion from `unit` to `display_unit`.
+
+    The ambient pressure is the reference of gauge pressures.
+    """
     at_zero, at_one = (float(convert(v, unit, display_unit, ambient_pressure=ambient_pressure)) for v in (0.0, 1.0))
     return at_one - at_zero, at_zero
 
 
 def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Sequence[str]) -> list[Slider]:
-    """Return the requested sliders, `ADDRESS` or `ADDRESS=LOW..HIGH`, or a default selection."""
+    """Return the sliders that the user requested, or a default selection if `texts` is empty.
+
+    Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`.
+    """
     if not texts:
         return _default_sliders(export_model, circuit)
     sliders = {}
@@ -75,7 +84,10 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
 
 
 def _default_sliders(export_model: ExportModel, circuit: BaseCircuit) -> list[Slider]:
-    """Return sliders for driven inputs, given and assumed parameters, but not temperatures or start values."""
+    """Return sliders for inputs with a signal, then for parameters that the user gave or that are assumed.
+
+    Temperatures and start values have no slider by default.
+    """
     numbers = circuit.numbers()
     candidates = [
         p.address for p in export_model.parameters
@@ -94,7 +106,10 @@ def _default_sliders(export_model: ExportModel, circuit: BaseCircuit) -> list[Sl
 
 
 def _is_guided(export_model: ExportModel, address: str) -> bool:
-    """Return True if the slope of the input is another input: a constant value would not move the body."""
+    """Return True if another input is the slope of this input, which prescribes a motion.
+
+    A slider cannot set such an input, because a constant value would not move the body.
+    """
     inputs = export_model.inputs
     return any(item.slope_of >= 0 and inputs[item.slope_of].address == address for item in inputs)
 
@@ -149,7 +164,7 @@ def _input_slider(export_model: ExportModel, item: ExportInput, index: int, circ
 
 
 def _signal(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
-    """Return the signal of an input in the file, and its delay."""
+    """Return the signal of an input in the circuit file, and the delay of the signal."""
     item, signal = export_model.model.inputs[index], circuit.signals.get(export_model.inputs[index].address)
     course: dict[str, Any] = {"kind": "steps", "times": [], "values": []}
     if isinstance(signal, (Steps, Points)) and len(signal.times) <= MAX_POINTS:
@@ -159,7 +174,10 @@ def _signal(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict
 
 
 def _default_range(value: float, lower_limit: float, upper_limit: float, unit: str) -> tuple[float, float]:
-    """Return half and twice a value, or 30 K around a temperature, within the limits."""
+    """Return a default slider range within the limits of the parameter.
+
+    It is half to twice the value, or 30 K on either side of a temperature.
+    """
     if unit in _TEMPERATURES:
         low, high = value - 30.0, value + 30.0
     elif value == 0.0:
@@ -175,7 +193,7 @@ def _default_range(value: float, lower_limit: float, upper_limit: float, unit: s
 
 
 def _display_unit(number: Number, value: float) -> str:
-    """Return the unit in which a number was written, or a practical unit."""
+    """Return the unit in which the user wrote a parameter, or a practical unit."""
     match = _NUMBER.fullmatch(number.text.strip())
     if match and match[1]:
         return match[1]
@@ -183,7 +201,7 @@ def _display_unit(number: Number, value: float) -> str:
 
 
 def _with_range(slider: Slider, span: str, circuit: BaseCircuit) -> Slider:
-    """Return the slider with a range such as `50 l..400 l`."""
+    """Return the slider with the range in a text such as `50 l..400 l`."""
     low_text, dots, high_text = span.partition("..")
     if not dots:
         raise InputError("deploy.live.range", slider.address, text=span)

@@ -1,4 +1,6 @@
-"""Kernel of a page: one WebAssembly module with the integrator, and the arrays of a run.
+"""Kernel of a live page: one WebAssembly module with the model and the integrator, and the arrays of a run.
+
+The page fills the same fields as `poppet.engine.job.Job`. The addresses refer to the memory of the module.
 
 The browser fills the same fields as `poppet.engine.job.Job`, with addresses in the memory of the module.
 """
@@ -29,7 +31,7 @@ from poppet.engine.problem import Problem
 CALLED = ("jacobian", "step", "dense", "outputs", "update")
 """Functions that the integrator calls by their index in the table."""
 PAGE_FUNCTIONS = (*OF_ONE, *OF_TWO, "exp2", "log2", "exp10")
-"""Functions that the page provides; LLVM makes the last ones from powers and logarithms."""
+"""Functions that the page provides. LLVM replaces some powers and logarithms by calls of the last ones."""
 _FEATURES = "+simd128,+bulk-memory,+bulk-memory-opt"
 _STACK_SIZE = 65536
 _ALIGNMENT = 8
@@ -50,7 +52,10 @@ const fs = require("fs");
 
 
 def live_module(model: Model) -> Module:
-    """Return the module of a model, which exports `integrate`, `start` and its memory."""
+    """Return the WebAssembly module of a model.
+
+    The module exports the functions `integrate` and `start`, and its memory.
+    """
     import llvmlite.binding as llvm
 
     functions = trace_functions(model)
@@ -74,7 +79,7 @@ def live_module(model: Model) -> Module:
 
 
 def compile_wasm_object(llvm_module: Any) -> bytes:
-    """Return an optimised, relocatable WebAssembly object of an LLVM module."""
+    """Compile an LLVM module to an optimised, relocatable WebAssembly object file."""
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
@@ -89,7 +94,10 @@ def compile_wasm_object(llvm_module: Any) -> bytes:
 
 
 def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """Return the header of a run with lengths, and the arrays by the name of their address field."""
+    """Return the data of a run for the page: a header with array lengths, and the arrays.
+
+    The arrays are bytes, by the name of the field that contains their address.
+    """
     kernel, conditions, module = problem.kernel, problem.stop_conditions, live_module(problem.kernel.model)
     lengths = {name: value for name, value in kernel.job.items() if name.startswith("n_")}
     lengths |= {
@@ -115,7 +123,10 @@ def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
 
 
 def pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
-    """Return header and blobs as base64 text, deflated: length of the header, header as JSON, blobs."""
+    """Return a header and arrays as compressed base64 text.
+
+    The order is: length of the header, header as JSON, arrays.
+    """
     places, body = {}, b""
     for name, blob in blobs.items():
         places[name] = [len(body), len(blob)]
@@ -126,7 +137,9 @@ def pack(header: Mapping[str, Any], blobs: Mapping[str, bytes]) -> str:
 
 
 def run_in_node(problem: Problem, folder: Path, *numbers: Any) -> tuple[dict[str, Any], NDArray[np.float64]]:
-    """Run the kernel in Node.js; return the outcome with the time of the run [s], and the outputs.
+    """Run the WebAssembly kernel in Node.js; return the outcome and the outputs.
+
+    The outcome includes the computing time [s].
 
     The `numbers` are pairs of an index in p and a value.
     """

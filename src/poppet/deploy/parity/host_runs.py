@@ -1,4 +1,4 @@
-"""Runs of the reference solvers and of the export targets, and their parity checks."""
+"""Checks of parity: runs by the reference solvers and the export targets."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
 
 MAX_CALLS = 20_000
-"""Maximum number of calls of a controller."""
+"""Maximum number of calls of a controller program in a check."""
 TOLERANCE_FRACTION = 0.01
-"""Tolerance of the reference solvers relative to that of the run, because their errors add up over the restarts."""
+"""Ratio of the reference solvers' tolerance to that of the run. It is small, because errors add up over restarts."""
 
 # Kernel and reference solvers ---------------------------------------------------------------------------------------
 
@@ -57,7 +57,7 @@ def _solve(problem: Problem, solver: str) -> TargetResult:
 
 
 def kernel_checks() -> list[ParityCheck]:
-    """Return the checks of the kernel and of the reference solvers."""
+    """Return the parity checks of the kernel itself and of the reference solvers."""
     # No target can agree better with the kernel than the kernel with itself: a limit cycle amplifies rounding.
     lsoda, cvodes = partial(_run_solver, solver="lsoda"), partial(_run_solver, solver="cvodes")
     description = "the kernel, its start moved by 1e-14"
@@ -73,7 +73,7 @@ def kernel_checks() -> list[ParityCheck]:
 
 
 def _run_c(reference: KernelReference, folder: Path, step: float = 0.0, substeps: int = 1) -> TargetResult:
-    """Run the exported C code, with error control if the step is 0."""
+    """Run the exported C code with a fixed step, or with error control if `step` is 0."""
     compiler = shutil.which(os.environ.get("CC", "cc")) or shutil.which("gcc") or shutil.which("clang")
     if compiler is None:
         raise NotRunError("no_compiler")
@@ -99,7 +99,7 @@ def _run_c(reference: KernelReference, folder: Path, step: float = 0.0, substeps
 
 
 def c_checks() -> list[ParityCheck]:
-    """Return the checks of the exported C code."""
+    """Return the parity checks of the exported C code."""
 
     def check_step(name: str, description: str, limit: float, step: float, substeps: int = 1) -> ParityCheck:
         run = partial(_run_c, step=step, substeps=substeps)
@@ -161,7 +161,7 @@ def _write_fmu(reference: KernelReference, folder: Path, fmi: int) -> Path:
 
 
 def fmu_checks() -> list[ParityCheck]:
-    """Return the checks of the FMU."""
+    """Return the parity checks of the exported FMU."""
     cs_text, me_text = (
         "FMI 2.0 co-simulation in FMPy, which meets the kernel at every row",
         "FMI 2.0 model exchange, by CVODE of FMPy; the kernel at 1e-9",
@@ -184,7 +184,7 @@ def fmu_checks() -> list[ParityCheck]:
 
 
 def _run_page_kernel(reference: KernelReference, folder: Path) -> TargetResult:
-    """Run the WebAssembly module of a live page in Node.js."""
+    """Run the WebAssembly kernel of a live page in Node.js."""
     if shutil.which("node") is None:
         raise NotRunError("no_node")
     try:
@@ -195,7 +195,7 @@ def _run_page_kernel(reference: KernelReference, folder: Path) -> TargetResult:
 
 
 def live_checks() -> list[ParityCheck]:
-    """Return the checks of the live page."""
+    """Return the parity checks of the live page."""
     return [ParityCheck("wasm", "WebAssembly of the live page, in node", 1e-9, "all", _run_page_kernel)]
 
 
@@ -226,6 +226,6 @@ def _run_controllers(reference: KernelReference, folder: Path) -> TargetResult:
 
 
 def controller_checks() -> list[ParityCheck]:
-    """Return the check of the program that is printed as structured text and as C."""
+    """Return the parity check of the program that is printed as structured text and as C."""
     text = "the program of the controllers, which structured text and C print"
     return [ParityCheck("controllers", text, 1e-9, "all", _run_controllers)]

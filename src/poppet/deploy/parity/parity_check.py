@@ -1,4 +1,7 @@
-"""One check of an export target: its run, its limit, and the run of the kernel for comparison."""
+"""Parity check of an export target.
+
+A check has a function that runs the target, a limit of the differences, and a reference run of the kernel.
+"""
 
 from __future__ import annotations
 
@@ -23,11 +26,11 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 MAX_INSTANTS = 3000
-"""Maximum number of sample instants for the reference solvers, which restart at each."""
+"""Maximum number of sample instants for the reference solvers, which restart at each sample instant."""
 
 
 class NotRunError(Exception):
-    """Reason for which a target cannot run."""
+    """Error with the reason for which a target cannot run the circuit."""
 
     def __init__(self, code: str, **facts: object) -> None:
         self.note = Note(f"deploy.parity.{code}", **facts)
@@ -35,7 +38,7 @@ class NotRunError(Exception):
 
 
 class TargetResult(NamedTuple):
-    """Outputs of a target, (n_outputs, n_times), and the time of its run [s]."""
+    """Outputs of an export target, (n_outputs, n_times), and the computing time [s]."""
 
     values: Array
     seconds: float
@@ -46,7 +49,7 @@ class TargetResult(NamedTuple):
 
 
 class ParityCheck(NamedTuple):
-    """Row of the parity table."""
+    """Check of one export target: one row of the parity table."""
 
     name: str
     description: str
@@ -63,7 +66,7 @@ class ParityCheck(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class KernelReference:
-    """Run of the kernel, with further runs for comparison."""
+    """Run of a circuit by the kernel, and variants of it for the comparison with targets."""
 
     circuit: BaseCircuit
     problem: Problem  # of `simulate`
@@ -79,22 +82,25 @@ class KernelReference:
 
     @cached_property
     def separate(self) -> Problem:
-        """Problem with a kernel without fused operations."""
+        """Problem of the run with a kernel that has no fused operations (FMA)."""
         return without_fused_operations(self.problem)
 
     @cached_property
     def rows(self) -> ReferenceRun:
-        """Run without fused operations."""
+        """Reference run without fused operations, at the output times of the circuit."""
         # A row at a sample instant has the values after it; the last row of a run has the values before it.
         return run_reference(self.separate, self.problem.grid.size - bool(self.problem.kernel.model.memory))
 
     def at_points(self, points: Array) -> ReferenceRun:
-        """Return the run without fused operations whose steps end at the communication points of an importer."""
+        """Return the reference run whose steps end at the communication points of an importer.
+
+        The kernel has no fused operations.
+        """
         return run_reference(with_points(self.separate, _with_next_row(points)), points.size)
 
     @cached_property
     def sharp(self) -> ReferenceRun:
-        """Run without fused operations at the tolerance of model exchange."""
+        """Reference run without fused operations, at the tolerance of FMI model exchange."""
         grid = _with_next_row(self.problem.grid)
         sharp = replace(self.separate, grid=grid, relative_tolerance=EXCHANGE_TOLERANCE)
         return run_reference(sharp, grid.size - 1)
@@ -112,17 +118,20 @@ class KernelReference:
 
     @cached_property
     def controllers(self) -> tuple[str, ...]:
-        """Parts with a sampled controller."""
+        """Names of the parts with a sampled controller."""
         return tuple(find_controllers(self.circuit))
 
 
 def _with_next_row(points: Array) -> Array:
-    """Return the rows and one more, so that the last row has the values after it, as in importers."""
+    """Return the times and one further time.
+
+    The values at the last given time are then those after an event, as in importers.
+    """
     return np.append(points, 2.0 * points[-1] - points[-2])
 
 
 def with_points(problem: Problem, points: Array) -> Problem:
-    """Return the problem with steps that end, and rows, at the communication points of an importer."""
+    """Return the problem with output times and ends of steps at the communication points of an importer."""
     starts = np.union1d(problem.starts, points[:-1])
     # A point next to a breakpoint is replaced by the breakpoint, as in the FMU.
     nearest = np.searchsorted(problem.starts, starts - 1e-12 * (1.0 + starts))

@@ -15,7 +15,10 @@ VERDICTS = {"rounding": "within rounding", "coarse": "step too long"}
 
 
 def results_table(parity: Parity, *, is_long: bool = False) -> ReportTable:
-    """Return one row per check; the long form has the descriptions and the compared outputs."""
+    """Return the parity table: one row per check.
+
+    With `is_long`, the rows also have the descriptions and the compared outputs.
+    """
     columns = [
         Column("target"), Column("time [ms]", ".4g"), Column("greatest difference", ".2e"), Column("of"),
         Column("limit", ".0e"), Column("compared until [s]", ".4g"), Column("states, whole run", ".1e"),
@@ -45,7 +48,7 @@ def results_table(parity: Parity, *, is_long: bool = False) -> ReportTable:
 
 
 def outputs_table(parity: Parity) -> ReportTable:
-    """Return one row per output, with a column for each target that was run."""
+    """Return the maximum difference of each output, with one column for each target that was run."""
     compared = [row for row in parity.rows if row.differences]
     names = list(dict.fromkeys([*parity.sizes, *(name for row in compared for name in row.differences)]))
     columns = Column("output"), Column("size", ".4g"), *(Column(row.name, ".1e") for row in compared)
@@ -54,17 +57,17 @@ def outputs_table(parity: Parity) -> ReportTable:
 
 
 def not_run_notes(parity: Parity) -> list[str]:
-    """Return the targets that were not run, with the reasons."""
+    """Return a sentence for each target that was not run, with the reason."""
     return [f"{row.name}: {row.why}" for row in parity.rows if row.why is not None]
 
 
 def write_parity(parity: Parity, path: str | Path) -> Path:
-    """Write the report: targets, reasons, every output."""
+    """Write the parity report: results of the targets, targets that were not run, differences of every output."""
     return write_page(path, lambda: parity_page(parity))
 
 
 def parity_page(parity: Parity) -> str:
-    """Return the HTML text of the report."""
+    """Return the parity report as HTML."""
     title = f"{parity.title or 'A circuit'}: comparison of all export targets"
     n_run = sum(row.why is None for row in parity.rows)
     lead = (

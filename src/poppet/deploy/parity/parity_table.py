@@ -1,4 +1,4 @@
-"""Table of the differences of all export targets from the kernel."""
+"""Table of the differences between all export targets and the kernel."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ParityRow:
-    """Result of one check.
+    """Result of one parity check.
 
     Parameters
     ----------
@@ -99,7 +99,7 @@ class ParityRow:
 
 @dataclass(frozen=True)
 class Parity:
-    """Table of the checks of one circuit.
+    """Results of all parity checks of one circuit.
 
     Parameters
     ----------
@@ -131,13 +131,13 @@ class Parity:
 
 
 def all_checks() -> dict[str, ParityCheck]:
-    """Return the checks of the kernel and of all targets by name, in the order of the table."""
+    """Return all parity checks by name: those of the kernel, then those of the targets."""
     checks = [*kernel_checks(), *(check for target in TARGETS.values() for check in target.parity_checks())]
     return {check.name: check for check in checks}
 
 
 def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path | None = None) -> Parity:
-    """Run a circuit with every target and compare each run with that of the kernel.
+    """Run a circuit with every export target, and compare each run with the run of the kernel.
 
     Parameters
     ----------
@@ -179,7 +179,10 @@ def compare_targets(circuit: BaseCircuit, *, only: Sequence[str] = (), fmu: Path
 
 
 def run_kernel(circuit: BaseCircuit, fmu: Path | None = None) -> KernelReference:
-    """Run a circuit with the kernel, and measure the time."""
+    """Run a circuit with the kernel, and measure the computing time.
+
+    `fmu` is an FMU that is checked instead of newly exported ones.
+    """
     circuit.simulate()  # compiles everything, and raises the error of a run that fails
     problem = circuit.problem(circuit.run)
     seconds = []
@@ -197,7 +200,10 @@ def _reference_run(check: ParityCheck, reference: KernelReference, result: Targe
 
 
 def _small_changes(check: ParityCheck, reference: KernelReference, run: ReferenceRun) -> list[Problem]:
-    """Return changes of the kernel's problem that are comparable to the differences of a target."""
+    """Return changed problems for the kernel, as the measure of an acceptable difference.
+
+    The changes are of the size of rounding, or they represent the tolerance of another method.
+    """
     if check.cause == "anything":
         return []
     if check.cause == "rounding":

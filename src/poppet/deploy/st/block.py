@@ -50,7 +50,10 @@ _RESERVED = frozenset(
 
 @dataclass
 class BlockNames:
-    """Names of a block: valid, at most 32 characters, different even if the case is ignored."""
+    """Names of variables in a function block.
+
+    They are valid, have at most 32 characters, and differ even if upper and lower case are not distinguished.
+    """
 
     used: set[str] = field(default_factory=lambda: {name.lower() for name in BLOCK_NAMES})
 
@@ -87,7 +90,10 @@ class BlockNames:
 
 
 def export_st(circuit: BaseCircuit, source: CircuitSource, *, part: str | None = None) -> Export:
-    """Export sampled controllers as structured text; `part` is the option of the target."""
+    """Export sampled controllers as structured text.
+
+    `part` is the value of the option --part: the names of the controllers.
+    """
     if not part:
         controllers = [*find_controllers(circuit)]
         raise (
@@ -185,7 +191,10 @@ def function_block(program: ControllerProgram) -> str:
 
 
 def _declaration(name: str, kind: str, start: str, unit: str, *texts: str) -> str:
-    """Return the declaration of a variable with a comment."""
+    """Return the declaration of a variable of type `kind`, with a comment.
+
+    The comment contains the unit and `texts`.
+    """
     comment = "; ".join(comment_text(text) for text in (unit if unit != "1" else "", *texts) if text)
     return f"  {name} : {kind}{f' := {start}' if start else ''};{f' (* {comment} *)' if comment else ''}"
 
@@ -193,7 +202,7 @@ def _declaration(name: str, kind: str, start: str, unit: str, *texts: str) -> st
 def _declarations(
     program: ControllerProgram, names: Mapping[str, list[str]], printed: Mapping[str, Statements]
 ) -> list[str]:
-    """Return the declarations of all variables."""
+    """Return the declarations of all variables of a function block."""
 
     def start_value(quantity: Any) -> str:
         # A start value is no expression: it accepts a sign, but no parentheses.
@@ -228,7 +237,7 @@ def _declarations(
 
 
 def _body(printed: Mapping[str, Statements], timers: Sequence[str], fired: Sequence[str]) -> list[str]:
-    """Return the statements of one call."""
+    """Return the statements that one call of the function block executes."""
     expiry = [f"{flag} := {timer} <= due;" for flag, timer in zip(fired, timers, strict=True)]
     any_expired = " OR ".join(fired)
     return [
