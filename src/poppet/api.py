@@ -1,4 +1,4 @@
-"""Public circuit class, which joins the packages below, and its readers."""
+"""Public class `Circuit`, and the functions that read it from files and texts."""
 
 from __future__ import annotations
 
@@ -28,14 +28,17 @@ LISTED = (
 
 
 class _ListedNames(type):
-    """Metaclass that lists only the names in `LISTED`: editors inspect the class as well as its objects."""
+    """Metaclass that restricts the names that editors suggest to those in `LISTED`.
+
+    Editors inspect the class and its objects, so the restriction applies to both.
+    """
 
     def __dir__(cls) -> list[str]:
         return sorted(LISTED)
 
 
 class Circuit(BaseCircuit, metaclass=_ListedNames):
-    """Parts joined into a network, ready to run.
+    """Network of parts with signals, connections and run options, ready to run.
 
     Parameters
     ----------
@@ -253,7 +256,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         )
 
     def to_ode(self, duration: Any = None) -> Ode:
-        r"""Return the circuit with its signals as plain functions, :math:`\dot x = f(t, x)`, for any solver.
+        r"""Return the circuit, driven by its signals, as Python functions of an ordinary differential equation.
 
         Parameters
         ----------

@@ -1,4 +1,7 @@
-"""Changes of values by address: `tank.volume`, `valve.lower_spring.rate`, `ambient.pressure`, `run.duration`."""
+"""Changes of the values of a circuit by their addresses.
+
+Examples of addresses are `tank.volume`, `valve.lower_spring.rate`, `ambient.pressure` and `run.duration`.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,11 @@ from poppet.parts.part import Part
 
 
 def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-    """Return frozen parts and sections with changed fields."""
+    """Return a copy of parts and sections with new values of some fields.
+
+    `owners` maps names to parts and sections (ambient, gas, run). `values` maps addresses such as `tank.volume` to new
+    values. Owners without a new value are returned unchanged.
+    """
     if not isinstance(values, Mapping):
         raise InputError("address.no_mapping", values=values)
     result = dict(owners)
@@ -36,7 +43,7 @@ def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
 
 
 def _unknown_owner(address: str, owners: Mapping[str, Any]) -> InputError:
-    """Return the error for an address that does not begin with the name of an owner."""
+    """Return the error for an address that does not begin with the name of a part or section."""
     addresses = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
     # Similar addresses first, then addresses that contain the single word.
     suggestions = get_close_matches(address, addresses, n=3) or [
@@ -51,7 +58,11 @@ def _unknown_owner(address: str, owners: Mapping[str, Any]) -> InputError:
 
 
 def _change_owner(owner: Any, name: str, changes: Mapping[str, Any], inherited: Sequence[str] = ()) -> Any:
-    """Return a part with changed fields; fields `inherited` from the enclosing part cannot change."""
+    """Return a copy of a part or section with new values of some fields.
+
+    `changes` maps paths of fields, without the name of the owner, to new values. Fields in `inherited` cannot change,
+    because the enclosing part sets them.
+    """
     changes_by_field: dict[str, dict[str, Any]] = defaultdict(dict)
     for path, value in changes.items():
         field, _, subpath = path.partition(".")
@@ -85,7 +96,10 @@ def _check_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], 
 
 
 def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any]) -> Any:
-    """Return a field of a part after all its changes: a single one can contradict the others."""
+    """Return the new value of one field after all changes in it.
+
+    The key of a change is the path inside the field, or empty for the whole field.
+    """
     if "" in changes:
         if len(changes) > 1:
             raise InputError("address.whole_and_part", f"{name}.{field}")
@@ -101,7 +115,10 @@ def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any])
 
 
 def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -> Any:
-    """Return a group or characteristic with one changed parameter."""
+    """Return a copy of a group or characteristic with one changed parameter.
+
+    `current` is the present value of the field, and None if the group is omitted. `path` is the name of the parameter.
+    """
     if hasattr(current, "with_numbers"):
         numbers = current.numbers()
         if path not in numbers:

@@ -1,4 +1,4 @@
-"""Circuit of named parts, signals and run options, with the model derived from them."""
+"""Class `BaseCircuit`: named parts, signals and run options, with the model that they define."""
 
 from __future__ import annotations
 
@@ -46,11 +46,14 @@ if TYPE_CHECKING:
 
 _SECTIONS = ("ambient", "gas", "run")
 RUNS = 4
-"""Number of runs whose arrays are cached: most runs repeat the last one."""
+"""Number of run options for which the arrays of a run are cached."""
 
 
 class Origin(NamedTuple):
-    """Tables of a circuit file and the folder for its relative paths."""
+    """Content of the circuit file from which a circuit was read, and its folder.
+
+    The relative paths in the file refer to the folder.
+    """
 
     tables: Mapping[str, Any]
     folder: Path
@@ -58,7 +61,7 @@ class Origin(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class BaseCircuit(HtmlMixin):
-    """Parts joined into a network: wiring checks, model, runs and steady states.
+    """Network of parts with wiring checks, model, runs and steady states.
 
     Parameters
     ----------
@@ -137,20 +140,20 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def surroundings(self) -> Surroundings:
-        """Ambient state and gas as plain floats."""
+        """Ambient pressure and temperature, and properties of the gas, as floats in SI."""
         pressure, temperature = float(self.ambient.pressure), float(self.ambient.temperature)  # type: ignore[arg-type]
         return Surroundings(pressure, temperature, *self.gas.values())
 
     @cached_property
     def parameters(self) -> dict[str, float]:
-        """Address of each parameter to its run-time value, SI and absolute."""
+        """Mapping from parameter addresses to run-time values (SI; pressures absolute)."""
         values = {address: value for part in self._placed.values() for address, value in part.parameters.items()}
         s = self.surroundings
         # Includes the factors of the gas on C and b, which no section of the file contains.
         return values | dict(zip(SURROUNDINGS, (getattr(s, f.name) for f in fields(s)), strict=True))
 
     def numbers(self) -> dict[str, Number]:
-        """Return all values with unit and source by address.
+        """Return a mapping from addresses to values with unit and source.
 
         Returns
         -------
@@ -165,12 +168,15 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def inputs(self) -> dict[str, Input]:
-        """Address of each input of the parts to its declaration, including connected inputs."""
+        """Mapping from addresses of inputs to their declarations, including connected inputs."""
         return {address: item for part in self._placed.values() for address, item in part.inputs.items()}
 
     @cached_property
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """Address of each stroke to its characteristic and end stops, if the characteristic has a limited domain."""
+        """Mapping from stroke addresses to pairs of characteristic and end stops.
+
+        It contains only strokes whose characteristic is limited to a range of strokes.
+        """
         return {address: curve for part in self._placed.values() for address, curve in part.domains.items()}
 
     @property
@@ -179,13 +185,20 @@ class BaseCircuit(HtmlMixin):
 
     @cached_property
     def structure(self) -> Hashable:
-        """Key of the model: kinds, options, wiring and names, without parameter values."""
+        """Hashable key of the equations of the circuit.
+
+        It contains kinds and options of parts, wiring and names, but no parameter values. Circuits with equal keys
+        share one compiled model.
+        """
         parts = tuple(part.structure for part in self._placed.values())
         return parts, tuple(sorted(self.connections.items()))
 
     @cached_property
     def static_notes(self) -> tuple[Note, ...]:
-        """Notes on the values of parameters, signals and the gas, which apply to all results."""
+        """Notes that do not depend on a run.
+
+        They concern the values of parameters, signals and the gas, and are part of all results.
+        """
         placed = self._placed.values()
         gas_notes = self.gas.notes()
         # Areas, Kv, Cv and nominal flows do not depend on the gas of the measurement.
@@ -208,14 +221,21 @@ class BaseCircuit(HtmlMixin):
         )
 
     def _real_gas_notes(self, series: Series) -> Iterator[Note]:
-        """Yield notes on gas nodes whose gas is not ideal; `series` returns their pressures and temperatures."""
+        """Yield notes on gas nodes whose state deviates from an ideal gas.
+
+        `series` is a function from the address of an output to its values. It provides the pressures and temperatures
+        of the gas nodes.
+        """
         gas = self.gas.of_library()
         for name, part in self.parts.items():
             if gas is not None and isinstance(part, Store):
                 yield from real_gas_notes(name, series(f"{name}.pressure"), series(f"{name}.temperature"), gas)
 
     def _other_gas_notes(self) -> Iterator[Note]:
-        """Yield notes on flows at ANR and heat transfer of air if the gas is not air."""
+        """Yield notes on values that are valid only for air if the circuit has another gas.
+
+        Such values are volume flows at ANR and heat transfer laws.
+        """
         for address, number in {} if self.gas.is_air else self.numbers().items():
             if number.unit == "kg/s" and counted_at(number.text):
                 yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
@@ -226,7 +246,10 @@ class BaseCircuit(HtmlMixin):
                 yield Note("gas.heat_as_of_air", f"{name}.heat_transfer", law=law)
 
     def _open_loop_notes(self) -> Iterator[Note]:
-        """Yield notes on controllers whose measured input has no signal and no connection."""
+        """Yield a note for each controller without a measured signal.
+
+        The measured input of such a controller has neither a signal nor a connection.
+        """
         for name, part in self.parts.items():
             for local in part.measured if isinstance(part, Controller) else ():
                 address = f"{name}.{local}"
@@ -238,7 +261,7 @@ class BaseCircuit(HtmlMixin):
     # Variants ----------------------------------------------------------------------------------------------------
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return the circuit with other values or options.
+        """Return a copy of the circuit with other values or options.
 
         Parameters
         ----------
@@ -261,7 +284,7 @@ class BaseCircuit(HtmlMixin):
         return replace(self, parts=parts, like=self, **{name: changed[name] for name in _SECTIONS})
 
     def with_signals(self, signals: Mapping[str, Signal]) -> Self:
-        """Return the circuit with these signals in place of its own.
+        """Return a copy of the circuit in which the given signals replace all previous signals.
 
         Parameters
         ----------
@@ -271,7 +294,7 @@ class BaseCircuit(HtmlMixin):
         return replace(self, signals=signals, like=self)
 
     def resumed(self, recording: Recording) -> Self:
-        """Return the circuit with the last row of a recording as its initial state.
+        """Return a copy of the circuit that starts in the final state of a recording.
 
         Parameters
         ----------
@@ -319,7 +342,10 @@ class BaseCircuit(HtmlMixin):
 
     @property
     def kernel(self) -> Kernel:
-        """Compiled model, compiled once per structure."""
+        """Compiled model of the circuit.
+
+        The compilation takes place at first use. Circuits that differ only in values share one kernel.
+        """
         from poppet.circuit.trace import trace
         from poppet.engine.kernel import KERNELS, compile_kernel
 
@@ -330,12 +356,12 @@ class BaseCircuit(HtmlMixin):
 
     @property
     def model(self) -> Model:
-        """Traced model: states, inputs, parameters, outputs and their symbolic expressions."""
+        """Symbolic model: states, inputs, parameters, outputs and their expressions."""
         return self.kernel.model
 
     @cached_property
     def instance(self) -> Instance:
-        """Compiled model with the parameters and signals of this circuit, without its parts."""
+        """Compiled model with the parameter values and signals of this circuit."""
         placed = self._placed.values()
         return Instance(
             kernel=self.kernel,
@@ -353,7 +379,7 @@ class BaseCircuit(HtmlMixin):
         )
 
     def result_notes(self, series: Series) -> Iterator[Note]:
-        """Yield notes of gases and parts on the results of a run.
+        """Yield notes on the results of a run, from the gas and the parts.
 
         Parameters
         ----------
@@ -366,7 +392,7 @@ class BaseCircuit(HtmlMixin):
                 yield remark.within(name)
 
     def problem(self, run: Run) -> Problem:
-        """Return the arrays of one run, the argument of `poppet.engine.solve.solve`.
+        """Return the data of one run as arrays for `poppet.engine.solve.solve`.
 
         Parameters
         ----------
@@ -393,7 +419,7 @@ class BaseCircuit(HtmlMixin):
         progress: Callable[[float], Any] | None = None,
         throw: bool = True,
     ) -> Recording:
-        """Run the circuit.
+        """Simulate the circuit over a period and return the recording.
 
         Parameters
         ----------

@@ -1,4 +1,7 @@
-"""Reader of circuit files, which reports all errors of a file with their lines."""
+"""Reader of circuit files.
+
+It reports all errors of a file together, each with its line.
+"""
 
 from __future__ import annotations
 
@@ -43,7 +46,7 @@ def loads(text: str, *, name: str = "circuit", folder: Path | None = None) -> Ba
 
 
 def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
-    """Read a circuit of a class from a file.
+    """Create a circuit from a file that has been read.
 
     Parameters
     ----------
@@ -95,7 +98,10 @@ def _table(errors: ErrorCollector, name: str, value: Any) -> Mapping[str, Any]:
 
 
 class _Parts:
-    """Valid parts of a file, with inputs, parameters and wiring; invalid parts have only a wiring."""
+    """Parts of a circuit file, with inputs, parameters and wiring.
+
+    An invalid part contributes only its wiring, so the other parts can be checked.
+    """
 
     def __init__(
         self, errors: ErrorCollector, tables: Mapping[str, Any], ambient: Ambient, gas: GasChoice, folder: Path
@@ -127,7 +133,7 @@ class _Parts:
         return str(self.folder / value) if is_path else value
 
     def signals(self, tables: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the signals of the file by address."""
+        """Return a mapping from input addresses to the signals of the file."""
         signals = {}
         for address, table in _flatten(tables):
             owner = address.partition(".")[0]
@@ -155,7 +161,10 @@ def _kind(table: Any) -> type[Part]:
 
 
 def _flatten(tables: Mapping[str, Any], prefix: str = "") -> list[tuple[str, Any]]:
-    """Return signals with their addresses; nested tables, as of [signals.valve.pilot_pressure], are flattened."""
+    """Return pairs of input address and signal table from nested tables.
+
+    The header [signals.valve.pilot_pressure] without quotes creates nested tables, for example.
+    """
     signals: list[tuple[str, Any]] = []
     for key, table in tables.items():
         # The address of an input has a dot: a table with a name without a dot contains signals.

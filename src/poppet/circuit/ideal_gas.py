@@ -1,4 +1,4 @@
-"""Notes on gas nodes whose gas is not ideal."""
+"""Notes on gas nodes whose gas deviates from an ideal gas."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from poppet.laws.physics.real_gas import deviation
 from poppet.library import Gas
 
 TOLERANCE = 0.01
-"""Error of mass and choked flow without a note."""
+"""Largest relative error of mass and choked flow that needs no note."""
 MAX_PRESSURES = {
     "air": 10e5,
     "argon": 7e5,
@@ -22,7 +22,7 @@ MAX_PRESSURES = {
 }
 """Absolute pressures up to which the error of each gas is below `TOLERANCE` at `TEMPERATURES` [Pa].
 
-Most runs stay below them and need no evaluation of the real gas, which takes a third of the time of a run."""
+Most runs remain below these pressures. They do not need the real-gas equations, which take a third of the run time."""
 TEMPERATURES = (250.0, 400.0)
 """Temperature range of `MAX_PRESSURES` [K]."""
 STATE_CODES = ("gas.not_ideal", "gas.no_gas")
@@ -30,7 +30,11 @@ STATE_CODES = ("gas.not_ideal", "gas.no_gas")
 
 
 def real_gas_notes(name: str, pressures: Array, temperatures: Array, gas: Gas) -> Iterator[Note]:
-    """Yield a note on the (n_times,) state of a gas node with the largest deviation from the ideal gas."""
+    """Yield a note if the gas of a node deviates too much from an ideal gas.
+
+    The pressures and temperatures of the gas node are arrays over time, (n_times,). The note reports the largest
+    deviation.
+    """
     low, high = TEMPERATURES
     if pressures.max() <= MAX_PRESSURES.get(gas.name, 0.0) and low <= temperatures.min() and temperatures.max() <= high:
         return

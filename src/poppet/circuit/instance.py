@@ -1,4 +1,4 @@
-"""Instance of a model: compiled model, parameters and signals for solvers and analyses."""
+"""Compiled model with parameter values and signals, for solvers and analyses."""
 
 from __future__ import annotations
 
@@ -25,22 +25,28 @@ from poppet.timeseries.segments import MergedSegments, SegmentTable, Signal, hel
 
 Array = NDArray[np.float64]
 Series = Callable[[str], Array]
-"""Function from the address of an output, or `time`, to its values at the rows of a run."""
+"""Function from the address of an output, or `time`, to its values at the output times of a run."""
 LENGTHS = 4
 """Number of run durations for which the segments of signals are cached."""
 TIES = 8
-"""Number of parameter sets whose tied parameters are cached."""
+"""Number of sets of parameters for which the result of `Instance.tied` is cached."""
 
 
 class Drive:
-    """Signals of a circuit, with segments that are cached per duration and shared by variants."""
+    """Signals of a circuit, and their division into segments.
+
+    The segments are cached for each duration. Circuits with the same signals share them.
+    """
 
     def __init__(self, signals: Mapping[str, Signal]) -> None:
         self.signals = signals
         self._cache: LruCache[MergedSegments] = LruCache(LENGTHS)
 
     def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> MergedSegments:
-        """Return the read-only segments of all inputs over a run; an input without a signal is zero."""
+        """Return the segments of all inputs for a run of some duration [s].
+
+        `delays` are the delays of the inputs [s]. An input without a signal is zero. The arrays are read-only.
+        """
 
         def table(item: InputInfo, delay: float) -> SegmentTable:
             signal = self.signals.get(item.slope_of or item.name)
@@ -58,28 +64,31 @@ class Drive:
 
 
 class CircuitVariants(Protocol):
-    """Circuit as seen from its instance: source of variants and of notes on results."""
+    """Interface of a circuit for its `Instance`: modified copies, and notes on results."""
 
     @property
     def instance(self) -> Instance:
-        """Instance of this circuit."""
+        """Compiled model with the parameter values and signals of this circuit."""
 
     def with_values(self, values: Mapping[str, Any]) -> Self:
-        """Return a circuit with other values."""
+        """Return a copy of the circuit with other values at the given addresses."""
 
     def with_signals(self, signals: Mapping[str, Signal]) -> Self:
-        """Return a circuit with other signals."""
+        """Return a copy of the circuit in which the given signals replace all previous signals."""
 
     def resumed(self, recording: Recording) -> Self:
-        """Return a circuit that starts at the end of a recording."""
+        """Return a copy of the circuit that starts in the final state of a recording."""
 
     def result_notes(self, series: Series) -> Iterable[Note]:
-        """Yield notes of the parts on the results of a run."""
+        """Yield notes on the results of a run, from the gas and the parts."""
 
 
 @dataclass(frozen=True, eq=False)
 class Instance:
-    """A compiled model with parameters, signals and surroundings, without the parts."""
+    """Compiled model with parameter values, signals and surroundings.
+
+    Unlike a circuit, it contains no parts. `circuit` creates copies whose changes concern the parts.
+    """
 
     kernel: Kernel
     parameters: Mapping[str, float]  # address to run-time value, SI and absolute, in the order of p
@@ -88,7 +97,7 @@ class Instance:
     circuit: CircuitVariants
     title: str = ""
     notes: tuple[Note, ...] = ()  # notes on the values of parameters and signals
-    # address of each stroke to its characteristic, which is valid in a range of it, and its end stops
+    # address of a stroke to its characteristic with a limited domain, and to its end stops
     domains: Mapping[str, tuple[Any, tuple[float, float]]] = field(default_factory=dict)
     initial: Mapping[str, str] = field(default_factory=dict)  # address of an output to the parameter of its start value
     inner: frozenset[str] = frozenset()  # internal outputs, which figures omit by default
@@ -99,29 +108,32 @@ class Instance:
 
     @property
     def model(self) -> Model:
-        """Traced model: states, inputs, parameters, outputs."""
+        """Symbolic model: states, inputs, parameters, outputs."""
         return self.kernel.model
 
     @property
     def signals(self) -> Mapping[str, Signal]:
-        """Address of an input to its signal."""
+        """Mapping from input addresses to signals."""
         return self.drive.signals
 
     @property
     def input_names(self) -> tuple[str, ...]:
-        """Addresses in the order of u."""
+        """Addresses of the inputs, in the order of the input vector u."""
         return tuple(item.name for item in self.model.inputs)
 
     def numbers(self) -> Array:
-        """Return the run-time values of the parameters, the first part of p."""
+        """Return the parameter values, the first elements of the parameter vector p."""
         return np.array(list(self.parameters.values()), dtype=np.float64)
 
     def place(self, address: str) -> int:
-        """Return the index of a parameter in p."""
+        """Return the index of a parameter in the parameter vector p."""
         return self.model.parameters.index(address)
 
     def start(self) -> tuple[Array, Array]:
-        """Return the initial state with quadratures, and p: parameters, then the discrete state at the start."""
+        """Return the initial state vector x, with quadratures, and the vector p.
+
+        Vector p contains the parameters, then the initial discrete state.
+        """
         numbers = self.numbers()
         # The gas in a guided cylinder starts with the volume at t = 0. The parameter gets the value of the signal: the
         # input is driven, so nothing else reads the parameter, and repeated runs of a fit start from p alone.
@@ -133,29 +145,35 @@ class Instance:
     # Variants ----------------------------------------------------------------------------------------------------
 
     def with_values(self, values: Mapping[str, Any]) -> Instance:
-        """Return an instance with other values or options, which the parts read and check."""
+        """Return an instance with other values or options at the given addresses.
+
+        The parts read and check the values.
+        """
         return self.circuit.with_values({**self.changes, **values}).instance
 
     def with_signals(self, signals: Mapping[str, Signal]) -> Instance:
-        """Return an instance with these signals in place of its own."""
+        """Return an instance in which the given signals replace all previous signals."""
         return self._changed_circuit().with_signals(signals).instance
 
     def with_numbers(self, numbers: Mapping[str, float]) -> Instance:
-        """Return an instance with other values in p, SI and absolute, without checks, limits or notes.
+        """Return an instance with other parameter values (SI, absolute), without checks or notes.
 
         Dependent parameters are not updated: if a parameter is `tied`, use `with_values`.
         """
         return replace(self, parameters={**self.parameters, **numbers}, changes={**self.changes, **numbers})
 
     def resumed(self, recording: Recording) -> Instance:
-        """Return an instance that starts at the end of a recording."""
+        """Return an instance that starts in the final state of a recording."""
         return self._changed_circuit().resumed(recording).instance
 
     def _changed_circuit(self) -> CircuitVariants:
         return self.circuit.with_values(self.changes) if self.changes else self.circuit
 
     def tied(self, changes: Mapping[str, float]) -> frozenset[str]:
-        """Return the parameters on which others depend; `changes` has another value for each candidate."""
+        """Return the candidate parameters whose change also changes other parameters.
+
+        The keys of `changes` are the addresses of the candidates; each value must differ from the present value.
+        """
         # All recordings of a fit have the same candidates.
         return self._ties.get(tuple(changes.items()), lambda: self._tied(changes))
 
@@ -171,7 +189,11 @@ class Instance:
     # Inputs ------------------------------------------------------------------------------------------------------
 
     def held_inputs(self, values: Mapping[str, Any]) -> Array:
-        """Return the value of each input: from `values` (SI or text with a unit), signal at t = 0, or default."""
+        """Return the constant input vector of a steady state or linear model.
+
+        An input in `values` (SI, or text with a unit) has that value. Any other input has the value of its signal at t
+        = 0, or the default value if it has no signal.
+        """
         inputs = {item.name: item for item in self.model.inputs}
         u: list[float] = []
         with ErrorCollector() as errors:
@@ -202,7 +224,7 @@ class Instance:
     # Runs --------------------------------------------------------------------------------------------------------
 
     def problem(self, run: Run) -> Problem:
-        """Return the arrays of one run, which must have a duration."""
+        """Return the data of one run as arrays; `run` must have a duration."""
         grid, inputs = run.grid(), self.model.inputs
         delays = tuple(self.parameters[item.delay] if item.delay else 0.0 for item in inputs)
         starts, courses, coefficients, jumps = self.drive.segments(inputs, delays, float(grid[-1]))

@@ -1,4 +1,4 @@
-"""Steady states and linear models of a circuit, from exact derivatives."""
+"""Computation of steady states and linear models of a circuit, with exact derivatives."""
 
 from __future__ import annotations
 
@@ -23,16 +23,23 @@ from poppet.timeseries.recording import Recording
 Array = NDArray[np.float64]
 
 TRANSIENTS = (10.0, 1e3, 1e5, 1e7, 1e9)
-"""Durations of the successive transients; a circuit that changes after thirty years has no steady state [s]."""
+"""Durations of the successive transients [s].
+
+A circuit that still changes after the longest one, thirty years, has no steady state."""
 TRANSIENT_TOLERANCE = 1e-8
 TRANSIENT_STEPS = 100_000
 SLOW_GAS = 1e-4
-"""Factor on the rates of gas and walls if a transient hunts: fast mechanics follow slow gas without oscillation."""
+"""Factor on the rates of gas and walls if a transient oscillates without end.
+
+Fast mechanics follow slow gas without oscillation."""
 SLOW_GAS_STEPS = 2_000
 
 
 def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) -> SteadyState:
-    """Return the steady state; see `Circuit.steady_state`."""
+    """Return the steady state of an instance with constant inputs.
+
+    See `Circuit.steady_state` for the method.
+    """
     u = instance.held_inputs(inputs or {})
     if instance.model.memory:
         return find_sampled_steady_state(instance, u)
@@ -55,7 +62,10 @@ def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) ->
 def linearise(
     instance: Instance, inputs: Mapping[str, Any] | None = None, *, at: Recording | None = None
 ) -> LinearModel:
-    """Return the linear model; see `Circuit.linearise`."""
+    """Return the linear model of an instance at an operating point.
+
+    See `Circuit.linearise`.
+    """
     if instance.model.memory:
         if at is not None:
             raise InputError("linear.no_memory", title=at.title or "a recording")
@@ -73,7 +83,10 @@ def linearise(
 
 
 class _LinearisationPoint:
-    """Instance with constant inputs: rates, outputs and derivatives at a state x, (n,), without quadratures."""
+    """Instance with constant inputs, which evaluates rates, outputs and derivatives.
+
+    The methods take a state x, (n,), without quadratures.
+    """
 
     def __init__(self, instance: Instance, u: Array) -> None:
         self.kernel, self.model, self.u = instance.kernel, instance.model, u
@@ -86,28 +99,30 @@ class _LinearisationPoint:
         self._function = ArrayFunction(self.model.linear_function)
 
     def linear(self, x: Array) -> list[Array]:
-        """Return f, y, A, B, C and D."""
+        """Return rates f, outputs y and the matrices A, B, C and D at a state."""
         f, y, *matrices = self._function(0.0, self.padded(x), self.u, self.p)
         return [f.ravel(), y.ravel(), *matrices]
 
     def padded(self, x: Array) -> Array:
-        """Return the states followed by zero quadratures."""
+        """Return a copy of a state with a zero for each quadrature at its end."""
         return np.concatenate([x, np.zeros(self.model.n_quadratures)])
 
     def scaled(self, x: Array) -> tuple[Array, Array]:
-        """Return rates and Jacobian of the states in units of their sizes."""
+        """Return the rates of the states and their Jacobian, with each state in units of its size."""
         f, _, jacobian, *_ = self.linear(x)
         return f / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
     def linear_model(self, x: Array) -> LinearModel:
-        """Return the linear model at a state."""
+        """Return the linear model with names and operating point at a state."""
         f, y, a, b, c, d = self.linear(x)
         names = tuple(s.name for s in self.model.states), tuple(i.name for i in self.model.inputs)
         return LinearModel(a, b, c, d, *names, self.model.columns[0], x, self.u, y, f)
 
 
 def _run_transients(point: _LinearisationPoint) -> tuple[Array, float, RawRun]:
-    """Return the end, duration and run of the first transient that is steady or fails, or of the longest one.
+    """Run transients of increasing length until one is steady or fails.
+
+    The result contains the final state, the duration and the run of the last transient.
 
     Each transient begins at the initial state, because the absolute tolerances of a run depend on its first state.
     """
@@ -125,7 +140,10 @@ def _run_transients(point: _LinearisationPoint) -> tuple[Array, float, RawRun]:
 
 
 def _run_slow_gas(point: _LinearisationPoint) -> Array:
-    """Return the end of a transient with slow gas and fast mechanics, which has the same steady states."""
+    """Return the final state of a transient with slowed gas and unchanged mechanics.
+
+    It has the same steady states. Slow gas prevents the oscillation of fast mechanics.
+    """
     from scipy.integrate import Radau
 
     rate = np.where(point.positive, SLOW_GAS, 1.0)

@@ -1,4 +1,7 @@
-"""Linear model with names and operating point: eigenvalues, frequency response, files, python-control."""
+"""Linear model of a circuit with names and operating point.
+
+It provides eigenvalues, frequency response, files, and the conversion to python-control.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ Array = NDArray[np.float64]
 
 
 class ControlSystem(Protocol):
-    """Input-output system of python-control, which has no type hints; other attributes have type `Any`."""
+    """Interface of an input-output system of python-control, which has no type hints."""
 
     name: str
     dt: float | bool | None  # sample time [s]; 0 in continuous time
@@ -32,16 +35,16 @@ class ControlSystem(Protocol):
     state_labels: list[str]
 
     def dynamics(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
-        """Return the rates of the states, or the next states in discrete time."""
+        """Return the state derivatives, or in discrete time the next state."""
 
     def output(self, t: float, x: Array, u: Array, params: dict[str, float] | None = None) -> Array:
-        """Return the outputs."""
+        """Return the output vector of the system."""
 
     def __getattr__(self, name: str) -> Any: ...
 
 
 class ControlStateSpace(ControlSystem, Protocol):
-    """State-space model of python-control, `control.StateSpace`."""
+    """Interface of a state-space model of python-control, `control.StateSpace`."""
 
     A: Array
     B: Array
@@ -49,15 +52,15 @@ class ControlStateSpace(ControlSystem, Protocol):
     D: Array
 
     def poles(self) -> NDArray[np.complex128]:
-        """Return the poles [1/s], or of the z-plane in discrete time."""
+        """Return the poles: in the s-plane [1/s], or in discrete time in the z-plane."""
 
     def zeros(self) -> NDArray[np.complex128]:
-        """Return the transmission zeros."""
+        """Return the transmission zeros of the system."""
 
 
 @dataclass(frozen=True, eq=False)
 class SteadyState:
-    """State that does not change while the inputs are constant.
+    """State of a circuit that remains constant if the inputs are constant.
 
     Parameters
     ----------
@@ -90,7 +93,7 @@ class SteadyState:
 
     @property
     def message(self) -> str:
-        """Text of `found`."""
+        """Text of the notes in `found`."""
         return " ".join(map(str, self.found))
 
 
@@ -132,17 +135,20 @@ class LinearModel(HtmlMixin):
     rates: Array = field(repr=False)
 
     more: ClassVar[tuple[str, ...]] = ()
-    """Additional attributes in files."""
+    """Names of additional attributes of a subclass that files contain."""
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Return the eigenvalues of A, slowest first."""
+        """Return the eigenvalues of A, in order of increasing speed."""
         # Without balancing, rounding errors of the largest elements exceed slow eigenvalues.
         scale = balancing_scale(self.A)
         values = np.linalg.eigvals(self.A * scale[None, :] / scale[:, None]).astype(np.complex128)
         return values[np.lexsort((values.imag, np.abs(values)))]
 
     def poles(self) -> NDArray[np.complex128]:
-        """Return the poles: the eigenvalues of A, or ln(z)/T for a sampled model."""
+        """Return the poles of the model in the s-plane [1/s].
+
+        These are the eigenvalues of A. A sampled model with eigenvalues z and sample time T has the poles ln(z)/T.
+        """
         return self.eigenvalues()
 
     def frequency_response(self, frequencies: ArrayLike, input: str, output: str) -> NDArray[np.complex128]:
@@ -171,7 +177,10 @@ class LinearModel(HtmlMixin):
         return system
 
     def save(self, path: str | Path) -> Path:
-        """Write matrices, names and operating point as `.json`, `.mat` or `.npz`; a file is replaced completely."""
+        """Write matrices, names and operating point to a `.json`, `.mat` or `.npz` file.
+
+        An existing file is replaced.
+        """
         path = Path(path)
         writers: dict[str, Callable[..., None]] = {".json": _write_json, ".mat": _write_mat, ".npz": np.savez}
         writer = by_suffix(path, writers)
@@ -180,7 +189,10 @@ class LinearModel(HtmlMixin):
 
 
 def index_of(names: tuple[str, ...], name: str, kind: str) -> int:
-    """Return the index of an address; raise InputError with a suggestion if it is unknown."""
+    """Return the index of an address in a list of names.
+
+    `kind` is the meaning of the names, for example input. An unknown address raises InputError with a suggestion.
+    """
     if name not in names:
         suggestion = NameSuggestion(name, names)
         raise InputError("names.unknown", name, meaning=f"an {kind} of the linear model", near=suggestion)
@@ -188,7 +200,10 @@ def index_of(names: tuple[str, ...], name: str, kind: str) -> int:
 
 
 def balancing_scale(matrix: Array) -> Array:
-    """Return factors that equalise rows and columns: pressures and masses differ by ten decades."""
+    """Return scale factors of states that balance the rows and columns of a matrix.
+
+    The elements of A differ by ten orders of magnitude, because the states are pressures, masses and strokes.
+    """
     from scipy.linalg import matrix_balance
 
     if not matrix.size:

@@ -1,4 +1,4 @@
-"""Metrics of a run with loads: stroke time, end-stop speed, air consumption, work, efficiency."""
+"""Metrics of a run with moved bodies: stroke time, impact speed, air consumption, work, efficiency."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from poppet.parts.part import AMBIENT, Surroundings
 TURNED = 0.2
 """Fraction of the travel by which a body must return before a new stroke begins."""
 STROKE_START, STROKE_END = 0.02, 0.98
-"""Fractions of a stroke at which its time begins and ends."""
+"""Fractions of the travel at which the measurement of the stroke time begins and ends."""
 MIN_TRAVEL = 1e-9
-"""Travel of the shortest stroke [m] or [rad]."""
+"""Smallest range of motion in which strokes are detected [m] or [rad]."""
 
 
 @dataclass(frozen=True)
 class BodyStroke:
-    """Motion of a body from one turning point to the next."""
+    """Motion of a body from one turning point to the next, with times and speeds."""
 
     body: str
     unit: str  # of the travel
@@ -41,7 +41,7 @@ class BodyStroke:
 
 @dataclass(frozen=True)
 class Arrival:
-    """Contact with an end stop at more than 10 mm/s or 10 mrad/s."""
+    """Impact on an end stop at more than 10 mm/s or 10 mrad/s."""
 
     part: str  # the cylinder or body with the stop
     body: str
@@ -52,7 +52,10 @@ class Arrival:
 
 @dataclass(frozen=True)
 class BodyWork:
-    """Energy of a body over a run [J]: done - returned = on_load + lost + increase in kinetic energy."""
+    """Energy of a body over a run [J].
+
+    The balance is: done - returned = on_load + lost + increase in kinetic energy.
+    """
 
     body: str
     done: float  # by the actuators, in strokes in which they drive the body
@@ -63,7 +66,7 @@ class BodyWork:
 
 @dataclass(frozen=True)
 class LoadMetrics:
-    """Metrics of a run with loads, SI.
+    """Metrics of a run with moved bodies, SI.
 
     Parameters
     ----------
@@ -114,11 +117,16 @@ class LoadMetrics:
 
     @property
     def efficiency(self) -> float:
-        """Work divided by the exergy of the air; NaN without consumed exergy."""
+        """Work divided by the exergy of the consumed air.
+
+        It is NaN if the exergy is not positive.
+        """
         return self.work / self.exergy if self.exergy > 0.0 else math.nan
 
     def met(self, stroke: BodyStroke) -> Arrival | None:
-        """Return the fastest arrival at an end stop during a stroke, None without contact.
+        """Return the fastest impact on an end stop during a stroke.
+
+        The result is None if there is no impact.
 
         Parameters
         ----------
@@ -135,7 +143,7 @@ class LoadMetrics:
         return max(met, key=lambda arrival: abs(arrival.velocity), default=None)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return all metrics as tables, lists and numbers for JSON.
+        """Return all metrics as a dictionary that can be written as JSON.
 
         Returns
         -------
@@ -148,7 +156,7 @@ class LoadMetrics:
 
 @dataclass(frozen=True)
 class LoadData:
-    """Data of a run for its load metrics."""
+    """Results of a run and properties of the model, from which load metrics are computed."""
 
     raw: RawRun
     outputs: tuple[tuple[str, str], ...]  # names and units
@@ -166,7 +174,7 @@ class LoadData:
         return cls(raw, m.outputs, m.flows, m.stores, m.bodies, instance.parameters, air, instance.bodies)
 
     def __getitem__(self, address: str) -> Array:
-        """Return the rows of an output, or of the ambient state."""
+        """Return the values of an output, or of an ambient quantity, at the output times."""
         for k, (name, _) in enumerate(self.outputs):
             if name == address:
                 row: Array = self.raw.values[k]
@@ -176,11 +184,15 @@ class LoadData:
         return np.full(self.raw.time.size, getattr(self.surroundings, quantity))
 
     def unit(self, address: str) -> str:
-        """Return the unit of an output, empty if the output does not exist."""
+        """Return the unit of an output; the text is empty if there is no such output."""
         return dict(self.outputs).get(address, "")
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
-        """Yield the outputs of end stops, with the owner and the prefix of its motion: `piston_` or empty."""
+        """Yield each output with the force or torque of end stops, its owner, and a prefix.
+
+        The prefix is `piston_` if the motion of the owner has the outputs `piston_position` and `piston_velocity`.
+        Otherwise it is empty.
+        """
         names = dict(self.outputs)
         for name in names:
             owner, _, local = name.rpartition(".")
@@ -189,7 +201,10 @@ class LoadData:
 
 
 def load_metrics(run: LoadData) -> LoadMetrics | None:
-    """Return the metrics of a run, None with fewer than two rows."""
+    """Return the load metrics of a run.
+
+    The result is None if the run has fewer than two rows (output times).
+    """
     if run.raw.time.size < 2:
         return None
     supplied = dict(_supplied_air(run))
@@ -228,13 +243,19 @@ def _strokes(run: LoadData, body: str) -> Iterator[BodyStroke]:
 
 
 def _crossing_time(time: Array, values: Array, k: int, level: float) -> float:
-    """Return the time at which values cross a level after row k."""
+    """Return the time at which a series crosses a level between samples k and k + 1.
+
+    The interpolation is linear.
+    """
     step = values[k + 1] - values[k]
     return float(time[k] + (time[k + 1] - time[k]) * (level - values[k]) / step)
 
 
 def turning_points(position: Array) -> list[int]:
-    """Return the rows at which a body turns by at least a fifth of its travel, with the first and last row.
+    """Return the indices at which a motion reverses, with the first and the last index.
+
+    The body must return by at least 20 % of its total travel; smaller reversals do not count. The last index is that
+    of the last extreme. The list is empty without motion.
 
     Examples
     --------
@@ -296,14 +317,20 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...]) -> BodyWork:
 
 
 def _load_work(load: Array, position: Array) -> float:
-    """Return the integral of a load over the position; a load that is mostly constant is a staircase."""
+    """Return the work of a load over a motion: the integral of the load over the position.
+
+    A load that changes at less than 10 % of the output times counts as piecewise constant.
+    """
     steps = np.diff(position)
     is_staircase = np.count_nonzero(np.diff(load)) < 0.1 * load.size
     return float(np.sum((load[:-1] if is_staircase else 0.5 * (load[:-1] + load[1:])) * steps))
 
 
 def _supplied_air(run: LoadData) -> Iterator[tuple[str, tuple[float, float, float]]]:
-    """Yield each reservoir with its supplied mass [kg], exergy [J], and ratio of mean pressure to ambient pressure."""
+    """Yield the name of each reservoir with the air that it supplied.
+
+    The air is described by mass [kg], exergy [J], and the ratio of mean pressure to ambient pressure.
+    """
     stores, air = {store.name for store in run.stores}, run.surroundings
     ends = dict.fromkeys(end for flow in run.flows for end in (flow.source, flow.target) if end is not None)
     for name in ends:
@@ -324,14 +351,20 @@ def _supplied_air(run: LoadData) -> Iterator[tuple[str, tuple[float, float, floa
 
 
 def flow_exergy(pressure: Any, temperature: Any, air: Surroundings) -> Any:
-    """Return the work that flowing gas can do down to the ambient state [J/kg]."""
+    """Return the specific flow exergy of gas [J/kg].
+
+    This is the maximum work that flowing gas can do until it reaches the ambient state.
+    """
     heat, ratio = air.heat_capacity_pressure, temperature / air.temperature
     entropy = heat * np.log(ratio) - air.gas_constant * np.log(pressure / air.pressure)
     return heat * (temperature - air.temperature) - air.temperature * entropy
 
 
 def _stored_exergy(run: LoadData) -> float:
-    """Return the increase in exergy of all volumes over the run [J]."""
+    """Return the increase in exergy of the gas in all volumes over the run [J].
+
+    It is NaN if pressure, temperature or mass of a volume is not an output.
+    """
     air, total = run.surroundings, 0.0
     for store in run.stores:
         names = [f"{store.name}.{quantity}" for quantity in ("pressure", "temperature", "mass")]

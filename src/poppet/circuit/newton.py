@@ -1,4 +1,7 @@
-"""Newton's method for steady states: zeros of the rates, or of the changes over a sample."""
+"""Newton's method for steady states.
+
+It finds a zero of the rates, or of the changes over a sample if the circuit is sampled.
+"""
 
 from __future__ import annotations
 
@@ -11,21 +14,29 @@ Array = NDArray[np.float64]
 
 STEPS, HALVINGS = 50, 12
 SINGULAR = 1e-11
-"""Ratio of singular values of the scaled Jacobian to the largest below which a direction is conserved or neutral."""
+"""Limit for singular values of the scaled Jacobian, relative to the largest one.
+
+Directions with a singular value below the limit are conserved or neutral."""
 MAX_RATE = 1e100
-"""Limit of the rates: a timer that is set or cancelled changes by more than can be squared."""
+"""Limit of the absolute rates.
+
+The rate of a timer that is set or cancelled is so large that its square would overflow."""
 MIN_SPEED = 1e-3
-"""Slowest equation that is scaled up to the others [1/s]."""
+"""Lower limit of the largest derivative by which an equation is divided to scale it [1/s]."""
 STEADY_RATE = 1e-10
-"""Rate of change of a steady state, per size of the state [1/s]; rounding of the rates is added."""
+"""Largest rate of change in a steady state, per size of the state [1/s].
+
+The rounding error of the rates is added to this limit."""
 ROUNDING = 1e3 * np.finfo(float).eps
 
 ScaledRates = Callable[[Array], tuple[Array, Array]]
-"""Function from a point to its rates per size, (n,), and their Jacobian in sizes, (n, n) [1/s]."""
+"""Function from a point to its rates, (n,), and their Jacobian, (n, n) [1/s].
+
+Both are in units of the sizes of the variables."""
 
 
 def scaled_residual(scaled: ScaledRates, v: Array, size: Array) -> tuple[Array, Array]:
-    """Return the rate of each variable per size, and its limit for a steady state [1/s]."""
+    """Return the absolute rate of each variable per size, and its limit for a steady state [1/s]."""
     f, jacobian = scaled(v)
     return np.abs(f), STEADY_RATE + ROUNDING * np.abs(jacobian) @ (np.abs(v) / size)
 
@@ -33,7 +44,11 @@ def scaled_residual(scaled: ScaledRates, v: Array, size: Array) -> tuple[Array, 
 def refine_steady_state(
     scaled: ScaledRates, v: Array, size: Array, positive: NDArray[np.bool_], *, conserves: bool
 ) -> Array:
-    """Return a point nearer to a steady state, by damped Newton steps that keep positive variables positive.
+    """Return a point closer to a steady state, by damped Newton steps.
+
+    The Newton steps keep positive variables positive. If `conserves` is True, conserved quantities such as the gas in
+    a closed network keep their values: they are the left null space of the Jacobian. If it is False, each Newton step
+    has minimum length, so neutral variables such as an integral within its band can change.
 
     With `conserves`, the left null space of the Jacobian keeps its value, for example the gas of a closed network.
     Without it, the shortest step is taken: neutral variables, for example an integral within its band, can change.

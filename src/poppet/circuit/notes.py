@@ -1,4 +1,4 @@
-"""Recording of a run with its notes."""
+"""Creation of the recording of a run, with its notes."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from poppet.timeseries.recording import Recording
 
 
 def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recording:
-    """Return the recording of a run, including a failed run (see `is_failure`).
+    """Return the recording of a run, also of a failed one.
 
     Residuals and notes are computed on first use: together they cost a quarter of a short run.
     """
@@ -41,7 +41,10 @@ def make_recording(instance: Instance, problem: Problem, raw: RawRun) -> Recordi
 
 
 def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tuple[Residual, ...]) -> Iterator[Note]:
-    """Yield static notes and the notes on signals, domains, parts and balances."""
+    """Yield all notes of a run.
+
+    They are the notes of the circuit, then those on signals, limits of characteristics, parts and balances.
+    """
     # Notes on gas states at the start are replaced by notes on the gas states of the run.
     yield from (note for note in instance.notes if not (raw.time.size and note.code in STATE_CODES))
     # A run that failed in its first step has no row, but its signals can have notes.
@@ -75,7 +78,10 @@ def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tupl
 
 
 def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:
-    """Characteristics that were left, at whatever step it was: states have their extremes over all steps."""
+    """Yield a note for each characteristic that was used outside its domain.
+
+    For states, the check covers all steps of the solver. For other outputs, it covers the output times.
+    """
     model = problem.kernel.model
     places = {state.name: k for k, state in enumerate(model.states)}
     for address, (curve, stops) in instance.domains.items():

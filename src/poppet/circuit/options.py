@@ -1,4 +1,4 @@
-"""Sections of a circuit: surroundings, gas and run options."""
+"""Sections of a circuit file: ambient air, gas and run options."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ from poppet.parts.fields import (
 MOST_ROWS = 20_000_000
 DEFAULT_ROWS = 1000
 ABOUT_CONDUCTANCES = ("options.conductances_from_air", "options.conductances_as_given")
-"""Codes of notes on values of C, which can apply to air or to the gas."""
+"""Codes of notes on sonic conductances C, which were measured with air or with the gas of the circuit."""
 
 
 class _OptionSection:
-    """Section of a circuit file with the same field declarations as parts."""
+    """Base class of sections, which have the same field declarations as parts."""
 
     def numbers(self) -> dict[str, Number]:
-        """Return the values by name."""
+        """Return a mapping from field names to values with unit and source."""
         return dict(self._numbers)
 
     @cached_property
@@ -54,7 +54,9 @@ class _OptionSection:
 
 @dataclass(frozen=True)
 class Ambient(_OptionSection):
-    """Surroundings, to which gauge pressures, open plates and open walls refer.
+    """Pressure and temperature of the ambient air.
+
+    They apply to gauge pressures, and to all plates and walls that are open to the ambient air.
 
     Parameters
     ----------
@@ -76,7 +78,7 @@ class Ambient(_OptionSection):
 
 @dataclass(frozen=True)
 class GasChoice(_OptionSection):
-    """Gas in the circuit, an ideal gas with constant heat capacity.
+    """Gas in the circuit, modelled as an ideal gas with constant heat capacity.
 
     Parameters
     ----------
@@ -114,7 +116,10 @@ class GasChoice(_OptionSection):
 
     @classmethod
     def of(cls, gas: library.Gas) -> GasChoice:
-        """Return the choice of a gas of the library, by its name, or of another gas, by its values."""
+        """Return the section for a gas object.
+
+        A gas of the library is stored by its name, any other gas by its values.
+        """
         if gas in library.gases.GASES.values():
             return cls(name=gas.name)
 
@@ -125,7 +130,10 @@ class GasChoice(_OptionSection):
         return cls(gas_constant=with_note(gas.gas_constant), isentropic_exponent=with_note(gas.isentropic_exponent))
 
     def values(self) -> tuple[float, float, float, float]:
-        """Return gas constant [J/(kg K)], isentropic exponent, factor on C, and shift of b."""
+        """Return gas constant [J/(kg K)], isentropic exponent, factor on C, and shift of b.
+
+        Factor and shift convert sonic conductances C and critical back-pressure ratios b of air to this gas.
+        """
         return self._values
 
     @cached_property
@@ -136,7 +144,7 @@ class GasChoice(_OptionSection):
         return constant, exponent, *factors_from_air(exponent, constant)
 
     def notes(self) -> tuple[Note, ...]:
-        """Return notes if the gas is not air or if its values differ from the library."""
+        """Return notes on a gas that is not air, or whose values differ from the library."""
         factor = self.values()[2]
         library_values = {} if self.name is None else _gas_numbers(str(self.name))
         unknown = () if self.of_library() else (Note("gas.unknown", "gas"),)
@@ -152,11 +160,11 @@ class GasChoice(_OptionSection):
 
     @property
     def is_air(self) -> bool:
-        """True if the values are those of air."""
+        """True if the gas has the values of air."""
         return self.values()[:2] == (AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT)
 
     def of_library(self) -> library.Gas | None:
-        """Return the gas of the library.
+        """Return the library gas that corresponds to this section.
 
         Returns
         -------
@@ -212,21 +220,23 @@ class Run(_OptionSection):
 
     @property
     def stop_texts(self) -> tuple[str, ...]:
-        """Texts of the stop conditions."""
+        """Stop conditions as a tuple of texts."""
         return self.stop_when or ()
 
     @property
     def tolerance(self) -> float:
-        """Relative tolerance."""
+        """Relative tolerance of the run as a float."""
         return float(self.relative_tolerance)  # type: ignore[arg-type]
 
     @property
     def longest_step(self) -> float:
-        """Longest step [s], infinite without a limit."""
+        """Maximum step of the integrator [s]; infinite if there is no limit."""
         return math.inf if self.maximum_step is None else float(self.maximum_step)  # type: ignore[arg-type]
 
     def changed(self, **options: Any) -> Run:
-        """Return the run with all options that are not None.
+        """Return a copy of the run options with new values.
+
+        An option that is None keeps its value.
 
         Parameters
         ----------
@@ -237,7 +247,7 @@ class Run(_OptionSection):
         return replace(self, **changes) if changes else self
 
     def grid(self) -> NDArray[np.float64]:
-        """Return the output times: 0, step, 2 step, ..., and the duration [s]."""
+        """Return the output times [s]: all multiples of the output step, and the duration."""
         return self._grid
 
     @cached_property
@@ -254,7 +264,9 @@ class Run(_OptionSection):
 
 
 def _multiples(step: float, count: int) -> NDArray[np.float64]:
-    """Return 0, step, ..., count step, each rounded once from the decimal value.
+    """Return the first multiples of a step: 0, step, 2 step, ..., count step.
+
+    Each multiple is rounded once from the exact decimal value.
 
     Rows then coincide with breakpoints written as decimals: 3 * 0.1 differs from 0.3, but 3 / 10 does not.
     """

@@ -1,4 +1,4 @@
-"""Part of a circuit with the complete addresses of its parameters, inputs and outputs."""
+"""Part with the complete addresses of its parameters, inputs and outputs in a circuit."""
 
 from __future__ import annotations
 
@@ -24,14 +24,19 @@ _USUAL = {
     "kg": (0.0, 5e3, "g"),
     "rad": (0.0, 7.0, "deg"),
 }
-"""Unit to its range of usual values, and to the unit that is probably meant for values outside the range."""
+"""Mapping from SI units to the range of usual values and a common unit.
+
+The common unit is probably meant if a value without a unit is outside the range."""
 _UPPER_LIMITS = {"length": 200.0, "nominal_length": 20.0, "height": 20.0, "wall_area": 100.0}
 """Upper limits of fields of tubes, muscles and vessels with larger usual values."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PlacedPart:
-    """Properties of a named part, which variants of a circuit share if the part is unchanged."""
+    """Properties of a named part of a circuit.
+
+    Copies of a circuit with an unchanged part share this object.
+    """
 
     part: Part
     wired: PartWiring
@@ -47,7 +52,10 @@ class PlacedPart:
 
     @classmethod
     def of(cls, name: str, part: Part, surroundings: Surroundings) -> PlacedPart:
-        """Return a named part; raise InputError if a gauge value is below vacuum in these surroundings."""
+        """Return the properties of a part with a name and surroundings.
+
+        A gauge value below vacuum raises InputError.
+        """
         numbers = {f"{name}.{key}": number for key, number in part.numbers().items()}
         parameters = {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
         return cls(
@@ -65,7 +73,10 @@ class PlacedPart:
 
 
 def value_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
-    """Yield notes on unusual values without a unit, whose unit is probably missing: 6 is 6 Pa, not 6 bar."""
+    """Yield notes on unusual values without a unit.
+
+    A unit is probably missing: the value 6 is 6 Pa, although 6 bar is probably meant.
+    """
     for address, number in numbers.items():
         low, high, intended_unit = _USUAL.get(number.unit, (0.0, math.inf, ""))
         high = _UPPER_LIMITS.get(address.rpartition(".")[2], high)
@@ -88,14 +99,20 @@ def _volume_flow_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
 
 
 def volume_flow_note(text: str, value: float, unit: str) -> Iterator[Note]:
-    """Yield a note on the assumed reference state of a volume flow, if its text names none."""
+    """Yield a note if the text of a volume flow names no reference state.
+
+    The note contains the assumed reference state.
+    """
     state = counted_at(text) if text else ""
     if state in ("open", "standard"):
         yield Note(f"doubt.{state}_flow", shown=text, stated=with_state(text), value=value, unit=unit)
 
 
 def signal_notes(signals: Mapping[str, Signal], inputs: Mapping[str, Input]) -> Iterator[Note]:
-    """Yield notes of the readers of signals, and on pressures and temperatures that remain unusually low."""
+    """Yield notes on the signals of a circuit.
+
+    They are the notes from reading the signals, and notes on pressures and temperatures with an unusually low maximum.
+    """
     for address, signal in signals.items():
         yield from (note.within(f"signals.{address}") for note in signal.remarks)
         unit = inputs[address].unit

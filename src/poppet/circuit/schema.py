@@ -1,4 +1,4 @@
-"""JSON schema of circuit files, generated from the field declarations."""
+"""JSON schema of circuit files for editors, generated from the declarations of fields."""
 
 from __future__ import annotations
 
@@ -97,7 +97,10 @@ def _definitions() -> dict[str, Schema]:
 
 
 def by_kind(noun: str, definitions: dict[str, str], field: str = "kind") -> Schema:
-    """A choice that an editor can follow: one field decides which definition holds."""
+    """Return a schema in which one field, by default `kind`, selects the valid definition.
+
+    `noun` is the meaning of the object. `definitions` maps the values of the field to the names of definitions.
+    """
     branches = [
         {"if": {"properties": {field: {"const": kind}}, "required": [field]}, "then": {"$ref": f"#/$defs/{definition}"}}
         for kind, definition in definitions.items()
@@ -130,7 +133,7 @@ def _section(kind: type, description: str) -> Schema:
 
 
 def closed(properties: Schema, required: Any = (), description: str = "") -> Schema:
-    """A table with these fields and no others."""
+    """Return the schema of an object with the given fields and no others."""
     schema: Schema = {"type": "object", "properties": properties, "additionalProperties": False}
     if required:
         schema["required"] = list(required)
@@ -160,7 +163,10 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
 
 
 def _number(spec: NumberSpec, owner: type) -> Schema:
-    """Return the schema of a value: an SI number within limits, text with a unit, or a table with the source."""
+    """Return the schema of a numeric field.
+
+    A value is an SI number within limits, a text with a unit, or a table with value and source.
+    """
     if spec.varies is not None and hasattr(owner, "quantity"):
         # Another quantity has other units and limits.
         spec = replace(spec, unit=f"{spec.unit} by default", low=-math.inf, high=math.inf, default=None, varies=None)
@@ -200,7 +206,10 @@ def _characteristic() -> Schema:
 
 
 def _schedule() -> Schema:
-    """Return the schema of a gain schedule, whose first column has the name of the controlled quantity."""
+    """Return the schema of a gain schedule.
+
+    The first column of a schedule has the name of the controlled quantity.
+    """
     columns = [name for name in GainSchedule.column_specs("pressure", "opening") if name not in QUANTITIES]
     return closed(dict.fromkeys((*QUANTITIES, *columns), _LIST), ["gain", "integral_time"])
 

@@ -1,4 +1,4 @@
-"""Reader of the signals of circuit files, which converts values with units to SI."""
+"""Reader of the signals of circuit files, which converts all values to SI."""
 
 from __future__ import annotations
 
@@ -19,12 +19,15 @@ _DIFFERENCE: dict[str, Kind] = {"pressure": "pressure_difference", "temperature"
 
 
 def fields_of(kind: str) -> tuple[tuple[str, ...], tuple[str, ...]]:
-    """Return the required and the optional fields of a kind of signal."""
+    """Return the names of the required and the optional fields for a kind of signal."""
     return _KINDS[kind].required, _KINDS[kind].optional
 
 
 def read_signal(table: Any, item: Input, ambient_pressure: float, folder: Path) -> Signal:
-    """Return the signal of a table."""
+    """Return the signal that a table of a circuit file declares.
+
+    `item` is the declaration of the input. Gauge values refer to the ambient pressure, and file names to the folder.
+    """
     table = check_signal_table(table)
     reader = _SignalReader(table, item, ambient_pressure, folder)
     signal = _KINDS[table["kind"]].read(reader)
@@ -38,7 +41,10 @@ def _missing(field: str, kind: str) -> InputError:
 
 
 def check_signal_table(table: Any) -> Mapping[str, Any]:
-    """Return a table with a valid kind and valid fields; values are not read."""
+    """Check that a signal table has a valid kind and valid field names, and return it.
+
+    The values of the fields are not read.
+    """
     if not isinstance(table, Mapping):
         table = {"kind": "constant", "value": table}
     kind = table.get("kind")
@@ -58,14 +64,14 @@ def check_signal_table(table: Any) -> Mapping[str, Any]:
 
 
 class _SignalReader:
-    """Reader of the fields of one table in the unit of one input."""
+    """Reader of the fields of one signal table in the unit of one input."""
 
     def __init__(self, table: Mapping[str, Any], item: Input, ambient_pressure: float, folder: Path) -> None:
         self.table, self.item, self.ambient_pressure, self.folder = table, item, ambient_pressure, folder
         self.remarks: dict[str, Note] = {}  # the first note of each code
 
     def absolute(self, argument: Any, name: str) -> float:
-        """Return a value of the input, absolute."""
+        """Return a value of the input in SI; a gauge pressure becomes absolute."""
         # A gauge value refers to the ambient pressure of the file.
         read = quantity(argument, self.item.unit, kind=self.item.kind, name=name, is_told=True)  # type: ignore[arg-type]
         if self.item.kind == "mass_flow" and isinstance(argument, str):
@@ -77,7 +83,7 @@ class _SignalReader:
         return self.absolute(self.table[name], name)
 
     def difference(self, name: str) -> float:
-        """Return a difference of two values of the input, for example an amplitude."""
+        """Return a field that is a difference of two input values, for example an amplitude."""
         kind = _DIFFERENCE.get(self.item.kind, self.item.kind)
         return quantity(self.table[name], self.item.unit, kind=kind, name=name).value  # type: ignore[arg-type]
 
@@ -96,7 +102,7 @@ class _SignalReader:
         return values
 
     def course(self, kind: Callable[..., Signal]) -> Signal:
-        """Return a signal of times and values."""
+        """Return a signal that is declared by lists of times and values."""
         times = self.list_of("times", lambda argument, name: quantity(argument, "s", name=name).value)
         values = self.list_of("values", self.absolute)
         try:

@@ -1,4 +1,8 @@
-"""Conditions that end a run: `tank.pressure > 5 bar`, or a stroke outside the domain of its characteristic."""
+"""Conditions that end a run early.
+
+A condition compares an output with a value or another output (`tank.pressure > 5 bar`), or detects a stroke outside
+the domain of its characteristic.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +22,10 @@ _ADDRESS = re.compile(r"[A-Za-z][\w-]*(\.[A-Za-z][\w-]*)+")
 
 
 def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure: float) -> StopCondition:
-    """Read one condition; `outputs` contains the unit of each output, in the order of y."""
+    """Convert the text of a stop condition, for example `tank.pressure > 5 bar`.
+
+    `outputs` maps the addresses of the outputs to their units, in the order of the output vector y.
+    """
 
     def error(code: str, **facts: Any) -> InputError:
         return InputError(code, "run.stop_when", text=text, **facts)
@@ -52,7 +59,10 @@ def parse_stop_condition(text: str, outputs: Mapping[str, str], ambient_pressure
 
 
 def domain_conditions(address: str, limits: tuple[float, float], outputs: Mapping[str, str]) -> list[StopCondition]:
-    """Return conditions that end a run outside the domain of a characteristic with edge = "error"."""
+    """Return stop conditions for a stroke that leaves the domain of its characteristic.
+
+    They are used for characteristics with edge = "error". `limits` are the ends of the domain.
+    """
     low, high = limits
     indices, reason = (list(outputs).index(address), -1), Note("run.left_domain", address)
     upper = StopCondition(reason, indices, (1.0, 0.0, -high))

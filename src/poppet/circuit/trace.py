@@ -1,4 +1,7 @@
-"""Trace of parts into one flat model, once per structure; parameters remain symbols."""
+"""Construction of one symbolic model from the equations of all parts of a circuit.
+
+Parameters remain symbols, so one model is valid for all parameter values.
+"""
 
 from __future__ import annotations
 
@@ -43,7 +46,7 @@ SURROUNDINGS = (
 def trace(
     parts: Mapping[str, Part], parameters: tuple[str, ...], connections: Mapping[str, str] | None = None
 ) -> Model:
-    """Return the model of the parts of a circuit."""
+    """Return the symbolic model of a circuit."""
     return _Tracer(parts, connections or {}, parameters).model()
 
 
@@ -83,7 +86,10 @@ class _Tracer:
         return [(name, element) for name, part in self.parts.items() for element in getattr(part, kind)()]
 
     def scope(self, name: str, *, at_start: bool = False) -> Scope:
-        """Return the symbols of a part; at the start without states and discrete states."""
+        """Return the symbols that the equations of a part can use.
+
+        If `at_start` is True, states and discrete states are omitted, because initial values cannot depend on them.
+        """
         prefix = f"{name}."
 
         def select(values: Mapping[str, Any]) -> dict[str, Any]:
@@ -95,7 +101,7 @@ class _Tracer:
         return Scope(select(self.number), states, inputs, self.surroundings, memory, self.t, motion)
 
     def _motion(self, name: str | None, at_start: bool) -> BodyMotion | None:
-        """Return the motion of a body."""
+        """Return the motion of the named body; the result is None without a name."""
         if name is None:
             return None
         body = self.parts[name]
@@ -104,7 +110,10 @@ class _Tracer:
         return body.motion(replace(scope, states=body.start(scope)) if at_start else scope)
 
     def _ports(self, name: str) -> dict[str, str]:
-        """Return the ports of a part; a leading dot refers to a member of the same compound part."""
+        """Return a mapping from the ports of a part to addresses of gas nodes.
+
+        In a compound part, a gas node that begins with a dot is a member of the same compound part.
+        """
         compound = name.rpartition(".")[0]
         ports = self.parts[name].ports().items()
         return {port: f"{compound}{store}" if store.startswith(".") else store for port, store in ports}
@@ -183,7 +192,7 @@ class _Tracer:
         )
 
     def _shown(self, address: str) -> str:
-        """Return the address that the circuit shows for an element of a compound part."""
+        """Return the public address of an element inside a compound part."""
         return self.shown.get(address, address)
 
     def _actuator_forces(self, scopes: Mapping[str, Scope], gas: Mapping[str, GasState]) -> dict[str, ActuatorForce]:
@@ -227,7 +236,10 @@ class _Tracer:
     # Connections and discrete states -----------------------------------------------------------------------------
 
     def _connected(self, all_outputs: Mapping[str, tuple[Any, str]], rates: Any) -> list[tuple[Any, Any]]:
-        """Return the symbol and the expression of each connected input, without connected inputs in the expressions."""
+        """Return pairs of symbol and expression for all connected inputs.
+
+        The expressions contain no symbols of other connected inputs.
+        """
         shown = [self._shown(name) for name in all_outputs]
         with ErrorCollector() as errors:
             for target, source in self.connections.items():
@@ -255,7 +267,10 @@ class _Tracer:
         return [*connected, *self._resolve(slopes)]
 
     def _resolve(self, expressions: Mapping[str, Any]) -> list[tuple[Any, Any]]:
-        """Return the placeholders with their expressions, in which other placeholders are substituted."""
+        """Substitute placeholders of connected inputs in each other's expressions.
+
+        The result contains each placeholder with an expression without placeholders.
+        """
         ca = self.ca
         dependencies = {
             target: [address for address in expressions if ca.depends_on(expression, self.joined[address])]
@@ -273,14 +288,18 @@ class _Tracer:
         return resolved
 
     def _substitute(self, expression: Any, connected: Sequence[tuple[Any, Any]]) -> Any:
-        """Return an expression with the expressions of connected inputs in place of their symbols."""
+        """Return an expression in which connected inputs are replaced by their expressions."""
         if not connected or expression.is_empty():
             return expression
         symbols, values = zip(*connected, strict=True)
         return self.ca.substitute([expression], list(symbols), list(values))[0]
 
     def _update(self, scopes: Mapping[str, Scope], connected: Sequence[tuple[Any, Any]], fired: Any) -> Any:
-        """Return the discrete state after an instant; each timer acts on the result of the previous ones."""
+        """Return the discrete state after a sample instant.
+
+        `fired` is 1 for each timer that is due. The timers act one after the other, each on the result of the previous
+        one.
+        """
         ca = self.ca
         index = {name: k for k, name in enumerate(self.memory_names)}
         now = self.z
@@ -323,7 +342,7 @@ class _Tracer:
         return infos
 
     def _starts(self, connected: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
-        """Return initial states and discrete states as functions of the parameters.
+        """Return expressions for the initial states and initial discrete states.
 
         A start can depend on inputs. A free input has its default value, a connected input the initial value of its
         output.
@@ -350,7 +369,10 @@ class _Tracer:
     def _all_outputs(
         self, scopes: Mapping[str, Scope], results: tuple[Mapping[str, Any], ...]
     ) -> dict[str, tuple[Any, str]]:
-        """Return inputs and outputs of all elementary parts by address; inputs of a part precede its outputs."""
+        """Return a mapping from addresses to expressions and units of all inputs and outputs.
+
+        It contains all elementary parts, also the members of compound parts. The inputs of a part precede its outputs.
+        """
         result: dict[str, tuple[Any, str]] = {}
         for name, part in self.parts.items():
             for item in part.inputs():
@@ -361,7 +383,10 @@ class _Tracer:
         return result
 
     def _outputs(self, all_outputs: Mapping[str, tuple[Any, str]]) -> dict[str, tuple[Any, str]]:
-        """Return the outputs of the circuit in file order; a compound part has only its declared outputs."""
+        """Return the outputs of the circuit in file order.
+
+        Only the declared outputs of a compound part are included.
+        """
         address_of = {shown: address for address, shown in self.shown.items()}
         result: dict[str, tuple[Any, str]] = {}
         for name, part in self.circuit_parts.items():

@@ -1,4 +1,7 @@
-"""Checks of names, connections and signals of a circuit, which collect all errors."""
+"""Checks of the names, ports, connections and signals of a circuit.
+
+Each check collects all errors instead of stopping at the first.
+"""
 
 from __future__ import annotations
 
@@ -28,7 +31,7 @@ _MAPPINGS = {
 
 
 class PartWiring(NamedTuple):
-    """Connections of a part to others."""
+    """Ports, gas nodes and body of a part."""
 
     kind: type[Part]
     ports: Mapping[str, str]  # port to the address of the gas node
@@ -37,12 +40,12 @@ class PartWiring(NamedTuple):
 
     @classmethod
     def of(cls, part: Part) -> PartWiring:
-        """Return the connections of a valid part."""
+        """Return the wiring of a valid part."""
         return cls(type(part), part.ports(), part.stores(), part.body_name())
 
     @classmethod
     def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> PartWiring:
-        """Return the connections of an invalid part, from its table."""
+        """Return the wiring of an invalid part from its table in the circuit file."""
         texts = {name: value for name, value in table.items() if isinstance(value, str)}
         fields = specs(kind)
         ports = {name: texts[name] for name, spec in fields.items() if isinstance(spec, PortSpec) and name in texts}
@@ -59,7 +62,7 @@ Wiring = Mapping[str, PartWiring]
 
 
 def check_kinds(circuit: Any) -> None:
-    """Raise InputErrors if fields of a circuit have the wrong type."""
+    """Raise InputErrors if a field of a circuit has an invalid type."""
     check_count(circuit.parts)
     with ErrorCollector() as errors:
         for name, example in _MAPPINGS.items():
@@ -76,13 +79,16 @@ def check_kinds(circuit: Any) -> None:
 
 
 def check_count(parts: Any) -> None:
-    """Raise InputError if a circuit has too many parts, before they are created."""
+    """Raise InputError if a circuit has too many parts.
+
+    The check takes place before the parts are created.
+    """
     if isinstance(parts, Mapping) and len(parts) > MOST_PARTS:
         raise InputError("wiring.too_many", "parts", value=len(parts), most=MOST_PARTS)
 
 
 def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
-    """Collect errors of names, ports and bodies."""
+    """Collect errors in names of parts, in ports and in bodies."""
     if not wiring:
         errors.add("wiring.empty", "parts")
     for name in wiring:
@@ -120,7 +126,10 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
 
 
 def _check_tube_end(errors: ErrorCollector, wiring: Wiring, tube: str, side: str, end: str) -> None:
-    """Collect the error of a tube end at a port that does not exist or that names another gas node."""
+    """Collect the error of a tube end that is not correctly joined to a port.
+
+    The port does not exist, or it is joined to another gas node.
+    """
     owner, _, port = end.partition(".")
     address, cell = f"parts.{tube}.{side}", wiring[tube].stores[0 if side == "from" else -1]
     if owner not in wiring or port not in wiring[owner].ports:
@@ -131,7 +140,7 @@ def _check_tube_end(errors: ErrorCollector, wiring: Wiring, tube: str, side: str
 
 
 def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
-    """Return the parts of a circuit; ports at the ends of tubes name the cell at that end."""
+    """Return the parts with ports at tube ends joined to the end cells of the tubes."""
     result = dict(parts)
     for name, part in parts.items():
         for end, cell in part.outer_ports().items():
@@ -143,7 +152,7 @@ def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
 
 
 def _check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
-    """Collect errors of actuators without a body, and of bodies without an actuator."""
+    """Collect an error for each actuator without a body and each body without an actuator."""
     bodies = {name for name, part in wiring.items() if issubclass(part.kind, Body)}
     driven = {part.body for part in wiring.values()}
     driven |= {match for name in driven - {*wiring, None} for match in get_close_matches(str(name), bodies, n=1)}
@@ -160,7 +169,10 @@ def _check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
 
 
 def _joined_twice(ports: Mapping[str, str]) -> str | None:
-    """Return the gas node at both ends of a flow path, else None."""
+    """Return the gas node that a part joins at both ends of a flow path.
+
+    The result is None if there is no such gas node.
+    """
     ends = list(ports.values())
     # All paths of a valve with three ports end at the outlet, of a valve with five ports at a or b.
     if outlets := [ports[name] for name in ("outlet", "a", "b") if name in ports]:
@@ -172,7 +184,10 @@ def check_connections(
     errors: ErrorCollector, connections: Mapping[str, str], parts: Collection[str], inputs: Mapping[str, Input],
     signals: Collection[str],
 ) -> None:  # fmt: skip
-    """Collect errors of connections: unknown inputs or outputs, and inputs that a signal drives."""
+    """Collect errors of connections.
+
+    An error is an unknown input or output, or an input with both a connection and a signal.
+    """
     for target, source in connections.items():
         item = inputs.get(target)
         if item is not None and (item.by_signal or item.slope_of):
@@ -191,7 +206,10 @@ def check_connections(
 def check_signals(
     errors: ErrorCollector, signals: Mapping[str, Signal], inputs: Mapping[str, Input], numbers: Mapping[str, float]
 ) -> None:
-    """Collect errors of signals: unknown inputs, and values outside the limits of the input."""
+    """Collect errors of signals.
+
+    An error is an unknown input, or a signal value outside the limits of the input.
+    """
     for address, signal in signals.items():
         if address not in inputs or inputs[address].slope_of:
             errors.extend([unknown_input(address, [name for name, item in inputs.items() if not item.slope_of])])
@@ -221,7 +239,7 @@ def check_signals(
 def check_starts(
     errors: ErrorCollector, parts: Mapping[str, Part], signals: Mapping[str, Signal], section: str = ""
 ) -> None:
-    """Collect errors of actuators that cannot reach the initial position of their body."""
+    """Collect an error for each actuator that cannot reach the initial position of its body."""
     for name, part in parts.items():
         body = parts.get(part.body_name() or "")
         if not isinstance(body, Body):
@@ -232,6 +250,6 @@ def check_starts(
 
 
 def unknown_input(address: str, inputs: Collection[str]) -> InputError:
-    """Return the error of a signal for an unknown input."""
+    """Return the error for a signal whose address is not an input."""
     suggestion = NameSuggestion(address, inputs)
     return InputError("names.unknown", f"signals.{address}", meaning="an input of this circuit", near=suggestion)

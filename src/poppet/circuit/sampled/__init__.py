@@ -1,1 +1,1 @@
-"""Sampled circuits: steady state, kinks, and the discrete linear model over one sample."""
+"""Analysis of sampled circuits: steady state, kinks, and linear model over one sample."""

@@ -17,20 +17,20 @@ from poppet.parts.part import NEVER
 Array = NDArray[np.float64]
 
 TICKS = 3
-"""Number of evaluated instants of the slowest clock."""
+"""Minimum number of evaluated instants of each clock."""
 MAX_INSTANTS = 20_000
 MAX_RATIO = 1000
-"""Largest integer in the ratio of two sample times."""
+"""Largest denominator of the ratio of two sample times."""
 SAME = 1e-9
 """Relative difference below which times are equal."""
 
 
 @dataclass(frozen=True, eq=False)
 class Clock:
-    """Sample instants of a circuit in one period of all its clocks."""
+    """Pattern of sample instants that repeats after the common period of all clocks."""
 
     sample_time: float  # period of the pattern of instants [s]
-    times: Array  # (m,) instants from the beginning of a sample, the first is 0 [s]
+    times: Array  # (m,) instants since the beginning of a sample, the first is 0 [s]
     fired: Array  # (m, n_timers) 1 for each timer that acts at the instant
     counts: NDArray[np.bool_]  # (n_memory,) timers and counters, which do not depend on the circuit
     memory: Array  # (n_memory,) discrete state at `start`; only the clocks are valid
@@ -38,7 +38,7 @@ class Clock:
 
 
 def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
-    """Find the common sample time of the clocks of a circuit, by running them."""
+    """Return the pattern of sample instants of a circuit, from a run of its clocks."""
     model = kernel.model
     counts = np.array(model.counting, dtype=np.bool_)
     names = [name for name, _ in model.memory[: model.n_timers]]
@@ -78,7 +78,10 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
 def _ticks(
     kernel: Kernel, x: Array, u: Array, p: Array, counts: NDArray[np.bool_], end: float | None = None
 ) -> tuple[list[list[float]], Array]:
-    """Return the instants of each clock up to `end`, default `TICKS` instants of the slowest, and the final memory."""
+    """Run the clocks, and return the instants of each clock and the final discrete state.
+
+    The clocks run up to the time `end` [s]. If it is None, they run until each has at least `TICKS` instants.
+    """
     n = kernel.model.n_timers
     p, z, fired = p.copy(), np.empty(len(kernel.model.memory)), np.zeros(n)
     memory = p[len(kernel.model.parameters) :]
@@ -99,7 +102,10 @@ def _ticks(
 
 
 def _common_period(periods: dict[int, float], names: list[str]) -> tuple[float, dict[int, int]]:
-    """Return the common period of all clocks, and the number of ticks of each clock in it."""
+    """Return the common period of all clocks [s], and the number of ticks of each clock in it.
+
+    `periods` maps the index of each clock to its period [s].
+    """
     shortest = min(periods.values())
     # Periods are decimals with rounding errors; their ratios are ratios of small integers, or there is no period.
     ratios = {k: Fraction(period / shortest).limit_denominator(MAX_RATIO) for k, period in periods.items()}

@@ -1,4 +1,7 @@
-"""Kinks near a steady state: jumps of the derivatives of rates or discrete states."""
+"""Search for kinks near a steady state of a sampled circuit.
+
+A kink is a jump in a derivative of the equations. A linear model is valid only up to the nearest kinks.
+"""
 
 from __future__ import annotations
 
@@ -11,14 +14,14 @@ from poppet.core.codes import Note
 Array = NDArray[np.float64]
 
 DISTANCES = np.logspace(-9, -2, 15)
-"""Search distances, per size of a variable."""
+"""Distances from the steady state at which derivatives are compared, per size of the changed variable."""
 JUMP = 0.5
-"""Relative change of a derivative at a kink."""
+"""Minimum relative change of a derivative that counts as a kink."""
 BISECTIONS = 10
 
 
 def kink_notes(point: SampledPoint, v: Array) -> tuple[Note, ...]:
-    """Return notes on the nearest kink of each equation."""
+    """Return notes on the kinks closest to a steady state v, at most one per equation."""
     search = _KinkSearch(point, v)
     # The linear model changes all states, and the discrete states that are not constant.
     _, by_v, by_u = point.instant(v, point.every_clock)
@@ -47,14 +50,17 @@ def kink_notes(point: SampledPoint, v: Array) -> tuple[Note, ...]:
 
 
 class _KinkSearch:
-    """Search for kinks near a point."""
+    """Search for kinks along single variables, from a steady state v."""
 
     def __init__(self, point: SampledPoint, v: Array) -> None:
         self.point, self.v = point, v
         _, self.jacobian = point.scaled(v)
 
     def jumps(self, column: int, distance: float) -> NDArray[np.bool_]:
-        """Return the rows whose derivative by a variable differs at a distance."""
+        """Return True for each equation whose derivative differs at a distance from v.
+
+        The derivative is that by the variable with index `column`, which is changed by `distance` times its size.
+        """
         v = self.v.copy()
         v[column] += distance * self.point.size[column]
         derivatives, reference = self.point.scaled(v)[1][:, column], self.jacobian[:, column]
@@ -64,7 +70,11 @@ class _KinkSearch:
         return result & np.isfinite(derivatives)
 
     def distances(self, column: int, sign: float) -> dict[int, float]:
-        """Return the rows with a kink in one direction and its distance, per size."""
+        """Return a mapping from equations with a kink to the distance of the kink.
+
+        The search changes the variable with index `column` in the direction `sign`. Keys are indices of equations.
+        Distances are in units of the size of the variable.
+        """
         result: dict[int, float] = {}
         low = 0.0
         for high in DISTANCES.tolist():

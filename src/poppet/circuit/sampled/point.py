@@ -1,4 +1,7 @@
-"""Sampled circuit with constant inputs: rates between instants, discrete states at instants, derivatives."""
+"""Equations of a sampled circuit with constant inputs, and their derivatives.
+
+They are the rates between sample instants, and the discrete states at sample instants.
+"""
 
 from __future__ import annotations
 
@@ -21,7 +24,10 @@ SIZES = {"Pa": 1e5, "K": 300.0, "m": 1e-3}
 
 @dataclass(frozen=True, eq=False)
 class IntersampleModel:
-    """Rates and outputs between instants, with derivatives by v = (x, w) and inputs u."""
+    """Rates and outputs between sample instants, with their derivatives.
+
+    The derivatives are those by the variables v = (x, w) of `SampledPoint` and by the inputs u.
+    """
 
     rates: Array
     outputs: Array
@@ -32,7 +38,9 @@ class IntersampleModel:
 
 
 class SampledPoint:
-    """Sampled circuit with constant inputs u.
+    """Equations of a sampled circuit with constant inputs u.
+
+    The variables are v = (x, w): x contains the states, w the discrete states except clocks.
 
     The variables are v = (x, w): the states, and the discrete states except clocks.
     """
@@ -63,45 +71,51 @@ class SampledPoint:
         self.every_clock[: self.model.n_timers] = self.clock.counts[: self.model.n_timers]
 
     def p(self, v: Array) -> Array:
-        """Return parameters and discrete states, with clocks after some ticks."""
+        """Return the vector p: parameters, then discrete states.
+
+        The discrete states are those in v; the clocks have their values at `clock.start`, after some ticks.
+        """
         # A controller can treat its first sample differently.
         memory = self.clock.memory.copy()
         memory[self.places] = v[self.n :]
         return np.concatenate([self.numbers, memory])
 
     def at_clock(self, v: Array) -> tuple[Array, Array]:
-        """Return state and p at the beginning of a run from v at `clock.start`."""
+        """Return x with quadratures, and p, for a run that starts with v at `clock.start`."""
         return self._padded(v), self.p(v)
 
     def first(self) -> tuple[Array, Array]:
-        """Return state and p at the beginning of a run at time zero."""
+        """Return x with quadratures, and p, for a run that starts at time zero."""
         return self._padded(self.start), np.concatenate([self.numbers, self.memory_start])
 
     def remembered(self, v: Array) -> Array:
-        """Return all discrete states, with clocks at the start of a run."""
+        """Return the vector of all discrete states: those in v, and clocks at the start of a run."""
         memory = self.memory_start.copy()
         memory[self.places] = v[self.n :]
         return memory
 
     def v(self, x: Array, memory: Array) -> Array:
-        """Return the variables of a state and all discrete states."""
+        """Return the variables v for a state vector and a vector of all discrete states."""
         return np.concatenate([x[: self.n], memory[self.places]])
 
     def _padded(self, v: Array) -> Array:
         return np.concatenate([v[: self.n], np.zeros(self.model.n_quadratures)])
 
     def between(self, v: Array) -> IntersampleModel:
-        """Return rates and outputs at v."""
+        """Return rates and outputs between sample instants, with their derivatives at v."""
         f, y, fv, fu, yv, yu = self._between(0.0, self._padded(v), self.u, self.p(v))
         return IntersampleModel(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
     def instant(self, v: Array, fired: Array) -> tuple[Array, Array, Array]:
-        """Return w after an instant, and its derivatives by v and u."""
+        """Return the discrete states w after a sample instant, and their derivatives by v and u.
+
+        `fired` is 1 for each timer that is due at the instant.
+        """
         z, zv, zu = self._instant(0.0, self._padded(v), self.u, self.p(v), fired)
         return z[self.places, 0], zv[np.ix_(self.places, self._columns)], zu[self.places]
 
     def scaled(self, v: Array) -> tuple[Array, Array]:
-        """Return the rates of v per size [1/s] and their Jacobian.
+        """Return the rates of the variables v and their Jacobian, with each variable in units of its size [1/s].
 
         The rate of a discrete state is its change over a sample, divided by the sample time.
         """
@@ -116,12 +130,16 @@ class SampledPoint:
         return change / self.size, jacobian * self.size[None, :] / self.size[:, None]
 
     def scaled_by_u(self, v: Array) -> Array:
-        """Return the derivatives of the rates of `scaled` by the inputs."""
+        """Return the derivatives of the rates that `scaled` returns, by the inputs u."""
         _, _, by_u = self.instant(v, self.every_clock)
         return np.asarray(np.vstack([self.between(v).rates_by_u, by_u / self.clock.sample_time]) / self.size[:, None])
 
     def is_at_rest(self, v: Array) -> bool:
-        """Return True if neither states between instants nor discrete states at instants change."""
+        """Return True if v is a steady state.
+
+        States must be constant between sample instants, discrete states must not change at instants, and no timer
+        except the clocks may run.
+        """
         residual, limit = scaled_residual(self.scaled, v, self.size)
         if not np.all(residual <= limit) or not self.waits(v):
             return False
@@ -132,6 +150,6 @@ class SampledPoint:
         )
 
     def waits(self, v: Array) -> bool:
-        """Return True if no timer except the clocks is running."""
+        """Return True if no timer except the clocks is running in v."""
         timers = self.places < self.model.n_timers
         return bool(np.all(v[self.n :][timers] >= NEVER))

@@ -1,4 +1,7 @@
-"""Linear map over one sample: instants, and matrix exponentials between them."""
+"""Linear map of the variables over one sample.
+
+It is a product of the maps at sample instants and of matrix exponentials between them.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Phase:
-    """Instant and the time until the next, in units of the sizes of the variables."""
+    """Linear maps at a sample instant and over the time until the next instant.
+
+    All variables are in units of their sizes.
+    """
 
     duration: float  # until the next instant or the end of the sample [s]
     # v after the instant, by v and by the inputs
@@ -30,7 +36,10 @@ class Phase:
 
 
 def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = None) -> tuple[Phase, ...]:
-    """Return the phases of one sample at a steady state."""
+    """Return the phases of one sample at a steady state v.
+
+    `between` are the derivatives between instants, if they are already available.
+    """
     b = between or point.between(v)
     n, size, clock = v.size, point.size, point.clock
     # Rows of discrete states remain zero: they are constant between instants.
@@ -48,7 +57,10 @@ def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = 
 
 
 def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array]:
-    """Return the matrix exponential of the continuous part with constant inputs."""
+    """Return the maps of variables and constant inputs over a duration [s].
+
+    They are blocks of the matrix exponential of the rates.
+    """
     from scipy.linalg import expm
 
     n, m = rates_u.shape
@@ -61,7 +73,7 @@ def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array
 
 
 def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, Array]:
-    """Return A and B over one sample, in units of the sizes of the variables."""
+    """Return the matrices A and B over one sample, with variables in units of their sizes."""
     a, b = np.eye(point.size.size), np.zeros((point.size.size, point.u.size))
     for phase in phases:
         a, b = phase.at_v @ a, phase.at_v @ b + phase.at_u
@@ -70,7 +82,7 @@ def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, A
 
 
 def eigenvalues_of(a: Array) -> NDArray[np.complex128]:
-    """Return the eigenvalues of a map over a sample."""
+    """Return the eigenvalues of the matrix of a map over one sample."""
     # Without rows or columns of zeros: balancing would divide by their size.
     rows = np.arange(len(a))
     while True:

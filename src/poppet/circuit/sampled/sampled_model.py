@@ -1,4 +1,4 @@
-"""Discrete linear model of a sampled circuit."""
+"""Discrete-time linear model of a sampled circuit."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from poppet.core.codes import Note
 Array = NDArray[np.float64]
 
 GONE = 1e-12
-"""Absolute eigenvalue over a sample below which a mode decays within one sample."""
+"""Absolute value of an eigenvalue of A below which a mode counts as decayed within one sample."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +50,7 @@ class SampledModel(LinearModel):
     Notes
     -----
     Between two instants the discrete states are constant, so the matrix exponential of the continuous part is exact.
-    An instant is the derivative of the controllers; their clocks act in the order of their ranks.
+    The map at an instant contains the derivatives of the controllers, whose clocks act in the order of their ranks.
     """
 
     sample_time: float = 0.0
@@ -62,12 +62,12 @@ class SampledModel(LinearModel):
     more: ClassVar[tuple[str, ...]] = ("sample_time",)
 
     def eigenvalues(self) -> NDArray[np.complex128]:
-        """Return the eigenvalues of A, over one sample."""
+        """Return the eigenvalues of A, which describe modes over one sample."""
         values = eigenvalues_of(self.A * self.sizes[None, :] / self.sizes[:, None])
         return values[np.lexsort((values.imag, -np.abs(values)))]
 
     def poles(self) -> NDArray[np.complex128]:
-        r"""Return the poles in continuous time.
+        r"""Return the poles in the s-plane [1/s], from the eigenvalues z of A.
 
         .. math:: s = \frac{\ln z}{T}
         """
@@ -77,7 +77,7 @@ class SampledModel(LinearModel):
         return poles[np.lexsort((poles.imag, np.abs(poles)))]
 
     def frequency_response(self, frequencies: ArrayLike, input: str, output: str) -> NDArray[np.complex128]:
-        r"""Return the frequency response of one output to one input, with the hold between samples.
+        r"""Return the frequency response of one output to one input, including the sample-and-hold.
 
         .. math:: G(\mathrm{i}\omega) = \frac{1}{T} \int_0^T y(t)\, e^{-\mathrm{i}\omega t}\,\mathrm{d}t,
                   \qquad u(t) = e^{\mathrm{i}\omega t}
@@ -94,12 +94,15 @@ class SampledModel(LinearModel):
         return np.array(mean, dtype=np.complex128) + complex(by_u)
 
     def state_response(self, frequency: float, input: str) -> NDArray[np.complex128]:
-        """Return the response of v to a sine at one input."""
+        """Return the complex amplitudes of the variables v for a unit sine at one input."""
         column = index_of(self.inputs, input, "input")
         return np.asarray(self._rotating_mean(2.0 * np.pi * frequency, column) * self.sizes, dtype=np.complex128)
 
     def _rotating_mean(self, omega: float, column: int) -> NDArray[np.complex128]:
-        """Return the mean of v exp(-i omega t) over a sample, in sizes."""
+        """Return the mean of v exp(-i omega t) over one sample, in units of `sizes`.
+
+        `omega` is the angular frequency [rad/s], and `column` the index of the input with the sine.
+        """
         steps, n = [], self.sizes.size
         matrix, offset = np.eye(n, dtype=complex), np.zeros(n, dtype=complex)
         for phase in self.phases:
@@ -127,14 +130,14 @@ class SampledModel(LinearModel):
 
 
 def sampled_model(instance: Instance, steady: SteadyState) -> SampledModel:
-    """Return the linear model over one sample at a steady state."""
+    """Return the discrete-time linear model of an instance at a steady state."""
     point = SampledPoint(instance, np.array(list(steady.u.values())))
     v = point.v(steady.x, np.array(list(steady.memory.values())))
     return model_at(point, v, steady.notes)
 
 
 def model_at(point: SampledPoint, v: Array, notes: tuple[Note, ...] = ()) -> SampledModel:
-    """Return the linear model over one sample at the steady state v."""
+    """Return the discrete-time linear model at the steady state v of a sampled circuit."""
     intersample, size = point.between(v), point.size
     phases = phases_of(point, v, intersample)
     a, b = sample_map(point, phases)

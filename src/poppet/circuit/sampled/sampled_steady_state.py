@@ -1,4 +1,4 @@
-"""Steady states of sampled circuits."""
+"""Search for steady states of sampled circuits."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ TRANSIENTS = (10.0, 100.0, 1000.0)
 TRANSIENT_TOLERANCE = 1e-7
 MAX_ATTEMPTS = 3_000_000
 ARRIVED = 1e-3
-"""Distance per size below which a transient has reached the steady state."""
+"""Distance to a steady state at which a transient has reached it, per size of the variable."""
 SAME_STATE = 1e-6
 SETTLING_TIME, OBSERVATION_TIME, ROWS = 20.0, 20.0, 40_001
-"""Time before an oscillation is evaluated [s], time of the evaluation [s], and its number of rows."""
+"""Start of the evaluation of an oscillation [s], duration of the evaluation [s], and number of output times."""
 RUN_TIME, RUNS = 1.0, 12
-"""Duration [s] and number of the runs that are searched for running timers."""
+"""Minimum duration [s] and number of the transients in which running timers are searched."""
 MIN_AMPLITUDE = 1e-9
-"""Smallest amplitude of an oscillation, per size."""
+"""Smallest amplitude that counts as an oscillation, relative to 1 plus the maximum of the series."""
 
 
 def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
-    """Return the steady state of a sampled circuit."""
+    """Return the steady state of a sampled circuit with constant inputs u."""
     point = SampledPoint(instance, u)
     v, *notes = _search(point)
     if v is None:
@@ -61,7 +61,10 @@ def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
 
 
 def rest_near(point: SampledPoint, guess: Array) -> Array | None:
-    """Return the steady state that Newton's method finds from a guess, or None."""
+    """Return the steady state to which Newton's method converges from a guess.
+
+    The result is None if the method does not converge.
+    """
     is_idle = (point.places < point.model.n_timers) & (guess[point.n :] > 0.5 * NEVER)
     start = guess.copy()
     # In a steady state no timer runs.
@@ -71,14 +74,17 @@ def rest_near(point: SampledPoint, guess: Array) -> Array | None:
 
 
 def _is_stable(point: SampledPoint, v: Array) -> bool:
-    """Return True if small disturbances of a steady state do not grow."""
+    """Return True if small disturbances of a steady state v do not grow."""
     radius = float(np.max(np.abs(eigenvalues_of(sample_map(point, phases_of(point, v))[0])), initial=0.0))
     # Integrals and counters have eigenvalues of one with rounding errors.
     return radius <= 1.0 + SAME_STATE
 
 
 def _search(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
-    """Return a steady state and a note on the method, or None."""
+    """Return a steady state and a note on the method of the search.
+
+    The first element is None, without a note, if no steady state was found.
+    """
     previous: Array | None = None
     durations = list(TRANSIENTS)
     while durations:
@@ -102,7 +108,10 @@ def _search(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
 
 
 def transient(point: SampledPoint, duration: float, grid: Array | None = None) -> tuple[Array, RawRun]:
-    """Return the end and the run of a circuit from its start with constant inputs."""
+    """Run a sampled circuit from its initial state with constant inputs.
+
+    Return the final variables v and the run. `grid` contains the output times [s]; by default only the end.
+    """
     x, p = point.first()
     times = np.array([duration]) if grid is None else grid
     limits = {"relative_tolerance": TRANSIENT_TOLERANCE, "most_attempts": MAX_ATTEMPTS}
@@ -113,7 +122,9 @@ def transient(point: SampledPoint, duration: float, grid: Array | None = None) -
 
 
 def oscillation(time: Array, values: Array) -> tuple[float, float]:
-    """Return amplitude and period of an oscillation; the period is infinite with fewer than two crossings.
+    """Return amplitude and period of the oscillation of a series.
+
+    The period is infinite if the series has fewer than two upward crossings of its middle.
 
     Notes
     -----
@@ -141,7 +152,7 @@ def oscillation(time: Array, values: Array) -> tuple[float, float]:
 
 
 def _motion(point: SampledPoint) -> Note:
-    """Return a note on the largest oscillations at the end of a transient."""
+    """Return a note on the largest oscillations after a long transient."""
     time = np.linspace(SETTLING_TIME, SETTLING_TIME + OBSERVATION_TIME, ROWS)
     _, run = transient(point, SETTLING_TIME + OBSERVATION_TIME, time)
     if not run.outcome.is_success:
@@ -160,7 +171,10 @@ def _motion(point: SampledPoint) -> Note:
 
 
 def _running_timers(point: SampledPoint) -> list[str]:
-    """Return the timers, except clocks, that run at the end of some transients or that a tick sets."""
+    """Return the names of running timers, except clocks.
+
+    A timer is included if it runs at the end of one of several transients, or if a tick of the clocks sets it.
+    """
     running: set[int] = set()
     timers = [k for k in range(point.places.size) if point.places[k] < point.model.n_timers]
     for k in range(RUNS if timers else 0):
