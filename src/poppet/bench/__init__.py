@@ -1,1 +1,1 @@
-"""The virtual test bench of pressure valves: figures after ISO 10094, of a model or of recordings; what limits them."""
+"""Virtual test bench for pressure valves: characteristic values after ISO 10094, and dynamic limits."""

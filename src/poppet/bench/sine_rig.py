@@ -1,4 +1,4 @@
-"""Settled circuit driven by sines and steps, for repeated runs of the full model."""
+"""Settled circuit with a sine or step at one input, for repeated runs of the nonlinear model."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ MOST_ATTEMPTS = 1_500_000
 
 @dataclass(frozen=True)
 class SineResponse:
-    """Response of a circuit to a sinusoidal input."""
+    """Response of an output to a sinusoidal input."""
 
     gain: complex  # fundamental of the output per amplitude of the input, in their units
     mean: float  # of the output, in its unit
@@ -45,10 +45,10 @@ class SineResponse:
 
 
 class SineRig:
-    """BaseCircuit with sampled parts that starts settled, for responses to sines and steps.
+    """Circuit with sampled parts for repeated responses to sines and steps, from a settled state.
 
-    The start is `rest`, or the end of a run of `settling` [s] with constant inputs. `input` and `output` are
-    addresses.
+    Each run starts from the steady state `rest`. Without `rest`, it starts from the state after `settling` seconds with
+    constant inputs. `input` and `output` are addresses of the driven input and of the observed output.
     """
 
     def __init__(
@@ -69,24 +69,27 @@ class SineRig:
 
     @property
     def sample_time(self) -> float:
-        """Period after which all clocks tick together again [s]."""
+        """Common period of all sampled controllers [s]."""
         return self.point.clock.sample_time
 
     def started_at(self, v: Array) -> SineRig:
-        """Return the rig with a start at given states and discrete states."""
+        """Return a copy of the rig that starts from other states and discrete states `v`."""
         rig = copy(self)
         (rig.x, rig.p), rig.begin = self.point.at_clock(v), self.point.clock.start
         return rig
 
     @property
     def level(self) -> float:
-        """Output at the start, in its unit."""
+        """Value of the output at the start, in the unit of the output."""
         y = np.empty(len(self.kernel.model.outputs))
         self.kernel.call("outputs", np.array([self.begin]), self.x, self.u, self.p, y)
         return float(y[self.output])
 
     def _settled(self, duration: float) -> tuple[Array, Array, float]:
-        """Return states, parameters and time after a run with constant inputs, at a sample instant."""
+        """Return states, parameters and time at the end of a run with constant inputs.
+
+        The end is a common sample instant of all controllers.
+        """
         clock = self.point.clock
         end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
         x, p = self.point.first()
@@ -101,14 +104,17 @@ class SineRig:
     def _problem(
         self, coefficients: Array, begin: float, grid: Array, x: Array, p: Array, **options: object
     ) -> Problem:
-        """Return a run from a start time; the clocks continue from there."""
+        """Return the definition of a run from a given time and state.
+
+        `coefficients` define the inputs, and `grid` the output times [s]. The sampled controllers keep their clocks.
+        """
         return Problem(
             self.kernel, p.copy(), x.copy(), np.array([begin]), np.zeros(1, dtype=np.int64), coefficients,
             np.zeros(1, dtype=bool), grid, self.tolerance, most_attempts=MOST_ATTEMPTS, **options,  # type: ignore[arg-type]
         )  # fmt: skip
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
-        """Run with a sine added to the constant input."""
+        """Run with a sine added to the constant value of the driven input."""
         coefficients = constant_coefficients(self.u, self.begin)
         coefficients[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(coefficients, self.begin, self.begin + grid, self.x, self.p))
@@ -116,7 +122,11 @@ class SineRig:
     def response(
         self, amplitude: float, frequency: float, *, rows: int = ROWS, attempts: int = ATTEMPTS
     ) -> SineResponse:
-        """Return the fundamental of the output after the transient."""
+        """Return the settled response to a sine of given amplitude and frequency [Hz].
+
+        `rows` is the number of samples per period. At most `attempts` runs take place, each twice
+        as long as the previous one, until the transient has decayed.
+        """
         periods = max(PERIODS, int(np.ceil(SAMPLES * self.sample_time * frequency)))
         for k in range(attempts):
             part = periods * 2**k * rows
@@ -133,7 +143,11 @@ class SineRig:
         return SineResponse(second[0] / amplitude, second[1], second[2], is_steady)
 
     def rise(self, change: float, expected: float, part: float, longest: float) -> float:
-        """Return the time from a step of the input until the output has made its change."""
+        """Return the time from a step of the input until the output has responded [s].
+
+        `change` is the step of the input, `expected` the complete change of the output, and `part` the fraction of it
+        to reach. The result is NaN if this takes longer than `longest` [s].
+        """
         coefficients = constant_coefficients(self.u, self.begin)
         coefficients[0, self.input, 0] += change
         sign = float(np.sign(expected))
@@ -145,9 +159,10 @@ class SineRig:
 
 
 def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, float, float]:
-    """Return the component of one frequency in a series, its mean, and the relative rms of the rest.
+    """Return the sine of one frequency in a series, the mean and the relative residual.
 
-    The Hann window separates sampling sidebands and slow drift from the fundamental.
+    The result is the complex amplitude, the mean, and the rms of the residual relative to the rms of the sine. A Hann
+    window separates sampling sidebands and slow drift from the sine.
 
     Examples
     --------
@@ -175,13 +190,13 @@ _BANDS = {
     ),
     "pilot_stage": ("fill.opening_delay", "fill.closing_delay", "vent.opening_delay", "vent.closing_delay"),
 }  # fmt: skip
-"""By kind of part the numbers that are zero in a circuit without bands."""
+"""Mapping from the kind of a part to the parameters that `without_bands` sets to zero."""
 _OPTIONS = {"pilot_stage": {"drive": "averaged"}}
 
 
 @dataclass(frozen=True)
 class Agreement:
-    """Amplitudes at which the full model follows the linear model."""
+    """Range of amplitudes in which the nonlinear model follows the linear model."""
 
     # Amplitudes of the input between which they agree, in its unit: 0 and infinity where they agree down and up to the
     # last one tried; both not a number where they agree nowhere.
@@ -194,7 +209,7 @@ class Agreement:
 
 
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
-    """Return the circuit with averaged solenoids and without bands, delays and quantisation."""
+    """Return the circuit with averaged solenoids, without controller bands, delays and quantisation."""
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():
         members = part.members if isinstance(part, Compound) else {"": part}
@@ -208,7 +223,10 @@ def without_bands(circuit: BaseCircuit) -> BaseCircuit:
 def agreement(
     rig: SineRig, linear: LinearModel, frequency: float, amplitudes: tuple[float, float], *, tolerance: float = 0.1
 ) -> Agreement:
-    """Return the range of amplitudes in which a circuit follows a linear model."""
+    """Find the range of amplitudes in which a circuit follows its linear model.
+
+    `amplitudes` are the limits of the search, and `tolerance` is the largest relative difference of the complex gains.
+    """
     if not 0.0 < amplitudes[0] < amplitudes[1]:
         raise InputError("limits.amplitudes", given=amplitudes)
     model = rig.kernel.model
@@ -231,7 +249,11 @@ def agreement(
 
 
 def _edge(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
-    """Return the last amplitude that agrees, by bisection between `inside` and `outside`."""
+    """Return the limit of agreement between an agreeing amplitude and one that does not agree.
+
+    `difference` is the deviation from the linear model. `inside` agrees with it, `outside` does not; the search is a
+    bisection.
+    """
     for _ in range(BISECTIONS):
         middle = float(np.sqrt(inside * outside))
         inside, outside = (middle, outside) if difference(middle) <= tolerance else (inside, middle)

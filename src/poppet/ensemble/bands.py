@@ -1,4 +1,7 @@
-"""Quantile bands of outputs from histograms.
+"""Quantile bands of outputs versus time, computed from histograms.
+
+A histogram counts the values of all runs at one time. Histograms of shards (groups of runs) can be added in any order.
+Their memory does not depend on the number of runs.
 
 Histograms of shards are added in any order, and their memory does not depend on the number of runs.
 """
@@ -15,19 +18,22 @@ from numpy.typing import NDArray
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, Integers
 
 TIMES = 201
-"""Maximum number of rows of an output with bands."""
+"""Maximum number of times at which bands are computed."""
 BINS = 128
 _MARGIN = 0.5
-"""Margin of the bins on either side, relative to the range of the first runs."""
+"""Margin on either side of the histogram, relative to the range of values in the first runs."""
 
 
 def band_rows(grid: Array) -> Integers:
-    """Return the indices of the rows that have bands."""
+    """Return the indices of the output times at which bands are computed."""
     return np.unique(np.linspace(0, grid.size - 1, min(TIMES, grid.size)).round().astype(np.int64))
 
 
 def band_edges(plan: EnsemblePlan, grid: Array, pilot: Array) -> Array:
-    """Return the limits of the bins, (n_curves, n_times, 2), from the first runs, (m, n_curves, n_rows)."""
+    """Return the lower and upper limits of the histograms, (n_curves, n_times, 2).
+
+    `pilot` contains the outputs of the first runs, (m, n_curves, n_rows), which determine the limits.
+    """
     limits = np.zeros((len(plan.curves), band_rows(grid).size, 2))
     if len(pilot):
         samples = pilot[:, :, band_rows(grid)]
@@ -40,7 +46,7 @@ def band_edges(plan: EnsemblePlan, grid: Array, pilot: Array) -> Array:
 
 @dataclass(frozen=True)
 class Bands:
-    """Histograms of outputs over all runs."""
+    """Histograms of outputs over all runs, one for each output and time."""
 
     curves: tuple[str, ...]
     time: Array  # (n_times,) [s]
@@ -49,7 +55,10 @@ class Bands:
 
     @staticmethod
     def of(plan: EnsemblePlan, grid: Array, limits: Array, values: Array) -> Bands:
-        """Return the histograms of some runs, (m, n_curves, n_rows)."""
+        """Return the histograms of some runs.
+
+        `values` are the outputs, (m, n_curves, n_rows), and `limits` the limits of the histograms.
+        """
         rows = band_rows(grid)
         counts = np.zeros((*limits.shape[:2], BINS + 2), dtype=np.int64)
         low, high = limits[..., 0], limits[..., 1]
@@ -64,7 +73,7 @@ class Bands:
         return Bands(plan.curves, grid[rows], limits, counts)
 
     def columns(self) -> dict[str, Any]:
-        """Return the histograms as columns of a table, one row for each output and time."""
+        """Return the histograms as table columns, with one row for each output and time."""
         n = self.time.size
         return {
             "curve": [name for name in self.curves for _ in range(n)],
@@ -76,7 +85,7 @@ class Bands:
 
     @staticmethod
     def read(columns: Mapping[str, Any]) -> Bands:
-        """Read histograms from the columns of a table."""
+        """Read histograms from table columns as written by `columns`."""
         curves = tuple(dict.fromkeys(columns["curve"]))
         n = len(columns["curve"]) // max(len(curves), 1)
         limits = np.stack([np.asarray(columns["low"]), np.asarray(columns["high"])], axis=-1)
@@ -87,7 +96,11 @@ class Bands:
         return Bands(self.curves, self.time, self.edges, self.counts + other.counts)
 
     def quantile(self, curve: str, u: float) -> Array:
-        """Return a quantile at every time, (n_times,), interpolated within a bin; it is infinite outside the bins."""
+        """Return a quantile of one output at every time, (n_times,).
+
+        `curve` is the address of the output and `u` the probability. Values are interpolated within a bin. The result
+        is infinite if the quantile is outside the limits of the histogram, and NaN without values.
+        """
         index = self.curves.index(curve)
         counts, (low, high) = self.counts[index], self.edges[index].T
         total = counts.cumsum(axis=1)

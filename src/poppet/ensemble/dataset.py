@@ -1,4 +1,7 @@
-"""Ensemble on disk: Parquet shards and a manifest. Files are written atomically."""
+"""Ensemble on disk: Parquet files (shards), each with the results of some runs, and a manifest.
+
+Every file is written atomically.
+"""
 
 from __future__ import annotations
 
@@ -27,11 +30,11 @@ from poppet.timeseries.tables.reading import arrow, table_in
 MANIFEST = "manifest.json"
 FORMAT = 1
 _NOT_OF_RUNS = ("indices",)
-"""Settings that can change while the stored runs stay valid."""
+"""Settings of a plan that can change although runs are stored: the stored runs remain valid."""
 
 
 def fingerprint(circuit: BaseCircuit) -> str:
-    """Return a hash of all inputs of a run of a circuit."""
+    """Return a hash of all data that determine a run of a circuit."""
     problem = circuit.problem(circuit.run)
     arrays = (
         problem.p, problem.x0, problem.starts, problem.courses, problem.coefficients, problem.jumps, problem.grid,
@@ -44,7 +47,10 @@ def fingerprint(circuit: BaseCircuit) -> str:
 
 
 def describe_plan(plan: EnsemblePlan) -> dict[str, Any]:
-    """Return all settings that determine the runs, as plain values for the manifest and its hash."""
+    """Return all settings that determine the runs, as plain values for the manifest.
+
+    The manifest also contains a hash of these values.
+    """
     circuit = plan.circuit
     numbers: dict[str, Any] = {a: {"distribution": d.kind, **d.numbers} for a, d in plan.alone.items()}
     for address, distribution in plan.alone.items():
@@ -66,7 +72,7 @@ def describe_plan(plan: EnsemblePlan) -> dict[str, Any]:
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of all software that affects the results."""
+    """Return the versions of all software that can affect the results."""
     python = ".".join(map(str, sys.version_info[:3]))
     return {"poppet": __version__, "python": python, **_packages(), "kernel": kernel_of_this_machine()}
 
@@ -81,7 +87,7 @@ def _packages() -> dict[str, str]:
 
 @dataclass(frozen=True)
 class Dataset:
-    """Folder of shards with its manifest."""
+    """Folder with the shards and the manifest of an ensemble."""
 
     folder: Path
     manifest: Mapping[str, Any]
@@ -124,7 +130,7 @@ class Dataset:
             write_whole(path, lambda stream: stream.write(text.encode("utf-8")))
 
     def sealed(self) -> Dataset:
-        """Return the dataset with the hashes of all files in its manifest."""
+        """Write the hashes of all files to the manifest, and return the complete dataset."""
         files = sorted(path for path in self.folder.glob("*/part-*.parquet"))
         hashes = {path.relative_to(self.folder).as_posix(): _digest(path) for path in files}
         dataset = Dataset(self.folder, {**self.manifest, "files": hashes})
@@ -132,7 +138,10 @@ class Dataset:
         return dataset
 
     def missing(self, plan: EnsemblePlan, kind: str) -> list[int]:
-        """Return the numbers of the shards of a kind that are missing or incomplete."""
+        """Return the indices of the shards that are missing or incomplete.
+
+        `kind` is `runs`, `tornado` or `indices`.
+        """
         design = design_of(plan, kind)
         curve_folder = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
         missing, count = [], -(-design.size // design.shard)
@@ -147,7 +156,10 @@ class Dataset:
         return missing
 
     def _rows(self, kind: str, number: int) -> int:
-        """Return the number of rows of a shard, or -1 if its file is missing, changed or not readable."""
+        """Return the number of table rows in a shard.
+
+        The result is -1 if the file is missing, has changed or is not readable.
+        """
         path = self.folder / kind / _name(number)
         expected = self.hashes.get(f"{kind}/{_name(number)}")
         if not path.exists() or (expected and _digest(path) != expected):
@@ -157,14 +169,20 @@ class Dataset:
         return -1
 
     def write(self, files: Mapping[str, bytes]) -> None:
-        """Write the files of a shard; the last file marks it as complete."""
+        """Write the files of a shard in the given order.
+
+        A shard counts as complete if its last file exists.
+        """
         for name, content in files.items():
             path = self.folder / name
             path.parent.mkdir(exist_ok=True)
             write_whole(path, lambda stream, content=content: stream.write(content))  # type: ignore[misc]
 
     def shards(self, kind: str, columns: list[str] | None = None) -> Iterator[dict[str, NDArray[Any]]]:
-        """Yield the columns of each shard in the order of the runs."""
+        """Yield the columns of each shard, in the order of the runs.
+
+        Only the named columns are read; None selects all.
+        """
         for path in sorted((self.folder / kind).glob("part-*.parquet")):
             table = table_in(path, columns)
             yield {name: table[name].to_numpy() for name in table.column_names}
@@ -172,7 +190,7 @@ class Dataset:
     def columns(
         self, kind: str, columns: list[str] | None = None, max_rows: int | None = None
     ) -> dict[str, NDArray[Any]]:
-        """Return the columns of all shards, or of the first `max_rows` runs."""
+        """Return columns with the values of all shards, or of the first `max_rows` runs."""
         parts: list[dict[str, NDArray[Any]]] = []
         count = 0
         for shard in self.shards(kind, columns):
@@ -188,7 +206,10 @@ def _name(number: int) -> str:
 
 
 def _read_manifest(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
-    """Return the stored manifest; reject that of another dataset."""
+    """Read the manifest of a folder, and reject it if it belongs to another ensemble.
+
+    `content` is the expected manifest.
+    """
     try:
         stored = json.loads(path.read_text(encoding="utf-8"))
         stored_plan = stored["poppet ensemble"]

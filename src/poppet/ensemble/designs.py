@@ -1,4 +1,4 @@
-"""Parameters of the runs: sample, tornado and Sobol indices."""
+"""Parameter values of all runs: random sample, tornado chart and Sobol indices."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from poppet.ensemble.sampling import points
 
 KINDS = ("runs", "tornado", "indices")
 LOW, HIGH = 0.05, 0.95
-"""Quantiles of a parameter in a tornado chart."""
+"""Low and high probability of the quantiles of a parameter in a tornado chart."""
 
 
 @dataclass(frozen=True)
 class RunDesign:
-    """Number of runs of a kind, and their parameters."""
+    """Runs of one kind: number of runs, runs per shard, and parameter values."""
 
     size: int
     shard: int
@@ -25,7 +25,7 @@ class RunDesign:
 
 
 def design_of(plan: EnsemblePlan, kind: str) -> RunDesign:
-    """Return the runs of a kind: `runs`, `tornado` or `indices`."""
+    """Return the design of the runs of one kind: `runs`, `tornado` or `indices`."""
     if kind == "runs":
         return RunDesign(plan.runs, plan.shard, plan.sample)
     if kind == "tornado":
@@ -36,7 +36,11 @@ def design_of(plan: EnsemblePlan, kind: str) -> RunDesign:
 
 
 def _tornado(plan: EnsemblePlan) -> Array:
-    """Return the medians, then for each parameter a low and a high quantile with the medians of the others."""
+    """Return the parameter values of the runs for a tornado chart.
+
+    The first run has the median of all parameters. Two further runs for each parameter have a low and a high quantile
+    of it, with the medians of all other parameters.
+    """
     middle = np.array([plan.quantile(address, 0.5) for address in plan.addresses])
     values = np.tile(middle, (2 * len(middle) + 1, 1))
     for k, address in enumerate(plan.addresses):
@@ -45,7 +49,10 @@ def _tornado(plan: EnsemblePlan) -> Array:
 
 
 def _saltelli(plan: EnsemblePlan, first: int, last: int) -> Array:
-    """Return blocks A and B, and for each factor block A with the columns of that factor from B.
+    """Return the parameter values of the runs for Sobol indices, from run `first` up to run `last` (excluded).
+
+    The runs form blocks: A, B, and one block for each factor. The block of a factor is a copy of A with the columns of
+    that factor from B.
 
     A and B are halves of one Sobol sequence of twice the dimension (Saltelli et al., Comput. Phys. Commun. 181, 2010).
     """

@@ -18,13 +18,13 @@ from poppet.parts.fields import NumberSpec
 
 Array = NDArray[np.float64]
 MAX_INVALID_PROBABILITY = 1e-12
-"""Maximum probability of invalid values; one of 1e5 ensembles with 1e7 samples contains such a value."""
+"""Maximum probability of invalid values: on average, one in 1e5 ensembles of 1e7 samples contains such a value."""
 DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature": "temperature_difference"}
-"""Kind of a quantity to the kind of its differences."""
+"""Mapping from the kind of a quantity to the kind of a difference of two such quantities."""
 
 
 class Form(NamedTuple):
-    """Fields and functions of a kind of distribution."""
+    """Fields and functions of one kind of distribution."""
 
     fields: tuple[str, ...]
     spreads: tuple[str, ...]  # fields that are differences
@@ -35,7 +35,7 @@ class Form(NamedTuple):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Fields that a file can contain."""
+        """Names of all fields that a circuit file can contain for this distribution."""
         return tuple(dict.fromkeys((*self.fields, *((self.relative,) if self.relative else ()), "low", "high")))
 
 
@@ -89,7 +89,10 @@ MIDDLES = "mean", "median", "mode"
 
 @dataclass(frozen=True)
 class Distribution:
-    """Distribution with its parameters, SI and absolute, truncated to `low` ... `high`."""
+    """Distribution of a parameter, truncated to the range from `low` to `high`.
+
+    All values are in SI units, and pressures and temperatures are absolute.
+    """
 
     kind: str
     numbers: Mapping[str, float]
@@ -97,22 +100,25 @@ class Distribution:
     high: float = math.inf
 
     def below(self, x: float) -> float:
-        """Return the probability of smaller values."""
+        """Return the probability that a value is smaller than x."""
         (a, b), form = self._cut, FORMS[self.kind]
         return float(np.clip((form.below(x, self.numbers) - a) / (b - a), 0.0, 1.0))
 
     def quantile(self, u: Array) -> Array:
-        """Return values at probabilities 0 < u < 1."""
+        """Return the quantiles of the truncated distribution at probabilities between 0 and 1 (excluded)."""
         a, b = self._cut
         # Rounding must not move a value outside the limits.
         return np.clip(FORMS[self.kind].quantile(a + u * (b - a), self.numbers), self.low, self.high)
 
     def within(self, low: float, high: float) -> Distribution:
-        """Return the distribution truncated to a range."""
+        """Return the distribution truncated to the range from `low` to `high`.
+
+        The present limits remain in force.
+        """
         return Distribution(self.kind, self.numbers, max(low, self.low), min(high, self.high))
 
     def outside(self, low: float, high: float) -> float:
-        """Return the probability of values outside a range."""
+        """Return the probability of values outside the range from `low` to `high`."""
         return self.below(low) + (1.0 - self.below(high))
 
     @property
@@ -122,7 +128,10 @@ class Distribution:
 
 
 def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, ambient: float) -> Distribution:
-    """Read the distribution of a parameter from its declaration and its value in the circuit."""
+    """Read the distribution of a parameter from its table in the circuit file.
+
+    `spec` is the declaration of the parameter and `number` its value in the circuit, which is the default centre.
+    """
     with ErrorCollector() as errors:
         if not isinstance(raw, Mapping):
             errors.add("fields.no_table", address, value=raw)

@@ -28,14 +28,15 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
 STORED = ("metrics", "bands", "all")
-"""Stored data: metrics of each run; quantile bands of outputs over all runs; complete outputs."""
+"""Choices of stored data: metrics of each run, also quantile bands of outputs, or also complete outputs."""
 LEVELS = 5
 """Default number of values per parameter in a grid."""
 MAX_RUNS = 2**31
 _SHARDS, _LEAST, _LEAST_SAMPLED, _MOST, _MOST_CURVES = 32, 512, 64, 16_384, 2_048
-"""Shards of an ensemble, and minimum and maximum runs of a shard.
+"""Intended number of shards, and limits of the number of runs in a shard.
 
-Writing a file takes as long as hundreds of runs. Runs with discrete states take a hundred times longer than others.
+The limits are: minimum, minimum with discrete states, maximum, maximum with stored curves. Writing a file takes as long
+as hundreds of runs. Runs with discrete states take a hundred times longer than others.
 """
 FIELDS = {
     "runs": Field(meaning="number of runs; set by the grid or the file"),
@@ -55,7 +56,7 @@ FIELDS = {
 
 @dataclass(frozen=True)
 class JointNormal:
-    """Joint normal distribution of the estimates of an identification."""
+    """Joint normal distribution of estimated parameters, from an identification."""
 
     file: str
     mean: tuple[float, ...]
@@ -67,7 +68,7 @@ class JointNormal:
 class EnsemblePlan:
     """Settings that determine an ensemble.
 
-    The first columns are parameters with distributions of their own, the last ones have a joint distribution.
+    Parameters are columns of the sample. Those in `alone` are independent and come first; those in `joint` follow.
     """
 
     circuit: BaseCircuit = field(repr=False)
@@ -88,18 +89,24 @@ class EnsemblePlan:
 
     @cached_property
     def addresses(self) -> tuple[str, ...]:
-        """Addresses of the uncertain parameters in the order of their columns."""
+        """Addresses of the uncertain parameters, in the order of the columns of parameter values."""
         return self.table[0] if self.table else (*self.alone, *self.joint)
 
     @cached_property
     def factors(self) -> dict[str, tuple[int, ...]]:
-        """Independent factors with their columns: each parameter, or all parameters of the joint distribution."""
+        """Mapping from each independent factor to its columns of parameter values.
+
+        A factor is a parameter, or all parameters of the joint distribution together.
+        """
         factors = {address: (k,) for k, address in enumerate(self.alone)}
         n = len(self.alone)
         return factors | ({"from_fit": tuple(range(n, n + len(self.joint)))} if self.joint else {})
 
     def values(self, u: Array) -> Array:
-        """Return parameters, (m, n), at points of the open unit cube."""
+        """Return parameter values, (m, n), at points of the open unit cube.
+
+        Each coordinate of a point is a probability, which the quantile function converts to a value.
+        """
         values = np.empty_like(u)
         n = len(self.alone)
         for k, distribution in enumerate(self.alone.values()):
@@ -117,14 +124,17 @@ class EnsemblePlan:
         return values
 
     def sample(self, first: int, last: int) -> Array:
-        """Return the parameters of some of the runs."""
+        """Return the parameter values of the runs from `first` up to `last` (excluded)."""
         if self.table is not None:
             return self.table[1][first:last]
         n = len(self.addresses)
         return self.values(points(self.sampling, self.seed, self.runs, n, first, last, (self.levels,) * n))
 
     def quantile(self, address: str, u: float) -> float:
-        """Return the marginal quantile of a parameter; for a table, that of its values."""
+        """Return the quantile of one parameter at probability u.
+
+        If a file contains the parameter values, the quantile is that of its column.
+        """
         if self.table is not None:
             return float(np.quantile(self.table[1][:, self.table[0].index(address)], u))
         if address in self.alone:
@@ -135,20 +145,26 @@ class EnsemblePlan:
 
     @cached_property
     def shard(self) -> int:
-        """Runs of a shard: a power of two that depends on the number of runs and the circuit only."""
+        """Number of runs in a shard: a power of two.
+
+        It depends only on the number of runs, on the stored data and on the circuit, not on the computer.
+        """
         max_runs = _MOST if self.keep == "metrics" else _MOST_CURVES
         min_runs = _LEAST_SAMPLED if self.circuit.model.memory else _LEAST
         return int(min(max_runs, max(min_runs, 2 ** round(math.log2(max(self.runs / _SHARDS, 1.0))))))
 
     @cached_property
     def outputs(self) -> tuple[str, ...]:
-        """Addresses of the evaluated outputs."""
+        """Addresses of the outputs that metrics, bands or stored curves require."""
         addresses = [address for metric in self.metrics for address in metric.outputs]
         return tuple(dict.fromkeys([*addresses, *self.curves]))
 
 
 def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Path) -> EnsemblePlan:
-    """Read the tables of an ensemble and report all errors together."""
+    """Read the tables `ensemble` and `requirements` of a circuit, and report all errors together.
+
+    `folder` is the folder to which file names in the tables refer.
+    """
     outputs = dict(circuit.model.outputs)
     ambient = circuit.surroundings.pressure
     with ErrorCollector() as errors:
@@ -198,9 +214,9 @@ def _read_count(errors: ErrorCollector, read: Mapping[str, Any], key: str, low: 
 
 
 RESERVED = ("run", "done", "outcome", "notes", "balance")
-"""Columns of every dataset in addition to its metrics."""
+"""Columns of every dataset in addition to parameters and metrics; metrics cannot have these names."""
 ALL = "all"
-"""Name of all requirements together."""
+"""Name that stands for all requirements together; no requirement can have this name."""
 
 
 def _identifier(name: str, address: str, reserved: tuple[str, ...]) -> str:
@@ -213,7 +229,7 @@ def _identifier(name: str, address: str, reserved: tuple[str, ...]) -> str:
 
 
 def _check_rows(metric: Metric, grid: Array, address: str) -> Metric:
-    """Reject a window without rows or beyond the end of the run."""
+    """Reject a metric whose time window contains no output time or exceeds the run."""
     facts: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
     if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):
         raise InputError("ensemble.beyond", address, **facts)
@@ -243,7 +259,10 @@ def _requirements(
 
 
 def _with_run_count(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePlan:
-    """Return the plan with the number of runs of its sampling method."""
+    """Return the plan with the number of runs.
+
+    A grid or a file of parameter values determines this number; otherwise it is the field `runs`.
+    """
     n, runs = len(plan.addresses), counts.get("runs")
     fixed = plan.levels**n if plan.sampling == "grid" else len(plan.table[1]) if plan.table is not None else runs
     if fixed is None:
@@ -260,7 +279,7 @@ def _with_run_count(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePl
 
 
 class _ParameterReader:
-    """Distributions of the uncertain parameters, read from the tables."""
+    """Reader of the distributions of all uncertain parameters from the tables of an ensemble."""
 
     def __init__(self, errors: ErrorCollector, circuit: BaseCircuit, read: Mapping[str, Any], folder: Path) -> None:
         self.circuit, self.folder, self.ambient = circuit, folder, circuit.surroundings.pressure
@@ -352,7 +371,7 @@ class _ParameterReader:
 
 
 def varied_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declaration of every parameter that can be uncertain."""
+    """Return the declaration of every parameter that can be uncertain, by address."""
     specs = number_specs(circuit)
     for owner, kind in (("ambient", Ambient), ("gas", GasChoice)):
         specs |= {f"{owner}.{name}": spec for name, _, spec in declared(kind, NumberSpec)}
@@ -361,7 +380,10 @@ def varied_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def restrict_to_valid(distribution: Distribution, spec: NumberSpec, location: str, name: str = "") -> Distribution:
-    """Truncate a distribution to valid values; reject it if invalid values are too likely."""
+    """Truncate a distribution to the valid values of a parameter.
+
+    The distribution is rejected if values outside this range are too likely.
+    """
     low, high = spec.ends[0], min(spec.ends[1], spec.below)
     share = distribution.outside(low, high)
     if share > MAX_INVALID_PROBABILITY:
@@ -380,7 +402,10 @@ def _correlation(result: Result, a: str, b: str) -> float:
 
 
 def _factor(correlation: Array) -> tuple[tuple[float, ...], ...]:
-    """Return the Cholesky factor of a correlation matrix, or of the nearest positive definite matrix."""
+    """Return the Cholesky factor of a correlation matrix.
+
+    If the matrix is not positive definite, the factor is that of the nearest positive definite matrix.
+    """
     try:
         factor = np.linalg.cholesky(correlation)
     except np.linalg.LinAlgError:
@@ -392,7 +417,7 @@ def _factor(correlation: Array) -> tuple[tuple[float, ...], ...]:
 
 
 def _in_si(column: Array, unit: str, spec: NumberSpec, name: str, ambient: float) -> Array:
-    """Return a column of parameters in SI units; reject invalid values."""
+    """Convert a column of parameter values to SI units, and reject invalid values."""
     from poppet.core.units import convert, quantity
 
     location = f"ensemble.file: {name}"

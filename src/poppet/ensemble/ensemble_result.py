@@ -1,4 +1,4 @@
-"""Ensemble: plan, dataset and statistics."""
+"""Result of an ensemble, and functions that run it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
 
 MAX_EXACT_RUNS = 2**20
-"""Maximum number of runs for quantiles, which limits the memory."""
+"""Maximum number of runs from which quantiles are computed, to limit the memory."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,15 +73,18 @@ class Ensemble(HtmlMixin):
         return sum(len(shard["run"]) for shard in self.dataset.shards("runs", ["run"]))
 
     def outcomes(self) -> dict[str, int]:
-        """Return the number of runs by the code of their termination reason."""
+        """Return the number of runs for each termination reason, by the code of the reason."""
         return self._counted("outcome")
 
     def noted(self) -> dict[str, int]:
-        """Return the number of runs in which the kernel stalled, by the codes of their notes."""
+        """Return the number of runs in which the kernel stalled, by the codes of the notes."""
         return {codes: count for codes, count in self._counted("notes").items() if codes}
 
     def remarks(self) -> tuple[Note, ...]:
-        """Return notes on runs that failed, stalled or have no value of a metric."""
+        """Return notes on runs that failed or stalled, and on completed runs without a value of a metric.
+
+        Notes on the plan come first.
+        """
         runs, fine = self.done, ("run.done", "run.stopped")
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
         without = self._without_value()
@@ -93,7 +96,7 @@ class Ensemble(HtmlMixin):
         )
 
     def _without_value(self) -> dict[str, int]:
-        """Return the number of completed runs without a value, for each metric."""
+        """Return, for each metric, the number of completed runs that have no value of the metric."""
         counts = {metric.name: 0 for metric in self.plan.metrics}
         for shard in self.dataset.shards("runs", ["done", *counts]):
             for name in counts:
@@ -108,7 +111,9 @@ class Ensemble(HtmlMixin):
         return counts
 
     def yields(self) -> list[Yield]:
-        """Return the yield of each requirement and, if there are several, of all together.
+        """Return the yield of each requirement: the fraction of runs that meet it.
+
+        If there are several requirements, the last yield is that of all together.
 
         Returns
         -------
@@ -128,11 +133,17 @@ class Ensemble(HtmlMixin):
         return [Yield(*name, k, runs, *wilson(k, runs)) for name, k in counted]
 
     def summaries(self) -> list[Summary]:
-        """Return moments, extremes and quantiles of each metric, and the numbers of runs without a finite value."""
+        """Return statistics of each metric: moments, extremes and quantiles.
+
+        They also contain the numbers of runs with a finite, an infinite and no value.
+        """
         return [summary_of(self.dataset, metric, MAX_EXACT_RUNS) for metric in self.plan.metrics]
 
     def bands(self) -> Bands | None:
-        """Return quantiles of outputs versus time; the result is None unless `keep` is `bands`."""
+        """Return histograms of outputs, from which quantiles versus time are computed.
+
+        The result is None unless `keep` is `bands`.
+        """
         total: Bands | None = None
         for shard in self.dataset.shards("bands"):
             bands = Bands.read(shard)
@@ -140,7 +151,7 @@ class Ensemble(HtmlMixin):
         return total
 
     def tornado(self) -> dict[str, list[TornadoRange]]:
-        """Return the effect of each parameter alone on each metric, the largest first.
+        """Return the effect of each parameter alone on each metric, the largest effect first.
 
         Returns
         -------
@@ -241,7 +252,10 @@ def run_ensemble(
 
 
 def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = None, **fields: Any) -> EnsemblePlan:
-    """Return the plan from the tables of a circuit; `fields` override them."""
+    """Return the ensemble plan of a circuit from its tables.
+
+    The keyword arguments `fields` replace fields of the table `ensemble`.
+    """
     tables, folder = circuit.origin
     table = tables.get("ensemble", {})
     fields = with_parameters(fields)
@@ -254,7 +268,7 @@ def plan_of(circuit: BaseCircuit, *, requirements: Mapping[str, str] | None = No
 
 
 def with_parameters(fields: Mapping[str, Any]) -> dict[str, Any]:
-    """Return keyword arguments with `parameters` in place of the old name `numbers`."""
+    """Return the keyword arguments with the old name `numbers` replaced by `parameters`."""
     renamed = dict(fields)
     if "numbers" in fields:
         if "parameters" in fields:
@@ -271,7 +285,7 @@ def run_plan(
     workers: int | None = None,
     progress: Callable[[int, int, str], Any] | None = None,
 ) -> Ensemble:
-    """Run the missing shards of a plan in a folder."""
+    """Run all missing shards of a plan, and store them in a folder."""
     dataset = Dataset.opened(folder, plan)
     is_whole = run_missing(plan, dataset, executor, workers, progress)
     return Ensemble(plan, dataset.sealed() if is_whole else dataset, is_whole)

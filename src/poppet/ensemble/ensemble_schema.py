@@ -1,4 +1,4 @@
-"""JSON schema of circuit files with the tables of an ensemble."""
+"""JSON schema of circuit files, including the tables of an ensemble."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def _names(*reserved: str) -> Schema:
 
 
 def _fields(fields: Mapping[str, Field]) -> Schema:
-    """Return the schema of the fields of a table."""
+    """Return the JSON schema of the fields of a table."""
     properties: Schema = {}
     for name, field in fields.items():
         choices = {"enum": list(field.choices), "default": field.choices[0]} if field.choices else None

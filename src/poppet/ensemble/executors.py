@@ -1,4 +1,4 @@
-"""Execution of missing shards on threads, processes, Dask or any executor."""
+"""Execution of missing shards (groups of runs) with threads, processes, Dask or another executor."""
 
 from __future__ import annotations
 
@@ -20,15 +20,18 @@ Progress = Callable[[int, int, str], Any]
 EXECUTORS = ("threads", "processes")
 MAX_WORKERS = 4096
 _QUEUED_PER_WORKER = 2
-"""Queued shards for each worker."""
+"""Maximum number of submitted shards per worker."""
 _DEFAULT_WIDTH = 32
-"""Assumed number of workers of an executor without this information."""
+"""Assumed number of workers if an executor does not report it."""
 
 
 def run_missing(
     plan: EnsemblePlan, dataset: Dataset, executor: Any, workers: int | None, progress: Progress | None
 ) -> bool:
-    """Run the missing shards; return False if Ctrl-C stops the run. Completed shards are stored."""
+    """Run all missing shards of a plan, and store each completed shard in the dataset.
+
+    The result is False if Ctrl-C stops the execution.
+    """
     todo: list[tuple[str, int]] = []
     sizes: dict[tuple[str, int], int] = {}
     total = {kind: design_of(plan, kind).size for kind in KINDS}
@@ -75,7 +78,7 @@ def run_missing(
 
 
 def _store_finished(dataset: Dataset, waiting: dict[Future[Any], tuple[str, int]]) -> None:
-    """Store completed shards and cancel the others."""
+    """Store the completed shards, and cancel all other submitted shards."""
     for future in waiting:
         if not future.cancel() and future.done() and future.exception() is None:
             dataset.write(future.result())
@@ -83,7 +86,7 @@ def _store_finished(dataset: Dataset, waiting: dict[Future[Any], tuple[str, int]
 
 @contextmanager
 def _open_pool(executor: Any, workers: int | None, shards: int) -> Iterator[tuple[Any, int]]:
-    """Yield an executor and its number of workers.
+    """Yield an executor and the number of its workers.
 
     `executor` is a name, a Dask address, a Dask client, or an executor of the caller, which stays open.
     """

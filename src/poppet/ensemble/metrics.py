@@ -1,4 +1,7 @@
-"""Metrics of runs, computed for many runs together, and requirements, `1 bar < peak <= 6.2 bar g`."""
+"""Metrics of runs, and requirements on them such as `1 bar < peak <= 6.2 bar g`.
+
+A metric is computed for many runs together.
+"""
 
 from __future__ import annotations
 
@@ -24,15 +27,15 @@ Array = NDArray[np.float64]
 Function = Callable[..., float]
 
 KINDS: dict[str, Kind] = {"Pa": "pressure", "K": "temperature", "kg/s": "mass_flow"}
-"""SI unit of an output to its kind of quantity."""
+"""Mapping from the SI unit of an output to the kind of quantity."""
 _INTEGRALS = {"kg/s": "kg", "m^3/s": "m^3", "W": "J", "1": "s", "m/s": "m", "m^3/s ANR": "m^3 ANR"}
-"""SI unit of an output to that of its integral if it is not the unit times s."""
+"""Mapping from the SI unit of an output to the SI unit of its integral over time, if that has a shorter name."""
 MARKED = re.compile(r"(.*\S)\s+(ANR|N)")
 
 
 @dataclass(frozen=True)
 class Metric:
-    """Metric of a run."""
+    """Metric of a run: one value that is computed from outputs versus time."""
 
     name: str
     kind: str  # one of `WAYS`, or `function`
@@ -49,16 +52,22 @@ class Metric:
 
     @property
     def outputs(self) -> tuple[str, ...]:
-        """Addresses of all evaluated outputs."""
+        """Addresses of all outputs from which the metric is computed."""
         return (*self.of, self.target) if isinstance(self.target, str) else self.of
 
     def facts(self) -> dict[str, Any]:
-        """Return all settings that determine the metric, as plain values."""
+        """Return all settings of the metric as plain values.
+
+        For a function of the user, they contain a hash of its code.
+        """
         facts = {key: value for key, value in vars(self).items() if key not in ("function", "folder")}
         return facts | ({"function": self._print()} if self.kind == "function" else {})
 
     def _print(self) -> str:
-        """Return a hash of the source of a function, or of its compiled code if there is no source."""
+        """Return a hash of the user's function.
+
+        It is the hash of the source text, or of the compiled code if there is no source text.
+        """
         function = self.callable()
         if isinstance(self.function, str):
             text = (Path(self.folder) / self.function.rpartition(":")[0]).read_text(encoding="utf-8")
@@ -71,11 +80,14 @@ class Metric:
         return hashlib.sha256(text.encode()).hexdigest()
 
     def callable(self) -> Function:
-        """Return the function of the user."""
+        """Return the user's function, loaded from its file if necessary."""
         return _load_function(self.folder, self.function) if isinstance(self.function, str) else self.function
 
     def values(self, time: Array, series: Mapping[str, Array]) -> Array:
-        """Return the metric of runs with equal times, (m,); `series` has (m, n) values by address."""
+        """Return the metric of m runs with equal output times, (m,).
+
+        `series` maps the address of each output to its values, (m, n).
+        """
         first, last = np.searchsorted(time, (self.begin, self.end), side="left")
         last += int(last < time.size and time[last] == self.end)
         rows = {address: series[address][:, first:last] for address in self.outputs}
@@ -89,7 +101,10 @@ class Metric:
         return np.asarray(self.in_unit(values), dtype=np.float64)
 
     def _called(self, *series: Array) -> float:
-        """Call the function of the user for one run."""
+        """Call the user's function for one run.
+
+        The arguments are the times and the values of each output.
+        """
         for view in series:
             # Other metrics use the same rows.
             view.flags.writeable = False
@@ -108,7 +123,7 @@ class Metric:
         return y[:, -1] if np.isnan(self.target) else np.full(len(y), self.target)
 
     def in_unit(self, values: Array) -> Array:
-        """Convert values from SI to the unit of the column."""
+        """Convert values of the metric from SI to the unit of the metric."""
         marked = MARKED.fullmatch(self.unit)
         # A volume at a reference state is converted as a flow.
         if marked and self.source == "kg":
@@ -117,7 +132,7 @@ class Metric:
 
 
 class MetricKind(NamedTuple):
-    """Unit, fields and computation of a kind of metric."""
+    """Kind of metric: unit, additional fields and computation."""
 
     unit: Callable[[str], str]  # SI unit from that of the output
     fields: Mapping[str, Field]  # in addition to those of all metrics
@@ -144,7 +159,7 @@ def _mean(t: Array, y: Array) -> Array:
 
 
 def _relative_step(y: Array, aim: Array) -> Array:
-    """Return values relative to the step from the first value to the target."""
+    """Return values as fractions of the step from the first value to the target `aim`."""
     with np.errstate(divide="ignore", invalid="ignore"):
         return np.asarray((y - y[:, :1]) / (aim[:, np.newaxis] - y[:, :1]))
 
@@ -217,11 +232,14 @@ METRIC_KINDS = {
     "overshoot": MetricKind(lambda unit: "1", _TARGET, _overshoot, "maximum beyond the target, relative to the step"),
     "steady_error": MetricKind(_same, _TARGET, lambda t, y, aim, metric: y[:, -1] - aim, "last value minus target"),
 }
-"""Metrics by their name in a file. Times start at the first evaluated row; integrals use the trapezoidal rule."""
+"""Kinds of metrics by name. Times are counted from the first evaluated time; integrals use the trapezoidal rule."""
 
 
 def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float, address: str, folder: str) -> Metric:
-    """Read one metric; `outputs` contains the SI unit of every output."""
+    """Read one metric from its table in the circuit file.
+
+    `outputs` maps the address of every output to its SI unit.
+    """
     if callable(raw):
         raw = {"metric": raw}
     with ErrorCollector() as errors:
@@ -273,7 +291,7 @@ def _read_more(
     ambient: float,
     address: str,
 ) -> dict[str, Any]:
-    """Read level, target and band."""
+    """Read the additional fields of a metric: level, target and settling band."""
     options: dict[str, Any] = {"band": read["band"]} if "band" in read else {}
     if metric.kind == "time_to" and "value" not in read:
         errors.add("ensemble.no_value", address)
@@ -302,7 +320,10 @@ def _check_unit(metric: Metric, address: str) -> None:
 
 @lru_cache(maxsize=64)
 def _load_function(folder: str, location: str) -> Function:
-    """Load a function from a file in the folder of the circuit."""
+    """Load a Python function from a file in the folder of the circuit.
+
+    `location` has the form `FILE.py:FUNCTION`.
+    """
     file, _, name = location.rpartition(":")
     path = Path(folder) / file
     if not path.is_file():
@@ -334,7 +355,10 @@ class Requirement:
     bounds: tuple[tuple[str, float], ...]  # relation and bound, in the unit of the metric; all must hold
 
     def met(self, values: NDArray[np.float64]) -> NDArray[np.bool_]:
-        """Return True for each value that meets the requirement; NaN does not meet it."""
+        """Return True for each value of the metric that meets the requirement.
+
+        NaN does not meet it.
+        """
         is_met = np.ones(values.shape, dtype=np.bool_)
         with np.errstate(invalid="ignore"):
             for relation, bound in self.bounds:
@@ -342,13 +366,16 @@ class Requirement:
         return is_met
 
     def margin(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the distance to the nearest bound, positive if met, in the unit of the metric."""
+        """Return the distance of each value to the nearest bound, in the unit of the metric.
+
+        It is positive if the requirement is met.
+        """
         sides = [bound - values if relation[0] == "<" else values - bound for relation, bound in self.bounds]
         return np.asarray(np.min(sides, axis=0))
 
 
 def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambient: float, address: str) -> Requirement:
-    """Read one requirement."""
+    """Read one requirement from its text, such as `peak <= 6.2 bar g`."""
     match = FORM.fullmatch(text) if isinstance(text, str) else None
     if match is None:
         raise InputError("ensemble.requirement", address, text=str(text))
@@ -364,7 +391,10 @@ def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambien
 
 
 def _bound(raw: str, metric: Metric, ambient: float, address: str, text: str) -> float:
-    """Return a bound in the unit of the metric; a value without a unit is SI."""
+    """Return the value of a bound in the unit of the metric.
+
+    A bound without a unit is in SI units.
+    """
     unit = metric.source or metric.unit
     # A difference has no reference.
     kind = "plain" if metric.kind == "steady_error" else KINDS.get(unit, "plain")
@@ -381,7 +411,7 @@ def _bound(raw: str, metric: Metric, ambient: float, address: str, text: str) ->
 
 
 def _bare(raw: str) -> str | float:
-    """Return a number without a unit as float, other text as it is."""
+    """Convert a number without a unit to float, and return any other text unchanged."""
     try:
         return raw if "_" in raw else float(raw)  # Python would read 1_000
     except ValueError:

@@ -1,4 +1,6 @@
-"""Sampling of the unit cube; a slice of runs depends on the seed and the run numbers only.
+"""Sampling of points in the unit cube, one point per run.
+
+The point of a run depends only on the seed and on the index of the run.
 
 Slices in any order have identical bits. Random numbers come from a counter (Philox), a Latin hypercube from keyed
 permutations, and a Sobol sequence from its binary digits.
@@ -16,19 +18,21 @@ Whole = NDArray[np.uint64]
 
 METHODS = ("random", "latin", "sobol", "grid", "file")
 MAX_SOBOL = 21_201
-"""Maximum dimension with direction numbers in SciPy."""
+"""Maximum dimension of a Sobol sequence in SciPy."""
 _BITS = 30
-"""Binary digits of a Sobol point; half a digit is added, so no point is on the surface of the cube."""
+"""Binary digits of a Sobol point. Half of the last digit is added, so that no point is on the surface of the cube."""
 _BLOCK_BITS = 10
 """Binary digits of the index of a Sobol point within its block."""
 _ROUNDS = 4
 _PHILOX_VALUES = 4
-"""Random numbers of Philox per value of its counter."""
+"""Number of random values that the Philox generator returns for one value of its counter."""
 _STREAMS = {"random": 0, "latin": 1, "permutation": 2}
 
 
 def points(method: str, seed: int, total: int, dimension: int, first: int, last: int, levels: tuple[int, ...]) -> Array:
-    """Return points in the open unit cube, (last - first, dimension), of runs `first` to `last`.
+    """Return the points of runs `first` to `last` (excluded) in the open unit cube.
+
+    The shape is (last - first, dimension).
 
     `levels` is the number of values of a grid in each dimension.
     """
@@ -44,7 +48,11 @@ def points(method: str, seed: int, total: int, dimension: int, first: int, last:
 
 
 def uniform(seed: int, stream: str, dimension: int, first: int, last: int) -> Array:
-    """Return independent uniform numbers in the open interval, (last - first, dimension)."""
+    """Return independent uniform random numbers for runs `first` to `last` (excluded).
+
+    The numbers are in the open interval from 0 to 1. The shape is (last - first, dimension), and `stream` names the
+    purpose of the numbers.
+    """
     raw = _random_integers(seed, stream, dimension, first, last)
     return ((raw >> np.uint64(12)).astype(np.float64) + 0.5) * 2.0**-52
 
@@ -72,9 +80,12 @@ def _latin(seed: int, total: int, dimension: int, first: int, last: int) -> Arra
 
 
 def permute(indices: Whole, total: int, keys: Whole) -> Whole:
-    """Return the images of indices under a keyed permutation of 0 ... total - 1.
+    """Return the positions of indices after a random permutation of 0 to total - 1.
 
-    A Feistel network of four rounds permutes the next power of four. Values outside are permuted again (Black and
+    The `keys` determine the permutation.
+
+    A Feistel network of four rounds permutes 0 to n - 1, where n is the next power of four. Results that are not below
+    `total` are permuted again (Black and
     Rogaway, Ciphers with arbitrary finite domains, CT-RSA 2002, cycle-walking).
     """
     half = np.uint64(max(1, -(-max(total - 1, 1).bit_length() // 2)))
@@ -101,7 +112,7 @@ def _mix_bits(x: Whole) -> Whole:
 
 
 def _sobol(seed: int, dimension: int, total: int, first: int, last: int) -> Array:
-    """Return points of a scrambled Sobol sequence in the order of SciPy."""
+    """Return the points of a scrambled Sobol sequence, in the same order as SciPy."""
     # In base two the sequence is linear: point n is the exclusive or of the points of the powers of two in n.
     # Each block of points is therefore the first block shifted by one point.
     block, powers = _sobol_basis(seed, dimension, max(_BLOCK_BITS, (total - 1).bit_length()))
@@ -116,7 +127,10 @@ def _sobol(seed: int, dimension: int, total: int, first: int, last: int) -> Arra
 
 @lru_cache(maxsize=8)
 def _sobol_basis(seed: int, dimension: int, bits: int) -> tuple[Whole, list[Whole]]:
-    """Return the first block of points as digits, and the shifts at the powers of two after it."""
+    """Return the first block of Sobol points as integers, and the shifts that give all further blocks.
+
+    There is one shift for each power of two between the block size and the number of points.
+    """
     from scipy.stats import qmc
 
     engine = qmc.Sobol(dimension, scramble=True, bits=_BITS, seed=seed)

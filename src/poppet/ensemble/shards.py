@@ -1,4 +1,4 @@
-"""Execution of one shard: parameters, runs, metrics and files."""
+"""Execution of one shard (group of runs): parameter values, runs, metrics and files."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, Integers, varied_
 from poppet.timeseries.tables.reading import arrow
 
 REFUSED = "ensemble.refused_run"
-"""Outcome of a run with inconsistent parameters."""
+"""Code of the outcome of a run whose parameter values contradict each other."""
 PILOT = 256
-"""Number of runs that determine the limits of bands."""
+"""Number of first runs that determine the limits of the histograms for bands."""
 Codes = NDArray[np.object_]
 
 
 class ShardResults(NamedTuple):
-    """Results of some runs."""
+    """Results of the runs of a shard."""
 
     numbers: Array  # (m, n_numbers) SI, absolute
     metrics: Array  # (m, n_metrics), NaN of a run that failed
@@ -44,7 +44,10 @@ class ShardResults(NamedTuple):
 
 
 class PreparedPlan:
-    """Plan with a compiled model, once per process."""
+    """Plan of an ensemble with its compiled model.
+
+    Each process prepares a plan only once.
+    """
 
     def __init__(self, plan: EnsemblePlan) -> None:
         self.plan, self.instance = plan, plan.circuit.instance
@@ -68,14 +71,14 @@ class PreparedPlan:
 
     @cached_property
     def units(self) -> dict[str, str]:
-        """Units of parameters and metrics."""
+        """Unit of each uncertain parameter and metric by name."""
         specs = varied_specs(self.plan.circuit)
         units = {address: specs[address].unit for address in self.plan.addresses}
         return units | {metric.name: metric.unit for metric in self.plan.metrics}
 
     @cached_property
     def is_tied(self) -> bool:
-        """True if other parameters depend on the uncertain ones."""
+        """True if further parameters depend on the uncertain parameters."""
         plan = self.plan
         if plan.table is not None:
             # Use the rows that differ most from the circuit.
@@ -92,13 +95,16 @@ class PreparedPlan:
 
     @cached_property
     def edges(self) -> Array:
-        """Limits of the bins of bands from the first runs, equal in every process."""
+        """Limits of the histograms for bands, determined by the first runs.
+
+        They are equal in every process.
+        """
         pilot = self.run(self.plan.sample(0, min(self.plan.runs, PILOT)))
         assert pilot.curves is not None
         return band_edges(self.plan, self.problem.grid, pilot.curves[pilot.is_done])
 
     def run(self, values: Array) -> ShardResults:
-        """Run with the given parameters, (m, n_parameters)."""
+        """Run the circuit with each row of parameter values, (m, n_parameters)."""
         if self.is_apart:
             return _concatenate([self._run_apart(row) for row in values])
         if not self.is_tied:
@@ -110,7 +116,10 @@ class PreparedPlan:
         return results if not refused.any() else _mark_refused(results, refused)
 
     def _followed(self, values: Array) -> tuple[Array, NDArray[np.bool_]]:
-        """Return all parameters, including dependent ones, and the mask of rejected runs."""
+        """Return the values of all parameters of each run, including the dependent ones.
+
+        The second result is the mask of runs with parameter values that are not valid.
+        """
         parameters = np.tile(self.instance.numbers(), (len(values), 1))
         refused = np.zeros(len(values), dtype=np.bool_)
         for k, row in enumerate(values):
@@ -157,7 +166,11 @@ class PreparedPlan:
         return ShardResults(numbers, metrics, codes, notes, is_done, balance, curves)
 
     def _metrics(self, rows: BatchRows) -> Array:
-        """Return the metrics of runs: complete runs together, the others one by one."""
+        """Return the metrics of all runs of a batch.
+
+        Complete runs are evaluated together. Runs that ended earlier have different times, so they are evaluated one
+        by one.
+        """
         n = rows.time.size
         metrics = np.full((len(rows.runs), len(self.plan.metrics)), np.nan)
         is_whole = (rows.counts == n) & (rows.reached == rows.time[-1])
@@ -176,7 +189,7 @@ class PreparedPlan:
 
 
 def _endings(problem: Problem, ends: RunEnds) -> tuple[NDArray[np.bool_], Codes]:
-    """Return the mask of completed runs, and the codes of the termination reasons."""
+    """Return the mask of completed runs, and the code of the termination reason of each run."""
     # Look-up tables: a loop would take almost as long as the runs.
     outcomes, indices = tuple(Outcome), ends.counts[:, 5]
     if (indices == outcomes.index(Outcome.INTERRUPTED)).any():
@@ -206,7 +219,10 @@ def _concatenate(results: list[ShardResults]) -> ShardResults:
 
 
 def shard_files(plan: EnsemblePlan, ready: PreparedPlan, kind: str, number: int) -> dict[str, bytes]:
-    """Return the files of a shard by their path in the dataset; the last file marks it as complete."""
+    """Run one shard, and return its files by path in the dataset.
+
+    `number` is the index of the shard. The last file marks the shard as complete.
+    """
     design = design_of(plan, kind)
     first = number * design.shard
     last = min(first + design.shard, design.size)
@@ -259,9 +275,10 @@ _PLANS: dict[str, PreparedPlan] = {}
 
 
 def run_shard(key: str, pickled: bytes, kind: str, number: int, kernel: str) -> dict[str, bytes]:
-    """Run one shard; a process unpickles the plan once.
+    """Run one shard in another thread or process, which unpickles the plan only once.
 
-    The `kernel` of the dataset must be that of this machine: others differ in the last digits.
+    `kernel` identifies the compiled kernel of the dataset. The kernel of this machine must be the same, because the
+    results of other kernels differ in the last digits.
     """
     if kernel != (local_kernel := kernel_of_this_machine()):
         raise InputError("ensemble.other_kernel", kernel=kernel, own=local_kernel)

@@ -1,4 +1,7 @@
-"""Smallest or largest parameter that meets the requirements, for one circuit or a fraction of many."""
+"""Smallest or largest value of a parameter that meets the requirements.
+
+The requirements are met by a single run, or by a fraction of the runs of an ensemble.
+"""
 
 from __future__ import annotations
 
@@ -24,25 +27,25 @@ from poppet.ensemble.shards import PreparedPlan
 from poppet.ensemble.statistics import wilson
 
 POINTS = 65
-"""Values of the first evaluation, distributed over the range."""
+"""Number of parameter values in the first evaluation, which cover the range."""
 ROUNDS, PIECES = 4, 17
-"""Rounds, and pieces into which each round divides the gap between failing and valid values.
+"""Number of refinement rounds, and of pieces into which each round divides the gap to the nearest failing value.
 
-The final gap is 17^-4, about 1e-5, of the first one.
+The final gap is 17^-4, about 1e-5, of the first gap.
 """
 PEAKS, REFINEMENTS = 3, 6
-"""Number of local maxima of the margin that are refined, and refinements of each.
+"""Number of local maxima of the margin that are refined, and maximum number of refinements of each maximum.
 
 A valid value can be between two failing ones. The final resolution is about 1e-6 of the value.
 """
 DECADES = 2.0
-"""Decades of the default range on either side of the value in the circuit."""
+"""Half width of the default range in decades: the range is centred on the value in the circuit."""
 MAX_RUNS = 4_000_000
 
 
 @dataclass(frozen=True)
 class Sizing:
-    """Result of a sizing: value, margins, and metrics versus the free parameter.
+    """Result of a sizing: value of the free parameter, margins and metrics.
 
     Parameters
     ----------
@@ -114,7 +117,7 @@ class Sizing:
         return math.isfinite(self.value)
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the result file as plain tables."""
+        """Return the content of the result file as plain nested tables."""
         content = ("title", "address", "unit", "is_largest", "value", "resolution", "share", "limiting", "size")
         return {
             "method": "size",
@@ -234,7 +237,7 @@ def size(
 
 @dataclass(frozen=True)
 class _Evaluations:
-    """Results at some values in ascending order."""
+    """Results of runs at several values of the free parameter, in ascending order."""
 
     values: Array
     shares: Array
@@ -249,7 +252,7 @@ class _Evaluations:
 
 
 class _Evaluator:
-    """Evaluation of metrics and requirements at values of the free parameter."""
+    """Function object that computes metrics and margins at values of the free parameter."""
 
     def __init__(
         self,
@@ -319,7 +322,10 @@ def _range(
     read_value: Callable[[Any, str], float],
     free: str,
 ) -> tuple[float, float]:
-    """Return the range within the limits of the parameter."""
+    """Return the lower and upper end of the search range, within the limits of the parameter.
+
+    `ends` is the range that the user requested; None selects the default range.
+    """
     if ends is None:
         if not nominal > 0.0:
             raise InputError("size.no_range", free)
@@ -346,7 +352,11 @@ def _holds(results: _Evaluations, share: float) -> Any:
 
 
 def _peaks(results: _Evaluations, largest: bool, share: float) -> list[float]:
-    """Return the failing values with local maxima of the margin beyond the valid range, the largest first."""
+    """Return failing values of the parameter at which the margin has a local maximum.
+
+    The largest margin comes first. Only values below the smallest valid value are considered, or above the largest
+    valid value if `largest` is True.
+    """
     holds, worst = np.flatnonzero(_holds(results, share)), results.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
     is_peak = np.isfinite(worst) & (worst >= left) & (worst >= right) & (worst > np.minimum(left, right))
@@ -358,7 +368,10 @@ def _peaks(results: _Evaluations, largest: bool, share: float) -> list[float]:
 
 
 def _refine(evaluator: _Evaluator, results: _Evaluations, value: float, progress: Progress | None) -> _Evaluations:
-    """Refine the values around a local maximum of the margin until one is valid."""
+    """Evaluate values around a local maximum of the margin until one value is valid.
+
+    The number of rounds is limited.
+    """
     for _ in range(REFINEMENTS):
         k = int(np.searchsorted(results.values, value))
         low, high = results.values[max(k - 1, 0)], results.values[min(k + 1, len(results.values) - 1)]
@@ -376,7 +389,10 @@ def _refine(evaluator: _Evaluator, results: _Evaluations, value: float, progress
 
 
 def _gap(results: _Evaluations, largest: bool, share: float) -> tuple[float, float] | None:
-    """Return the last failing and the first valid value; None if there is no such pair."""
+    """Return the valid value at the end of the valid range, and the neighbouring failing value.
+
+    The result is None if no value is valid or if the end of the search range is valid.
+    """
     holds = _holds(results, share)
     if not holds.any():
         return None

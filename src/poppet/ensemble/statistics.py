@@ -1,4 +1,4 @@
-"""Statistics of runs: yields, moments, quantiles and effects of parameters."""
+"""Statistics over all runs: yields, moments, quantiles and effects of parameters."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from poppet.ensemble.ensemble_plan import Array
 from poppet.ensemble.metrics import Metric
 
 LEVELS = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
-"""Quantiles of a metric."""
+"""Probabilities of the quantiles of a metric."""
 _Z = 1.959963984540054
-"""Normal quantile of a 95 % interval."""
+"""Quantile of the standard normal distribution for a 95 % confidence interval."""
 
 
 @dataclass(frozen=True)
 class Yield:
-    """Fraction of runs that meet a requirement, with its 95 % interval."""
+    """Fraction of runs that meet a requirement, with its 95 % confidence interval."""
 
     name: str
     text: str
@@ -31,13 +31,13 @@ class Yield:
 
     @property
     def share(self) -> float:
-        """Fraction of good runs."""
+        """Fraction of runs that meet the requirement."""
         return self.good / self.runs if self.runs else math.nan
 
 
 @dataclass(frozen=True)
 class Summary:
-    """Statistics of a metric over all runs, in its unit."""
+    """Statistics of a metric over all runs, in the unit of the metric."""
 
     name: str
     unit: str
@@ -53,7 +53,10 @@ class Summary:
 
 @dataclass(frozen=True)
 class TornadoRange:
-    """Values of a metric at the medians, and at a low and a high quantile of one parameter."""
+    """Values of a metric if one parameter has a low quantile, its median and a high quantile.
+
+    All other parameters have their medians.
+    """
 
     address: str
     middle: float
@@ -62,13 +65,13 @@ class TornadoRange:
 
     @property
     def size(self) -> float:
-        """Absolute difference of the two values."""
+        """Absolute difference between the metric at the high and at the low quantile."""
         size = abs(self.high - self.low)
         return size if math.isfinite(size) else math.inf
 
 
 def wilson(n_good: int, runs: int) -> tuple[float, float]:
-    r"""Return the 95 % interval of a fraction.
+    r"""Return the 95 % confidence interval of a fraction k/n.
 
     .. math:: \frac{k + z^2/2}{n + z^2} \pm \frac{z}{n + z^2} \sqrt{\frac{k (n - k)}{n} + \frac{z^2}{4}}
 
@@ -101,7 +104,10 @@ def wilson(n_good: int, runs: int) -> tuple[float, float]:
 
 
 def summary_of(dataset: Dataset, metric: Metric, max_values: int) -> Summary:
-    """Return statistics of a metric over all runs; quantiles use the first `max_values` runs."""
+    """Return the statistics of a metric over all runs.
+
+    Only the first `max_values` runs determine the quantiles, which limits the memory.
+    """
     count = never = failed = 0
     mean = moment = 0.0
     least, greatest = math.inf, -math.inf
@@ -137,7 +143,10 @@ _SEED = 1
 
 @dataclass(frozen=True)
 class SobolIndex:
-    """Fractions of the variance of a metric due to one factor, with 95 % intervals."""
+    """Sobol indices of one factor: fractions of the variance of a metric that are due to it.
+
+    Each index has a 95 % confidence interval.
+    """
 
     factor: str  # address of a parameter; `from_fit` for all parameters of a fit
     first: float  # first order: factor alone
@@ -149,7 +158,7 @@ class SobolIndex:
 
 
 def sobol_indices(values: Array, factors: Sequence[str]) -> list[SobolIndex]:
-    r"""Return first-order and total indices of a metric.
+    r"""Return the first-order and total Sobol indices of a metric for each factor.
 
     .. math::
         S_j = \frac{\overline{f_B (f_{AB_j} - f_A)}}{V}, \qquad
@@ -188,7 +197,7 @@ def sobol_indices(values: Array, factors: Sequence[str]) -> list[SobolIndex]:
 
 
 def _first_and_total(rows: Array) -> Array:
-    """Return first-order and total indices, (2, n_factors)."""
+    """Return the first-order and total Sobol indices, (2, n_factors), without intervals."""
     # Subtract the mean: it increases the variance of the first-order estimator.
     f = rows - rows[:2].mean()
     a, b, mixed = f[0], f[1], f[2:]

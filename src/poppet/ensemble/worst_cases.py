@@ -37,7 +37,10 @@ class WorstCase:
 
 
 def worst_of(dataset: Dataset, plan: EnsemblePlan, requirement: Requirement, count: int) -> list[WorstCase]:
-    """Return the runs with the smallest margins; failed runs are first."""
+    """Return the runs with the smallest margins for a requirement.
+
+    Runs that failed come first.
+    """
     cases: list[WorstCase] = []
     for shard in dataset.shards("runs"):
         values = shard[requirement.metric]
@@ -52,14 +55,17 @@ def worst_of(dataset: Dataset, plan: EnsemblePlan, requirement: Requirement, cou
 
 
 def save_case(circuit: BaseCircuit, case: WorstCase, path: Path) -> Path:
-    """Write the circuit of a case as a file, and check that it is equal."""
+    """Write a circuit file with the parameters of a worst case.
+
+    The written file is read again to check that it gives the same circuit.
+    """
     changed = replace(circuit.with_values(case.numbers), title=f"{circuit.title}, run {case.run} ({case.requirement})")
     text = circuit_text(changed, path.parent)
     return write_whole(path, lambda stream: stream.write(text.encode("utf-8")))
 
 
 def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
-    """Return a circuit as a file: its original file with changed parameters.
+    """Return the text of a circuit's original file with the changed parameters.
 
     A circuit with other changes is rejected.
     """
@@ -84,7 +90,10 @@ def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
 
 
 def _write_number(content: dict[str, Any], address: str, value: Any) -> None:
-    """Write a parameter to the tables of a file; other structures are detected by the check afterwards."""
+    """Write the value of a parameter to the tables of a circuit file.
+
+    An error due to an unexpected table structure is found by the check in `circuit_text`.
+    """
     owner, *path, last = address.split(".")
     table = content.setdefault(owner, {}) if owner in ("ambient", "gas", "run") else content["parts"][owner]
     if owner == "gas" and isinstance(table, str):
@@ -96,7 +105,10 @@ def _write_number(content: dict[str, Any], address: str, value: Any) -> None:
 
 
 def _move_paths(table: Any, old: Path, new: Path) -> None:
-    """Change paths relative to one folder to paths relative to another."""
+    """Adapt relative file paths in the tables to a new folder.
+
+    The paths are relative to `old` before and to `new` after the change.
+    """
     for key, value in table.items() if isinstance(table, dict) else ():
         if key in _PATHS and isinstance(value, str) and (old / value).is_file():
             table[key] = os.path.relpath(old / value, new)

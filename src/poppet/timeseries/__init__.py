@@ -1,1 +1,1 @@
-"""Values over time: inputs, recordings, files that others measured, drawings."""
+"""Time series: input signals, recordings, measured files and figures."""

@@ -1,4 +1,4 @@
-"""Checks of time bases, series and column headings, shared by signals and recordings."""
+"""Checks of time bases, series and column headings, for signals and recordings."""
 
 from __future__ import annotations
 
@@ -19,7 +19,9 @@ _HEADING = re.compile(r"\s*(?P<name>[^\[\]]*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*"
 
 
 def split_heading(heading: str) -> tuple[str, str]:
-    """Return the name and the unit of a column heading.
+    """Split a column heading into name and unit.
+
+    The unit is empty if the heading has none.
 
     Examples
     --------
@@ -33,7 +35,10 @@ def split_heading(heading: str) -> tuple[str, str]:
 
 
 def numbers(name: str, series: ArrayLike) -> FloatArray:
-    """Return a series as a new array of floats."""
+    """Convert a series to a new array of floats.
+
+    If this is impossible, an error with the name of the series is raised.
+    """
     try:
         return np.array(series, dtype=float)
     except (TypeError, ValueError) as problem:
@@ -41,9 +46,10 @@ def numbers(name: str, series: ArrayLike) -> FloatArray:
 
 
 def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] | None:
-    """Return the index and the error of the first invalid sample of a time base.
+    """Return the index of the first invalid sample of a time base, and the error.
 
-    The result is None if the time base is valid. `owner` is the name of the series for the error.
+    A time base must be a nonempty vector of finite, strictly increasing times. The result is None if it is valid.
+    `owner` is the name of the series in the error message.
     """
     if time.ndim != 1 or not time.size:
         return 0, InputError("series.time.shape", owner=owner, shape=time.shape)
@@ -61,7 +67,10 @@ def first_bad_time(time: FloatArray, owner: str = "") -> tuple[int, InputError] 
 
 
 def name_problems(names: tuple[str, ...], units: Iterable[str]) -> list[InputError]:
-    """Return errors for duplicate names and for units of absent names."""
+    """Return an error for each duplicate name and for each unit without a series.
+
+    `units` are the names for which a unit is specified.
+    """
     duplicates = [name for name in dict.fromkeys(names) if names.count(name) > 1]
     unnamed = [name for name in units if name not in names]
     return [InputError("series.twice", name=name) for name in duplicates] + [
@@ -70,7 +79,10 @@ def name_problems(names: tuple[str, ...], units: Iterable[str]) -> list[InputErr
 
 
 def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[InputError]:
-    """Return the errors of a signal that is defined by points."""
+    """Return the errors in the points of a signal: lengths, times and values.
+
+    `owner` is the name of the signal in the error messages.
+    """
     if times.shape != values.shape or times.ndim != 1:
         return [InputError("signals.lengths", owner=owner, times=times.size, values=values.size)]
     problems = []
@@ -87,12 +99,12 @@ def path_problems(owner: str, times: FloatArray, values: FloatArray) -> list[Inp
 
 
 def not_finite(**fields: float) -> list[InputError]:
-    """Return an error for each field that is not a finite number."""
+    """Return an error for each argument that is not a finite number."""
     return [InputError("numbers.not_finite", name, value=v) for name, v in fields.items() if not _is_finite(v)]
 
 
 def not_positive(unit: str, **fields: float) -> list[InputError]:
-    """Return an error for each field that is not above zero."""
+    """Return an error for each argument that is not a finite number above zero."""
     return [
         InputError("numbers.not_positive", name, value=value, unit=unit)
         for name, value in fields.items()

@@ -1,4 +1,4 @@
-"""Named columns of numbers with units over one time base, the content of files and figures."""
+"""Named series with units over one time base, as stored in files and drawn in figures."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ from poppet.timeseries.checks import FloatArray, first_bad_time, name_problems, 
 _SAME_NAME = (
     "time", "names", "units", "values", "title", "statistics", "residuals", "ambient_pressure", "inner", "figures",
 )  # fmt: skip
-"""Arguments of the constructor that have an attribute with the same name."""
+"""Names of constructor arguments whose values are in attributes with the same names."""
 _NO_NAMES = ("time", "slice", "list", "int")  # invalid keys of a recording; the error of each one has its own hint
 
 
 class Columns(HtmlMixin):
-    """Named columns with units over one time base, with notes.
+    """Named series with units over one time base, with notes on their origin.
 
-    `Recording` adds the methods for users; files and figures need only this class. The constructor does not check its
-    arguments, because each run calls it; `from_series` checks its arguments.
+    `Recording` is a subclass with more methods for users. The constructor does not check its arguments, because each
+    simulation calls it. Use `from_series` for arguments that need checks.
 
-    Notes, residuals and figures can be functions without arguments, which are called on first use.
+    The arguments notes, residuals and figures can be functions without arguments, which are called on first use.
     """
 
     __slots__ = (
@@ -106,7 +106,7 @@ class Columns(HtmlMixin):
         )  # fmt: skip
 
     def fields(self) -> dict[str, Any]:
-        """Return the arguments of the constructor."""
+        """Return the arguments that reproduce this object, by their names in the constructor."""
         arguments = {name: getattr(self, name) for name in _SAME_NAME}
         return arguments | {"notes": self.remarks, "outcome": self.ending or ""}
 
@@ -116,33 +116,42 @@ class Columns(HtmlMixin):
 
     @property
     def remarks(self) -> tuple[Note, ...]:
-        """Notes as codes with facts."""
+        """Notes of the recording as objects with a code and facts."""
         if callable(self._remarks):
             self._remarks = notes_of(self._remarks())
         return self._remarks
 
     @property
     def residuals(self) -> tuple[Any, ...]:
-        """Residuals of the balances of a run."""
+        """Residuals of the mass and energy balances of a simulation."""
         if callable(self._residuals):
             self._residuals = self._residuals()
         return self._residuals
 
     @property
     def figures(self) -> Any:
-        """Load metrics of a run (`poppet.circuit.load_metrics.LoadMetrics`), None without loads."""
+        """Load metrics of a simulation (`poppet.circuit.load_metrics.LoadMetrics`).
+
+        The value is None if the circuit has no loads.
+        """
         if callable(self._figures):  # evaluated on first use: most recordings do not need it
             self._figures = self._figures()
         return self._figures
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Notes as text, grouped by kind; `remarks` has all notes as codes with facts."""
+        """Notes of the recording as text, grouped by kind.
+
+        `remarks` contains the same notes as objects with a code and facts.
+        """
         return tuple(map(str, grouped(self.remarks)))
 
     @property
     def outcome(self) -> str:
-        """Termination reason as text; `ending` has it as a code with facts."""
+        """Termination reason of a simulation as text.
+
+        The text is empty for measurements. `ending` contains the reason as a note with a code and facts.
+        """
         return "" if self.ending is None else str(self.ending)
 
     @property
@@ -152,7 +161,10 @@ class Columns(HtmlMixin):
 
     @property
     def values(self) -> FloatArray:
-        """All series, read-only, shape (n_series, n), each row in its own unit."""
+        """Values of all series, read-only, shape (n_series, n).
+
+        Each row contains one series in the unit of that series.
+        """
         return self._values
 
     def __getitem__(self, name: str) -> FloatArray:
@@ -160,7 +172,7 @@ class Columns(HtmlMixin):
         return row
 
     def _ipython_key_completions_(self) -> list[str]:
-        """Return the names that an editor offers after `recording[`."""
+        """Return the names of the series, which editors suggest after `recording[`."""
         return list(self.names)
 
     def __contains__(self, name: object) -> bool:
@@ -184,5 +196,5 @@ class Columns(HtmlMixin):
         return row
 
     def unit(self, name: str) -> str:
-        """Return the unit of a series."""
+        """Return the unit of the series with the given name."""
         return self.units[self._row(name)]

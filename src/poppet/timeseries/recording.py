@@ -1,4 +1,4 @@
-"""Named series with units over one time base, of one type for measurements and simulations."""
+"""Recording of measured or simulated series with units over one time base."""
 
 from __future__ import annotations
 
@@ -17,9 +17,10 @@ from poppet.timeseries.columns import Columns
 
 
 class Recording(Columns):
-    """Named series with units over one time base.
+    """Measured or simulated series with units over one time base.
 
-    The constructor does not check its arguments, because each run calls it; `from_series` and `read` check theirs.
+    The constructor does not check its arguments, because each simulation calls it. `from_series` and `read` check
+    their data.
 
     Parameters
     ----------
@@ -28,9 +29,9 @@ class Recording(Columns):
     names : tuple of str
         Dotted names of the series, `tank.pressure`.
     units : tuple of str
-        One per name.
+        Unit of each series, in the order of `names`.
     values : (n_series, n) array
-        One row per name, in its unit.
+        Values of each series in its unit, one row per name.
     title : str, optional
         Title of the recording.
     notes : iterable of Note or str, or callable, optional
@@ -46,7 +47,7 @@ class Recording(Columns):
     inner : frozenset of str, optional
         Names of the internal outputs, which figures omit by default.
     figures : object, optional
-        Value of `figures`, or a function that computes it.
+        Load metrics (see the property `figures`), or a function that computes them on first use.
 
     Examples
     --------
@@ -74,7 +75,7 @@ class Recording(Columns):
         return {name: float(row[-1]) for name, row in zip(self.names, self._values, strict=True)}
 
     def select(self, names: str | Iterable[str]) -> Recording:
-        """Return a recording of selected series.
+        """Return a recording with only the selected series.
 
         Parameters
         ----------
@@ -103,7 +104,7 @@ class Recording(Columns):
         )
 
     def between(self, start: float, stop: float) -> Recording:
-        """Return the samples of a time window, including both limits.
+        """Return a recording of all samples in a time window, including both limits.
 
         Parameters
         ----------
@@ -123,7 +124,7 @@ class Recording(Columns):
         return self._with(time=self._time[first:end], values=self._values[:, first:end])
 
     def interpolate(self, name: str, times: ArrayLike) -> FloatArray:
-        """Return a series at other times by linear interpolation.
+        """Return the values of a series at given times by linear interpolation.
 
         Parameters
         ----------
@@ -154,12 +155,13 @@ class Recording(Columns):
         return {"first": float(self._time[0]), "last": float(self._time[-1])} if self._time.size else {}
 
     def converted(self, units: Mapping[str, str] | Sequence[str]) -> Recording:
-        """Return the recording in other units.
+        """Return a copy of the recording with series converted to other units.
 
         Parameters
         ----------
         units : mapping or sequence of str
-            Map from name or pattern to unit, or units that each apply to all series of their quantity.
+            Mapping from name or pattern to unit, or a list of units. A unit in a list applies to all series of the same
+        quantity.
 
         Returns
         -------
@@ -232,7 +234,9 @@ class Recording(Columns):
         return xr.Dataset(series, {"time": ("time", self.time.copy(), {"units": "s"})}, about)
 
     def save(self, path: str | Path) -> Path:
-        """Write the recording; replace an existing file completely or not at all.
+        """Write the recording to a file.
+
+        The method replaces an existing file completely or not at all.
 
         Parameters
         ----------
@@ -255,7 +259,7 @@ class Recording(Columns):
 
     @classmethod
     def read(cls, path: str | Path) -> Recording:
-        """Read a file of `save`, or a CSV file with a time column and a heading line.
+        """Read a file written by `save`, or a CSV file with a heading line and a time column.
 
         Parameters
         ----------
@@ -271,7 +275,7 @@ class Recording(Columns):
         return cls(**recording_files.read(Path(path)).fields())
 
     def plot(self, path: str | Path | None = None, **options: Any) -> Any:
-        """Draw the recording.
+        """Draw the series over time, in one panel for each quantity.
 
         Parameters
         ----------

@@ -1,6 +1,6 @@
-"""Files of recordings: CSV for all programs, Parquet for size and types, MAT for MATLAB.
+"""Files of recordings: CSV for exchange, Parquet for large data, MAT for MATLAB.
 
-The modules in `timeseries/tables` read the three formats as tables. This module makes recordings of these tables.
+The modules in `timeseries/tables` read the three formats as tables. This module converts these tables to recordings.
 """
 
 from __future__ import annotations
@@ -28,7 +28,10 @@ if TYPE_CHECKING:
 
 
 def write(recording: Columns, path: Path) -> Path:
-    """Write a recording to a temporary file, then rename it."""
+    """Write a recording to a file in the format of the suffix.
+
+    The content is complete before the file appears under its name, so a failure leaves no incomplete file.
+    """
     writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
     if not recording.time.size:  # the run failed at its start; no reader accepts an empty file
         raise InputError("files.no_rows", path=str(path))
@@ -36,7 +39,10 @@ def write(recording: Columns, path: Path) -> Path:
 
 
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
-    """Read a recording; for CSV, `time` names the time column and `time_unit` its unit."""
+    """Read a recording from a file in the format of the suffix.
+
+    For CSV files, `time` is the name of the time column and `time_unit` the unit of the time.
+    """
     # Imported here: writing a file does not need the readers.
     from poppet.timeseries.tables.reading import read_mat, read_parquet, read_with
     from poppet.timeseries.tables.text import read_exact
@@ -55,7 +61,10 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
 
 
 def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
-    """Return a recording with the names and units of the column headings."""
+    """Convert a CSV table to a recording, with names and units from the headings.
+
+    `title` is the title of the recording.
+    """
     try:
         names, units = zip(*map(split_heading, table.names), strict=True)
         if names.count(time_name) != 1:
@@ -78,7 +87,7 @@ def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Co
 
 
 def _of_metadata(table: Table, suffix: str) -> Columns:
-    """Return a recording from a file that contains the metadata of `_metadata`."""
+    """Convert a Parquet or MAT table to a recording, with the metadata of `_metadata`."""
     meta = table.meta
     if not meta:
         raise InputError("series.foreign", suffix=suffix)
@@ -99,7 +108,10 @@ def _of_metadata(table: Table, suffix: str) -> Columns:
 
 
 def _metadata(recording: Columns, columns: Sequence[str]) -> str:
-    """Return title, notes and units as JSON; `columns` are the column names in the file."""
+    """Return title, notes, names and units of a recording as JSON text.
+
+    `columns` are the names of the columns in the file, in the order of the series.
+    """
     return json.dumps(
         {
             "columns": dict(zip(columns, recording.names, strict=True)),
@@ -154,7 +166,10 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
 
 def _apart(names: Iterable[str]) -> list[str]:
-    """Return unique column names that also differ from the time column."""
+    """Make column names unique and different from the name of the time column.
+
+    A repeated name gets a counter as its ending.
+    """
     plain_names = list(names)
     assigned = ["time", METADATA]
     for name in plain_names:

@@ -1,4 +1,4 @@
-"""Segments of signals: on each segment a line plus a sine with linearly swept frequency."""
+"""Signals in segments; each segment is a straight line plus a sine with linearly swept frequency."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Floats = Sequence[float] | FloatArray
 
 @dataclass(frozen=True, slots=True, eq=False)
 class SegmentTable:
-    r"""A signal in segments; all arrays have the shape (n,).
+    r"""Coefficients of a signal that consists of segments.
 
     .. math::
         u(t) = v + s\,\tau + a \sin\!\left(2\pi \left(f + \tfrac{1}{2} c\,\tau\right) \tau + \varphi\right),
@@ -43,7 +43,7 @@ class SegmentTable:
     phase : (n,) array
         phi at the start of the segment [rad].
     jump : (n,) array of bool
-        True where the signal is discontinuous at the start of the segment.
+        True if the signal is discontinuous at the start of the segment.
     """
 
     start: FloatArray
@@ -59,7 +59,9 @@ class SegmentTable:
         return len(self.start)
 
     def evaluate(self, times: float | Floats) -> FloatArray:
-        """Return the signal at times, continuous from the right; the last segment does not end.
+        """Return the values of the signal at given times.
+
+        At a jump, the value is the one after the jump. The last segment has no end.
 
         Parameters
         ----------
@@ -79,7 +81,7 @@ class SegmentTable:
         return np.asarray(self.value[k] + self.slope[k] * tau + wave)
 
     def derivative(self, name: str) -> SegmentTable:
-        """Return the time derivative, which jumps where the slope of the signal does.
+        """Return the time derivative of the signal as segments.
 
         Parameters
         ----------
@@ -107,18 +109,25 @@ class SegmentTable:
 
 
 def lines(start: FloatArray, value: FloatArray, slope: FloatArray, jump: NDArray[np.bool_]) -> SegmentTable:
-    """Return segments without a sine."""
+    """Return segments that are straight lines, without sines.
+
+    `jump` is True for each segment at whose start the signal is discontinuous.
+    """
     zero = np.broadcast_to(0.0, start.shape)  # takes no memory
     return SegmentTable(start, value, slope, zero, zero, zero, zero, jump)
 
 
 def held(value: float) -> SegmentTable:
-    """Return one constant segment."""
+    """Return a constant signal as one segment."""
     return lines(np.zeros(1), np.array([float(value)]), np.zeros(1), np.zeros(1, dtype=bool))
 
 
 def polyline(times: FloatArray, values: FloatArray, end: float) -> SegmentTable:
-    """Return straight lines between points; the first and last values are held."""
+    """Return straight lines between given points as segments.
+
+    The first value is valid before the first point and the last value after the last point. Segments that start at or
+    after `end` are omitted.
+    """
     slope = np.append(np.diff(values) / np.diff(times), 0.0)
     if times[0] > 0.0:  # each table starts at 0
         times = np.concatenate(([0.0], times))
@@ -131,7 +140,10 @@ def polyline(times: FloatArray, values: FloatArray, end: float) -> SegmentTable:
 def wave(
     mean: float, amplitude: float, phase: float, starts: Floats, frequencies: Floats, rates: Floats
 ) -> SegmentTable:
-    """Return sine segments with a continuous phase."""
+    """Return sine segments whose phase is continuous.
+
+    Each segment has a start, a frequency and a rate of change of the frequency (`rates`).
+    """
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
     turns = np.append(0.0, _turns(frequency[:-1], rate[:-1], np.diff(start)))
     phases = phase + 2.0 * np.pi * np.cumsum(turns)
@@ -142,14 +154,17 @@ def wave(
 
 
 class Signal(ABC):
-    """Input over time. A subclass defines its segments."""
+    """Base class of input signals over time.
+
+    Each subclass defines the segments of its signal.
+    """
 
     remarks: tuple[Note, ...] = ()
-    """Notes on the file from which the values were read, for each result of this signal."""
+    """Notes on the file from which the signal was read. They are part of each result with this signal."""
 
     @abstractmethod
     def segments(self, end: float, duration: float | None) -> SegmentTable:
-        """Return all segments that begin before `end`.
+        """Return all segments that start before the time `end`.
 
         Parameters
         ----------
@@ -164,7 +179,7 @@ class Signal(ABC):
         """
 
     def table(self, duration: float) -> SegmentTable:
-        """Return the segments of a run.
+        """Return the segments of the signal for a run of given duration.
 
         Parameters
         ----------
@@ -181,7 +196,9 @@ class Signal(ABC):
         return self.segments(duration, duration)
 
     def evaluate(self, times: float | Floats, duration: float | None = None) -> FloatArray:
-        """Return the signal at given times, continuous from the right.
+        """Return the values of the signal at given times.
+
+        At a jump, the value is the one after the jump.
 
         Parameters
         ----------
@@ -204,7 +221,7 @@ class Signal(ABC):
 
     @abstractmethod
     def bounds(self) -> tuple[float, float]:
-        """Return the smallest and the largest possible value of the signal.
+        """Return the limits between which all values of the signal are.
 
         Returns
         -------
@@ -213,7 +230,7 @@ class Signal(ABC):
         """
 
     def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:
-        """Return notes on this signal for the reader of a run.
+        """Return notes on the use of this signal in a run, for example on its last value.
 
         Parameters
         ----------
@@ -232,7 +249,9 @@ class Signal(ABC):
         return ()
 
     def delayed(self, delay: float) -> Signal:
-        """Return the signal with a delay; the first value is held before.
+        """Return the signal with a delay.
+
+        The first value is valid until the delayed signal starts.
 
         Parameters
         ----------
@@ -248,7 +267,9 @@ class Signal(ABC):
 
 @dataclass(frozen=True)
 class DelayedSegments(Signal):
-    """Signal with a delay; the first value is held before.
+    """Signal with a delay.
+
+    The first value is valid until the delayed signal starts.
 
     Parameters
     ----------
@@ -293,9 +314,9 @@ class DelayedSegments(Signal):
 
 
 class MergedSegments(NamedTuple):
-    """All inputs on one set of segments.
+    """Segments of all inputs with common start times.
 
-    Repeated coefficients are stored once, so a million pulses need only a million times.
+    Equal coefficients are stored once. For a million equal pulses, only the start times need memory.
     """
 
     starts: FloatArray  # (n,) start of each segment [s]
@@ -307,7 +328,7 @@ class MergedSegments(NamedTuple):
 
 
 def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
-    """Merge the segments of all inputs into one set.
+    """Merge the segments of all inputs into segments with common start times.
 
     Parameters
     ----------
@@ -354,9 +375,11 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
 
 
 def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
-    """Return distinct coefficients, shape (m, 7), and their index for each segment.
+    """Return the distinct coefficients of a table, and their index for each segment.
 
-    Constant segments of equal value share one row.
+    The coefficients have the shape (m, 7).
+
+    Constant segments with equal values have the same coefficients.
     """
     constant = np.flatnonzero((table.slope == 0.0) & (table.amplitude == 0.0))
     row_of_segment = np.arange(len(table))
@@ -368,8 +391,9 @@ def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
 
 
 def _turns(frequency: FloatArray, rate: FloatArray, tau: FloatArray) -> FloatArray:
-    """Return the fraction of a turn after the time tau.
+    """Return the phase of a swept sine after the time tau, as a fraction of a turn.
 
-    Whole turns are dropped, which preserves the digits of the phase at late times.
+    `frequency` is the frequency at tau = 0, and `rate` the rate of change of the frequency. The function removes whole
+    turns, because a large number of turns would reduce the accuracy of the phase.
     """
     return np.remainder((frequency + 0.5 * rate * tau) * tau, 1.0)

@@ -1,4 +1,7 @@
-"""Inputs over time. Each kind reduces to segments: a line plus a swept sine."""
+"""Kinds of input signals over time, for example steps, ramps, sines and pulses.
+
+Each signal consists of segments; a segment is a straight line plus a swept sine.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +27,10 @@ _MAX_PERIODS = _MAX_BITS // 2  # two edges per period
 
 @dataclass(frozen=True, eq=False)
 class _Course(Signal):
-    """Values at strictly increasing times that begin at 0 or later, in read-only arrays."""
+    """Signal with values at strictly increasing times.
+
+    The first time is not negative. The arrays are read-only.
+    """
 
     times: Floats
     values: Floats
@@ -46,7 +52,7 @@ class _Course(Signal):
 
 @dataclass(frozen=True)
 class Constant(Signal):
-    """Constant signal.
+    """Signal with one constant value.
 
     Parameters
     ----------
@@ -73,7 +79,9 @@ class Constant(Signal):
 
 @dataclass(frozen=True, eq=False)
 class Steps(_Course):
-    """Staircase signal, continuous from the right.
+    """Signal that is constant between steps.
+
+    At the time of a step, the value is the one after the step.
 
     Parameters
     ----------
@@ -84,7 +92,7 @@ class Steps(_Course):
 
     Notes
     -----
-    A step at or after the end of the run has no effect; `notes` reports it.
+    A step at or after the end of the run has no effect. The method `notes` then returns a note.
 
     Examples
     --------
@@ -111,7 +119,9 @@ class Steps(_Course):
 
 @dataclass(frozen=True, eq=False)
 class Points(_Course):
-    """Straight lines between points; the first and last values are held.
+    """Signal of straight lines between points.
+
+    The first value is valid before the first point and the last value after the last point.
 
     Parameters
     ----------
@@ -138,7 +148,9 @@ class Points(_Course):
 
 @dataclass(frozen=True, eq=False)
 class SampledSignal(_Course):
-    """Measured series with linear interpolation; the first and last values are held.
+    """Measured signal with linear interpolation between the samples.
+
+    The first value is valid before the first sample and the last value after the last sample.
 
     Parameters
     ----------
@@ -183,7 +195,7 @@ class _Wave(Signal):
 
 @dataclass(frozen=True)
 class Sine(_Wave):
-    r"""Sine about a mean value.
+    r"""Sinusoidal signal about a mean value.
 
     .. math:: u(t) = \bar u + a \sin(2 \pi f t + \varphi)
 
@@ -207,7 +219,7 @@ class Sine(_Wave):
 
 @dataclass(frozen=True)
 class Chirp(_Wave):
-    r"""Sine whose frequency changes linearly and then stays constant.
+    r"""Sinusoidal signal whose frequency changes linearly and then stays constant.
 
     .. math:: f(t) = f_0 + (f_1 - f_0) \min(t / T, 1)
 
@@ -248,7 +260,9 @@ class Chirp(_Wave):
 
 @dataclass(frozen=True)
 class Prbs(Signal):
-    """Pseudo-random binary signal; each bit lasts `bit_time` and has two equally likely levels.
+    """Pseudo-random binary signal.
+
+    Each bit has the duration `bit_time` and one of two levels with equal probability.
 
     Parameters
     ----------
@@ -262,7 +276,7 @@ class Prbs(Signal):
     Notes
     -----
     The bits are the most significant bits of the raw PCG64 stream, whose values are the same in all NumPy versions.
-    A longer run continues the bits of a shorter run.
+    The first bits of a long run are equal to the bits of a shorter run.
 
     Examples
     --------
@@ -299,7 +313,10 @@ class Prbs(Signal):
 
 
 class _Pulses(Signal):
-    """Two alternating levels: high from the start of each period for its duty, then low."""
+    """Signal that alternates between two levels.
+
+    In each period, it is first high for the fraction `duty`, then low.
+    """
 
     if TYPE_CHECKING:  # declared in each subclass in its own order
         low: float
@@ -343,7 +360,7 @@ class _Pulses(Signal):
 
 @dataclass(frozen=True)
 class Square(_Pulses):
-    """Square wave: high from the start of each period, then low.
+    """Square wave, which is high at the start of each period and then low.
 
     Parameters
     ----------
@@ -374,7 +391,7 @@ class Square(_Pulses):
 
 @dataclass(frozen=True)
 class Pwm(_Pulses):
-    """Pulse-width modulation: pulses of one frequency with a fixed or variable width.
+    """Pulse-width modulated signal of constant frequency, with fixed or variable pulse width.
 
     Parameters
     ----------

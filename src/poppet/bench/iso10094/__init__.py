@@ -1,1 +1,1 @@
-"""Figures of a pressure valve, of a model or of recordings."""
+"""Characteristic values of a pressure valve after ISO 10094, from a model or from recordings."""

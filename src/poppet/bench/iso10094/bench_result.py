@@ -1,4 +1,7 @@
-"""Result of a bench: characteristic values, tables of cases, notes; TOML or JSON files."""
+"""Result of a test bench, with its TOML and JSON files.
+
+A result contains characteristic values, tables of cases, curves and notes.
+"""
 
 from __future__ import annotations
 
@@ -30,7 +33,7 @@ TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _
 DEFINITIONS: Mapping[str, Definition] = MappingProxyType(
     {name: definition for test in _ALL for name, definition in test.definitions.items()}
 )
-"""All figures by name, in the order of the tests."""
+"""Definition of each characteristic value by name, in the order of the tests."""
 
 
 METHOD = "iso10094"
@@ -39,7 +42,7 @@ MOST_POINTS = 240
 
 @dataclass(frozen=True)
 class BenchResult(HtmlMixin):
-    """Result of a bench."""
+    """Characteristic values, tables of cases, curves and notes of one test valve."""
 
     title: str
     source: str  # `circuit`, `recordings` or `stand-in`
@@ -52,7 +55,7 @@ class BenchResult(HtmlMixin):
     outcome: str = "done"  # `done`, `failed` where a test could not be run, or `interrupted`
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the result file as plain tables."""
+        """Return the result as nested dictionaries, the content of the result file."""
         figures = {
             name: {"value": f.value, "unit": f.unit, "definition": f.definition, "standard": DEFINITIONS[name].standard}
             | ({"bound": f.bound} if f.bound else {})
@@ -76,7 +79,10 @@ class BenchResult(HtmlMixin):
         }  # fmt: skip
 
     def save(self, path: str | Path) -> None:
-        """Write the result as `.toml` or `.json`; replace a file completely or not at all."""
+        """Write the result as a `.toml` or `.json` file.
+
+        The function replaces an existing file completely or not at all.
+        """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
@@ -87,7 +93,7 @@ def _thinned(values: Any) -> list[float]:
 
 
 def read_bench_result(path: str | Path) -> BenchResult:
-    """Read a result of the bench."""
+    """Read a bench result from a TOML or JSON file."""
     from poppet.core.toml_file import TomlFile
 
     path = Path(path)
@@ -100,7 +106,7 @@ def read_bench_result(path: str | Path) -> BenchResult:
 
 
 def is_result(data: Mapping[str, Any]) -> bool:
-    """Return True for the tables of a bench result."""
+    """Return True if the content of a file is a bench result."""
     return data.get("method") == METHOD
 
 
@@ -137,9 +143,9 @@ def _result(data: Mapping[str, Any]) -> BenchResult:
 
 
 def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
-    """Return the notes of a file by test.
+    """Return the notes of a result file, grouped by test.
 
-    In files without codes, each sentence begins with the name of the test.
+    Without note codes in the file, each note is a sentence that begins with the name of a test.
     """
     pairs: list[tuple[str, Any]] = [(entry["test"], {**entry}) for entry in data.get("codes", ())]
     for _, table in pairs:
@@ -149,7 +155,10 @@ def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
 
 
 def compared(result: BenchResult, other_result: BenchResult) -> dict[str, Any]:
-    """Compare the characteristic values of two results.
+    """Compare the characteristic values of two bench results.
+
+    Each difference is the value of `result` minus the value of `other_result`. A note names each test condition that
+    affects the comparison and differs between the results.
 
     Examples
     --------

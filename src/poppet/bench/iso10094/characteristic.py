@@ -1,4 +1,7 @@
-"""Outlet pressure during a slow setpoint sweep: linearity, hysteresis, repeatability, zero."""
+"""Test of outlet pressure versus setpoint by slow sweeps of the setpoint.
+
+The test gives linearity, hysteresis, repeatability, accuracy and the values at setpoint zero.
+"""
 
 from __future__ import annotations
 
@@ -54,7 +57,10 @@ STOPPING = 70.0  # setpoint above which a sweep shows its lag: no sample there m
 
 
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
-    """Return slow sweeps over the setpoint range, up and down, with a hold at each end."""
+    """Return a trial of slow sweeps over the setpoint range.
+
+    Each cycle is a sweep up and a sweep down, with a hold at each end. `sweep` and `hold` are durations [s].
+    """
     hold = max(hold, 0.05 * sweep)
     times, values = [0.0, 2.0 * hold], [0.0, 0.0]
     for _ in range(CYCLES):
@@ -67,7 +73,10 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
 
 @dataclass(frozen=True, eq=False)
 class SetpointSweep:
-    """Record in % FS with its branches; `late` is the setpoint delayed by the lag."""
+    """Recorded sweep of the setpoint `x` and the outlet `y` in % FS.
+
+    `late` is the setpoint delayed by the lag of the outlet. `parts` are the rising and falling branches.
+    """
 
     time: FloatArray
     x: FloatArray
@@ -79,7 +88,11 @@ class SetpointSweep:
 
 @dataclass(frozen=True, eq=False)
 class Branches:
-    """Outlet on `GRID`, one row per branch, NaN outside the branch."""
+    """Outlet pressure of all rising (`up`) and falling (`down`) branches.
+
+    Each array has one row per branch and one column per setpoint of `GRID`. A value is NaN if the branch does not
+    reach that setpoint.
+    """
 
     up: FloatArray
     down: FloatArray
@@ -145,7 +158,11 @@ def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
 
 
 def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
-    """Add linearity and hysteresis; `lag` is the standard uncertainty of the removed lag [% FS]."""
+    """Add linearity and hysteresis to the evaluation.
+
+    `up` and `down` are the means of the rising and falling branches. `lag` is the standard uncertainty of the removed
+    lag [% FS].
+    """
     is_common = INSIDE & np.isfinite(up) & np.isfinite(down)
     if np.count_nonzero(is_common) < FEWEST_STAIRS:
         evaluation.note_absence("one_way", "linearity", "hysteresis")
@@ -201,7 +218,11 @@ def _repeatability(evaluation: Evaluation, sweep: Branches) -> None:
 
 
 def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
-    """Add the values at setpoint zero, and a note if the sweep stops below its upper end."""
+    """Add zero suppression and zero offset to the evaluation.
+
+    A note reports an outlet that stops below the upper end of the setpoint. `lag` is the change of the outlet in the
+    hold after a sweep, and `error` its standard uncertainty [% FS].
+    """
     zero, short = [], []
     holds: dict[int, FloatArray] = {}
     is_cut = False
@@ -235,12 +256,12 @@ def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, e
 
 
 def _level(x: FloatArray, index: int) -> float:
-    """Return the median setpoint around a turn, which is robust to noise of single samples."""
+    """Return the median setpoint around the sample `index`, which is robust to noise."""
     return float(np.median(x[max(0, index - 4) : index + 5]))
 
 
 def _held_at(x: FloatArray, index: int) -> slice:
-    """Return the final part of the setpoint hold around a sample."""
+    """Return the final part of the setpoint hold that contains the sample `index`."""
     is_away = np.abs(x - _level(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
     earlier, later = np.flatnonzero(is_away[:index]), np.flatnonzero(is_away[index:])
     begin = int(earlier[-1]) + 1 if earlier.size else 0
@@ -251,9 +272,11 @@ def _held_at(x: FloatArray, index: int) -> slice:
 
 
 def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
-    """Return the setpoint at which the outlet leaves its pressure at setpoint zero.
+    """Return the setpoint at which the outlet pressure begins to rise, with its uncertainty.
 
-    The outlet needs several lags before it moves at the rate of the setpoint.
+    `x` is the setpoint, `y` the outlet pressure and `lag` the delay of the outlet, all in % FS. After the start, the
+    outlet needs several lags to reach the rate of the setpoint, so the fit omits these samples. The result is NaN if
+    the setpoint does not start at zero or the outlet does not rise.
     """
     scatter = 5.0 * scatter_of(x)
     if x.size < FEWEST_STAIRS or x[0] > max(ZERO_STEP, scatter):
@@ -293,7 +316,7 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
 
 
 def _rate(swept: Sequence[SetpointSweep]) -> float:
-    """Return the median rate of the sweep [% FS/s]."""
+    """Return the median rate of the setpoint in all sweeps [% FS/s]."""
     rates = []
     for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
         x, time = sweep.x[branch.samples], sweep.time[branch.samples]

@@ -1,4 +1,7 @@
-"""Test of the bench and its evaluation: characteristic values, rows per case, curves, notes."""
+"""Tests of the bench, and the evaluation of their records.
+
+An evaluation collects characteristic values, one row per case, curves and notes.
+"""
 
 from __future__ import annotations
 
@@ -19,7 +22,7 @@ ROWS = 4000  # rows of a sweep over the full range
 
 @dataclass(frozen=True)
 class Trial:
-    """Run of a test valve within a test."""
+    """Inputs and timing of one run of a test valve on the bench."""
 
     kind: str  # name of the test
     name: str
@@ -34,27 +37,27 @@ class Trial:
 
 
 class Specimen(Protocol):
-    """Interface of a test valve that the bench can drive: a model or a virtual valve."""
+    """Interface of a test valve on the bench, either a circuit model or a virtual valve."""
 
     @property
     def title(self) -> str:
-        """Title for reports."""
+        """Title of the test valve for reports."""
 
     @property
     def scale(self) -> Scale:
-        """Ranges of setpoint and outlet."""
+        """Ranges of the setpoint and the outlet pressure."""
 
     @property
     def supply(self) -> float:
-        """Supply pressure, absolute [Pa]."""
+        """Absolute supply pressure [Pa]."""
 
     def respond(self, trial: Trial) -> Record:
-        """Run a trial."""
+        """Run a trial and return its record."""
 
 
 @dataclass(frozen=True)
 class BenchSettings:
-    """Choices of the bench."""
+    """Settings of the bench: volumes, amplitudes, frequencies, setpoints and times."""
 
     volumes: tuple[float, ...] = (1e-3, 5e-3)  # static tests use the first one [m^3]
     amplitudes: tuple[float, ...] = (80.0, 50.0, 10.0)  # steps about the middle of the range [% FS]
@@ -68,7 +71,10 @@ class BenchSettings:
 
 
 class Pace(NamedTuple):
-    """Response times of a test valve with the first volume, for the durations of trials."""
+    """Response times of a test valve, from which the bench derives the durations of trials.
+
+    The times are valid for the first volume of the settings.
+    """
 
     specimen: Specimen
     settings: BenchSettings
@@ -77,12 +83,12 @@ class Pace(NamedTuple):
 
     @property
     def volume(self) -> float:
-        """Volume at the outlet [m^3]."""
+        """Volume at the outlet during the trials [m^3]."""
         return self.settings.volumes[0]
 
 
 def held(scale: Scale, setpoint: float) -> Constant:
-    """Return a constant setpoint in % FS."""
+    """Return a constant signal for a setpoint in % FS."""
     return Constant(float(scale.setpoint(setpoint)))
 
 
@@ -94,7 +100,7 @@ Row = dict[str, Any]
 
 @dataclass(frozen=True)
 class BenchTest:
-    """Test with its trials, required series and evaluation."""
+    """Test of the bench with its trials, required series and evaluation function."""
 
     name: str  # as in `--tests`; its texts are in `core/messages/bench.toml`
     evaluate: Callable[[Evaluation, Sequence[Record]], None]  # adds results of records to an `Evaluation`
@@ -113,16 +119,20 @@ class BenchTest:
 
     @property
     def meaning(self) -> str:
-        """Description of the test."""
+        """Description of the test for reports."""
         return sentence(f"bench.test.{self.name}", {})
 
     @property
     def definitions(self) -> Mapping[str, Definition]:
-        """Definitions of the characteristic values by name."""
+        """Mapping from the name of each characteristic value of the test to its definition."""
         return {name: Definition(name, unit, self) for name, unit in self.units.items()}
 
     def evaluated(self, records: Sequence[Record], scale: Scale, rated_flow: float = math.nan) -> Evaluation:
-        """Evaluate the records of the test."""
+        """Evaluate the records of the test.
+
+        Notes report omitted records, which lack a required series or have clipped samples. `rated_flow` is the mass
+        flow rate for droop and rise [kg/s].
+        """
         evaluation = Evaluation(self, scale, rated_flow)
         complete = [record for record in records if not self.needs or getattr(record, self.needs).size]
         for record in records:
@@ -139,7 +149,7 @@ class BenchTest:
 
 @dataclass(frozen=True)
 class Definition:
-    """Definition of a characteristic value in a test."""
+    """Definition of a characteristic value with its unit and the test that determines it."""
 
     name: str
     unit: str
@@ -147,28 +157,28 @@ class Definition:
 
     @property
     def text(self) -> str:
-        """Description."""
+        """Description of the characteristic value, without rates and limits."""
         return sentence(f"figure.{self.name}.text", self.of.facts)
 
     @property
     def limits(self) -> str:
-        """Rates, bands and limits of the definition."""
+        """Rates, bands and limits that the definition uses."""
         return sentence(f"figure.{self.name}.limits", self.of.facts)
 
     @property
     def full(self) -> str:
-        """Description with its limits."""
+        """Description of the characteristic value, with rates and limits in brackets."""
         return f"{self.text} ({self.limits})"
 
     @property
     def standard(self) -> str:
-        """Part of the standard, with the advice to compare its text."""
+        """Part of ISO 10094 that defines the value, with the advice to verify its text."""
         return f"{self.of.part}; {VERIFY}"
 
 
 @dataclass(frozen=True)
 class CharacteristicValue:
-    """Characteristic value of a valve."""
+    """Characteristic value of a valve, with unit, definition, conditions and uncertainty."""
 
     value: float  # in `unit`; finite
     unit: str
@@ -182,7 +192,10 @@ class CharacteristicValue:
 
 @dataclass(frozen=True, eq=False)
 class PlottedCurve:
-    """Line of a figure, `x` and `y` in the units of the axes; curves of one `case` share axes."""
+    """Curve `y` versus `x` of a figure, in the units of the axes.
+
+    Curves with the same `case` share axes.
+    """
 
     name: str
     case: str
@@ -192,7 +205,7 @@ class PlottedCurve:
 
 @dataclass
 class Evaluation:
-    """Results of the records of one test."""
+    """Results of one test: characteristic values, rows, curves, notes and conditions."""
 
     test: BenchTest
     scale: Scale
@@ -205,27 +218,34 @@ class Evaluation:
     uncertainties: dict[tuple[int, str], Uncertainty] = field(default_factory=dict)  # by the id of a row and its key
 
     def set_value(self, row: Row, key: str, value: float, uncertainty: Uncertainty) -> None:
-        """Set a value of a row with its uncertainty."""
+        """Set the value `key` of a row together with its uncertainty."""
         row |= {key: value, f"{key}_uncertainty": uncertainty.standard}
         self.uncertainties[id(row), key] = uncertainty
 
     def pairs(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Uncertainty]]:
-        """Return the values of rows and their uncertainties."""
+        """Return the values `key` of the given rows, and their uncertainties."""
         return [row[key] for row in rows], [self.uncertainties[id(row), key] for row in rows]
 
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:
-        """Add a finding unless it is already present."""
+        """Add a note unless the same note is already present."""
         note = Note(f"bench.{code}", address, **facts)
         if note not in self.notes:
             self.notes.append(note)
 
     def note_absence(self, reason: str, *names: str, **facts: Any) -> None:
-        """Add the reason why characteristic values are absent."""
+        """Add a note with the reason for each absent characteristic value.
+
+        `names` are the absent characteristic values, and `reason` is the last part of the note code.
+        """
         for name in names:
             self.note(f"absent.{reason}", name, **facts)
 
     def limit_to_bounds(self, *names: str) -> None:
-        """Convert extreme values to bounds, because some cases have clipped samples."""
+        """Convert characteristic values to bounds, because clipped cases are missing.
+
+        A maximum of the other cases becomes a lower bound, and a minimum becomes an upper bound. Values that cannot be
+        bounds are removed.
+        """
         for name in names:
             bound = AT_MOST if name in self.test.smallest else AT_LEAST
             figure = self.figures.get(name)
@@ -235,7 +255,7 @@ class Evaluation:
                 self.withhold(name)
 
     def withhold(self, *names: str) -> None:
-        """Remove characteristic values that depend on clipped samples."""
+        """Remove the named characteristic values, and note that clipped samples are the reason."""
         for name in names:
             self.figures.pop(name, None)
             self.notes = [n for n in self.notes if not (n.address == name and n.code.startswith("bench.absent."))]
@@ -244,7 +264,7 @@ class Evaluation:
     def add(
         self, name: str, value: float, uncertainty: Uncertainty | None = None, *, bound: str = "", **conditions: Any
     ) -> None:
-        """Add a characteristic value with its uncertainty."""
+        """Add a characteristic value with uncertainty, bound and operating conditions."""
         definition = self.test.definitions[name]
         figure = CharacteristicValue(float(value), definition.unit, definition.full, bound, conditions)
         if not bound and uncertainty is not None and math.isfinite(uncertainty.standard):
@@ -257,7 +277,10 @@ class Evaluation:
     def add_or_bound(
         self, name: str, value: float, limit: float, uncertainty: Uncertainty | None = None, **conditions: Any
     ) -> None:
-        """Add a characteristic value, or a bound if the value is below the noise limit."""
+        """Add a characteristic value, or an upper bound if its magnitude is below the limit.
+
+        `limit` is the smallest value that is distinguishable from noise.
+        """
         if abs(value) >= limit:
             self.add(name, value, uncertainty, **conditions)
             return
@@ -265,7 +288,7 @@ class Evaluation:
         self.add(name, limit, bound=AT_MOST, **conditions)
 
     def add_nonnegative(self, name: str, value: float, uncertainty: Uncertainty, **conditions: Any) -> None:
-        """Add a nonnegative value, or a bound if noise could explain the value."""
+        """Add a nonnegative value, or an upper bound if noise alone can explain the value."""
         half = NORMAL * uncertainty.standard
         self.add_or_bound(name, value, 0.0 if value > half else max(value, 0.0) + half, uncertainty, **conditions)
 
@@ -273,10 +296,11 @@ class Evaluation:
         self, name: str, key: str, reason: str = "", *, rows: Sequence[Row] | None = None,
         conditions: Sequence[str] = (), is_nonnegative: bool = False, **facts: Any,
     ) -> Row | None:  # fmt: skip
-        """Add the largest value of a key in the rows and return its row.
+        """Add the largest value of a key in the rows, and return the row of that value.
 
-        `conditions` are the keys of the row that state the conditions of the value. Without a row, the result is None,
-        and a note states the reason if there is one.
+        `name` is the name of the characteristic value and `key` its key in the rows, by default all rows of the
+        evaluation. `conditions` are the keys of the operating conditions to store with the value. If no row has the
+        key, the result is None, and a note with the code `reason` explains the absence unless `reason` is empty.
         """
         rows = [row for row in (self.rows if rows is None else rows) if key in row]
         if not rows:
@@ -289,5 +313,8 @@ class Evaluation:
 
 
 def largest(rows: Sequence[Row], key: str) -> Row | None:
-    """Return the row with the largest value of a key, None if no row has the key."""
+    """Return the row with the largest value of a key.
+
+    The result is None if no row has the key.
+    """
     return max((row for row in rows if key in row), key=lambda row: float(row[key]), default=None)

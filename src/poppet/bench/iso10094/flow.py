@@ -1,4 +1,4 @@
-"""Outlet pressure versus flow: droop and relief with increasing and decreasing flow."""
+"""Test of outlet pressure versus flow: droop, relief, flow capacity and hysteresis."""
 
 from __future__ import annotations
 
@@ -31,7 +31,11 @@ LEAST_FLOW = 1e-9  # flow below which there is no flow [kg/s]
 
 
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
-    """Return a sweep of the load to one end and back at a constant setpoint."""
+    """Return a trial with a sweep of the flow at a constant setpoint.
+
+    `load` is the relative flow at the end of the sweep: 1 for forward flow, -1 for relief flow. The flow returns to
+    zero after a hold.
+    """
     times = np.cumsum([0.0, 2.0 * hold, sweep, hold, sweep, hold])
     signal = Points(times, np.array([0.0, 0.0, load, load, 0.0, 0.0]))
     name = f"flow {'out' if load > 0 else 'in'} at {setpoint:g} % FS"
@@ -39,14 +43,17 @@ def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold:
 
 
 def flow_trials(pace: Pace) -> list[Trial]:
-    """Return sweeps of the flow in both directions at all setpoints."""
+    """Return trials with sweeps of forward and relief flow at each setpoint."""
     scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
     cases = ((load, setpoint) for load in (1.0, -1.0) for setpoint in pace.settings.setpoints)
     return [flow_trial(scale, pace.volume, setpoint, sweep, pace.hold, load) for load, setpoint in cases]
 
 
 class Side(NamedTuple):
-    """Direction of the flow: name in rows, sign, and names of its characteristic values."""
+    """Direction of the flow: forward (`drawn`, sign +1) or relief (`fed`, sign -1).
+
+    `change` is the key of droop or rise in a row. `figure` and `hysteresis` are names of characteristic values.
+    """
 
     name: str
     sign: float
@@ -62,7 +69,11 @@ SIDES = (
 
 
 class FlowSweep(NamedTuple):
-    """Outlet [% FS] on an even grid of flow [kg/s], with increasing and decreasing flow."""
+    """Outlet pressure [% FS] on an even grid of flow [kg/s] in one direction.
+
+    `going` is the outlet at increasing flow, and `coming` the outlet at decreasing flow. `coming` is None if the flow
+    does not return.
+    """
 
     row: Row
     grid: FloatArray
@@ -98,7 +109,10 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 def _one(
     evaluation: Evaluation, record: Record, y: FloatArray, row: Row, side: Side, rest_uncertainty: Uncertainty
 ) -> FlowSweep | None:
-    """Evaluate one direction of the flow in a record."""
+    """Evaluate one flow direction of a record.
+
+    The result is None if the record has no flow in this direction, or the flow does not rise from zero.
+    """
     flow = side.sign * record.flow
     # The maximum of noisy samples is biased.
     width = max(1, min(TOP, flow.size // 100)) if noise_of(flow) > 1e-6 * float(np.ptp(flow)) else 1
@@ -146,7 +160,7 @@ def _one(
 
 
 def _lag_error(lags: Sequence[Lag]) -> float:
-    """Return the standard uncertainty of the flow of an outlet value, caused by the lag."""
+    """Return the standard uncertainty of the flow caused by the uncertainty of the lag."""
     errors = [lag.error * lag.rate for lag in lags]
     return float(np.linalg.norm(errors)) / len(errors) if errors else 0.0
 
@@ -154,7 +168,11 @@ def _lag_error(lags: Sequence[Lag]) -> float:
 def _there_and_back(
     flow: FloatArray, delayed: FloatArray, y: FloatArray, grid: FloatArray
 ) -> tuple[FloatArray | None, FloatArray | None]:
-    """Return the outlet on the grid for increasing and for decreasing flow."""
+    """Return the outlet on the grid of flow, for increasing and for decreasing flow.
+
+    `delayed` is the flow delayed by the lag of the outlet. An item of the result is None if the record has no such
+    sweep.
+    """
     top = grid[-1]
     top_samples = np.flatnonzero(flow >= FOLD * top)
     start_samples = np.flatnonzero(flow <= STILL * top)
@@ -172,7 +190,11 @@ def _there_and_back(
 def _falls(
     evaluation: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Uncertainty
 ) -> None:
-    """Set the flow at which the outlet has first fallen by `DROOP`, from local lines."""
+    """Set the flow at which the outlet pressure has first fallen by `DROOP`.
+
+    `droop` is the fall of the outlet pressure [% FS], and `rest` the uncertainty of the outlet without flow. If the
+    fall is smaller, the largest flow is a lower bound.
+    """
     noise = noise_about([part for part in np.array_split(droop, 40) if part.size > 8], 2)
     size = max(1, min(droop.size // 400, int((noise.spread / 0.1) ** 2))) if noise.sigma > 1e-6 else 1
     means = np.convolve(droop, np.full(size, 1.0 / size), "valid")
@@ -203,7 +225,10 @@ def _falls(
 
 
 def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> None:
-    """Add droop or rise at the rated flow, and the hysteresis."""
+    """Add droop or rise at the rated flow and the hysteresis to the evaluation.
+
+    By default, the rated flow is half of the largest flow that all sweeps reach.
+    """
     rated = evaluation.rated_flow
     if sweeps:
         rated = rated if math.isfinite(rated) else 0.5 * min(float(sweep.grid[-1]) for sweep in sweeps)
@@ -226,7 +251,10 @@ def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> No
 def _change(
     side: Side, sweep: FlowSweep, curve: FloatArray, rated: float, *, is_given: bool
 ) -> tuple[float, Uncertainty]:
-    """Return the fall or rise of the outlet at the rated flow."""
+    """Return the droop or rise of the outlet at the rated flow, with its uncertainty.
+
+    `is_given` is True if the user specified the rated flow.
+    """
     grid, is_known = sweep.grid, np.isfinite(curve)
     is_near = is_known & (np.abs(grid - rated) <= NEIGHBOURS * (grid[1] - grid[0]) * 1.001)
     sigma = sweep.sigma / math.sqrt(1.0 if sweep.coming is None else 2.0)
@@ -244,7 +272,10 @@ def _change(
 
 
 def _capacity(evaluation: Evaluation) -> None:
-    """Add the smallest flow capacity; without a sufficient fall, the smallest tested flow is a bound."""
+    """Add the smallest flow capacity of all cases to the evaluation.
+
+    If the outlet did not fall sufficiently in any case, the smallest of the tested maximum flows is a lower bound.
+    """
     for key, bound in (("capacity", ""), ("capacity_at_least", AT_LEAST)):
         rows = [row for row in evaluation.rows if key in row]
         if rows:

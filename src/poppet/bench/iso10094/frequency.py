@@ -1,4 +1,4 @@
-"""Frequency response from sines: fundamental and harmonics by regression over whole periods."""
+"""Test of the frequency response: fundamental and harmonics of sinusoidal responses by regression."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ FAINT = 4.0  # detection limit of a fundamental, in standard errors
 def frequency_trial(
     scale: Scale, volume: float, frequency: float, hold: float, *, mean: float, amplitude: float
 ) -> Trial:
-    """Return a sine of the setpoint about a mean."""
+    """Return a trial with a sinusoidal setpoint about a mean value."""
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
     signal = Sine(float(scale.setpoint(mean)), amplitude * unit, frequency)
@@ -48,7 +48,7 @@ def frequency_trial(
 
 @dataclass(frozen=True)
 class SineComponent:
-    """Fundamental of a series, with its harmonics."""
+    """Fundamental of a series, with mean value and harmonic distortion."""
 
     value: complex  # complex amplitude relative to a sine from the start of the record, in the unit of the series
     mean: float
@@ -68,7 +68,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 
 
 def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
-    """Return a row for each sine of a record."""
+    """Return one row of results for each sine of a record."""
     x, y = evaluation.scale.percents(record)
     parts = sines(record.time, x)
     if not parts:
@@ -78,7 +78,11 @@ def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
 
 
 def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
-    """Add Bode plots and bandwidths, one plot for each amplitude, mean and volume."""
+    """Add Bode plots, bandwidths and distortion to the evaluation.
+
+    The rows are grouped by amplitude, mean and volume, with one Bode plot for each group. The bandwidths are those of
+    the first group.
+    """
     series: dict[str, list[Row]] = {}
     for row in rows:
         series.setdefault(_series(row, rows), []).append(row)
@@ -95,9 +99,9 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
 
 def _sides(values: FloatArray) -> NDArray[np.int64]:
-    """Return +1 above and -1 below the middle of a series, 0 near it.
+    """Return +1 for values above the middle of a series, -1 below, and 0 near the middle.
 
-    The dead zone avoids repeated crossings by noise.
+    The dead zone of a quarter of the range on either side of the middle prevents repeated crossings caused by noise.
     """
     low, high = float(np.min(values)), float(np.max(values))
     middle, swing = 0.5 * (low + high), 0.25 * float(np.ptp(values))
@@ -105,7 +109,7 @@ def _sides(values: FloatArray) -> NDArray[np.int64]:
 
 
 def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
-    """Return the parts of a record in which the setpoint is a sine of one frequency.
+    """Return the time windows of a record in which the setpoint is a sine of constant frequency.
 
     Examples
     --------
@@ -136,7 +140,10 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
 
 
 def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
-    """Return a sine from its beginning to its end, at most 1.5 periods beyond its rises."""
+    """Extend the window of a sine to its first and last sample.
+
+    `part` is the window between rising zero crossings. The extension is at most 1.5 periods on either side.
+    """
     if part.stop - part.start < 8:
         return part
     frequency = _frequency(time[part], setpoint[part], 1.0 / period)
@@ -151,7 +158,11 @@ def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -
 
 
 def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
-    """Return the row of one sine, from its steady last part."""
+    """Evaluate the final steady periods of one sine, and return its row.
+
+    `x` and `y` are setpoint and outlet in the window `part`. If the sine cannot be evaluated, a note states the reason
+    and the result is None.
+    """
     time = record.time[part]
     side = _sides(x)
     indices = np.flatnonzero(side)
@@ -193,9 +204,10 @@ def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: 
 
 
 def _series(row: Row, rows: Sequence[Row]) -> str:
-    """Return the name of the Bode plot of a row.
+    """Return the name of the Bode plot to which a row belongs.
 
-    Rows with equal amplitude, mean and volume share the name of the first of them.
+    The name contains amplitude, mean and volume. Rows with approximately equal values of these belong to one plot,
+    which is named after the first row.
     """
 
     def is_alike(candidate: Row) -> bool:
@@ -209,7 +221,10 @@ def _series(row: Row, rows: Sequence[Row]) -> str:
 
 
 def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
-    """Return the frequency of a sine, without phase drift between its two halves."""
+    """Return the frequency of a sine, from the phase drift between its two halves.
+
+    `guess` is the start value [Hz]. The frequency is corrected until the halves have the same phase.
+    """
     frequency = guess
     half = time.size // 2
     for _ in range(4):
@@ -223,7 +238,10 @@ def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
 def wave(
     time: FloatArray, values: FloatArray, frequency: float, *, highest: int = HIGHEST, is_coloured: bool = False
 ) -> SineComponent:
-    """Fit the fundamental of a series by least squares, with harmonics, mean and drift.
+    """Fit a sine of known frequency to a series by least squares.
+
+    The fit includes the harmonics up to the order `highest`, a mean and a linear drift. `is_coloured` selects a noise
+    estimate for correlated samples.
 
     Examples
     --------
@@ -264,7 +282,7 @@ def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
-    """Return the number of final periods with a constant fundamental."""
+    """Return the number of periods at the end of a series that have a constant fundamental."""
     total = max(1, math.floor((time[-1] - time[0]) * frequency + 0.02))
     ends = time[-1] - np.arange(total + 1) / frequency
     cuts = np.searchsorted(time, ends + 1e-9 * (time[-1] - time[0]))
@@ -284,9 +302,10 @@ def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
 
 
 def _ordered(rows: list[Row]) -> list[Row]:
-    """Return one row per frequency in ascending order, with continuous phases and relative gains in dB.
+    """Return one row per frequency in ascending order, with continuous phases and relative gains.
 
-    Of equal frequencies, the row with more periods takes precedence. The reference is the gain at the lowest frequency.
+    If several rows have the same frequency, the result contains the row with the most periods. Gains are relative to
+    the gain at the lowest frequency.
     """
     by_frequency: dict[float, Row] = {}
     for row in rows:
@@ -333,9 +352,10 @@ def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) 
 def _doubt_of(
     frequency: FloatArray, values: FloatArray, errors: FloatArray, level: float, *, is_relative: bool
 ) -> Uncertainty:
-    """Return the uncertainty of the frequency at which a series falls to a level.
+    """Return the uncertainty of the frequency at which a curve falls to a level.
 
-    Noise of the points and the interpolation between them contribute.
+    `values` are gains or phases, and `errors` their standard errors. The uncertainty includes the noise of the points
+    and the error of the interpolation between them.
     """
     value = falls_to(frequency, values, level)
     random = np.random.default_rng(SEED)
@@ -350,9 +370,10 @@ def _doubt_of(
 
 
 def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:
-    """Return the frequency at which a series first falls to a level.
+    """Return the frequency at which a curve first falls to a level.
 
-    The interpolation is a monotone cubic of the logarithm of the frequency.
+    The interpolation is a monotone cubic of the logarithm of the frequency. The result is NaN if no value is at or
+    below the level, or if the first value is.
 
     Examples
     --------

@@ -1,4 +1,7 @@
-"""The smallest change of the setpoint that moves the outlet, from a small staircase."""
+"""Test of resolution: smallest change of the setpoint that moves the outlet.
+
+The setpoint is a small staircase.
+"""
 
 from __future__ import annotations
 
@@ -23,7 +26,11 @@ FEWEST = 5
 
 
 def resolution_trial(scale: Scale, volume: float, stair: float, hold: float, middle: float) -> Trial:
-    """Return a small staircase up, then down, then up again."""
+    """Return a trial with a small staircase of the setpoint: up, down, and up again.
+
+    `stair` is the height of each stair and `middle` the setpoint of the first stair [% FS]. `hold` is the duration of
+    a stair [s].
+    """
     settling = 20.0 * hold
     directions = np.concatenate([np.ones(STAIRS), -np.ones(STAIRS), np.ones(STAIRS)])
     levels = middle + stair * np.concatenate(([0.0], np.cumsum(directions)))
@@ -93,16 +100,21 @@ def _one(evaluation: Evaluation, record: Record) -> None:
 
 
 class Move(NamedTuple):
-    """Motion of the outlet, with the setpoint change since the last motion or since the reversal [% FS]."""
+    """Change of the setpoint that was necessary to move the outlet [% FS].
+
+    The change is relative to the last motion of the outlet. If `is_reversal` is True, it is relative to the reversal
+    of the setpoint.
+    """
 
     change: float
     is_reversal: bool
 
 
 def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
-    """Return the motions of the outlet.
+    """Return the motions of the outlet on a staircase of the setpoint.
 
-    The first motion is omitted, because the setpoint change before it is unknown.
+    `level` is the setpoint and `answer` the outlet on each stair. A change of the outlet by `least` or more counts as a
+    motion. The first motion is omitted unless it follows a reversal, because the setpoint change before it is unknown.
     """
     moves: list[Move] = []
     since, direction, is_known, has_turned = 0, 0, False, False
@@ -119,7 +131,7 @@ def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
 
 
 def _turns(level: FloatArray) -> list[tuple[int, int]]:
-    """Return the first and last stair of each reversed section."""
+    """Return the indices of the first and last stair after each reversal of the setpoint."""
     signs = np.sign(np.diff(level))
     turns = np.flatnonzero(signs[1:] * signs[:-1] < 0.0) + 1
     ends = np.append(turns[1:], level.size - 1)[: turns.size]

@@ -1,4 +1,7 @@
-"""Virtual bench for a valve of a circuit: supply, closed volume, bleed and feed."""
+"""Virtual bench around a valve of a circuit: supply, closed outlet volume, and valves for flow.
+
+The bleed takes air out of the outlet volume, and the feed adds air to it.
+"""
 
 from __future__ import annotations
 
@@ -40,7 +43,7 @@ BELOW_SUPPLY = 1e5  # distance of an unknown full scale from the supply [Pa]
 
 @dataclass
 class Rig:
-    """Test valve made of a part of a circuit."""
+    """Valve of a circuit on the virtual bench."""
 
     circuit: BaseCircuit  # the valve with all that the bench has put around it
     valve: str
@@ -52,7 +55,7 @@ class Rig:
     _sizes: dict[float, float] = field(default_factory=dict)  # of the bleed (+1) and the feed (-1), once probed
 
     def respond(self, trial: Trial) -> Record:
-        """Run a trial."""
+        """Simulate a trial and return its record."""
         trial = replace(trial, step=self._row_time(trial))
         bleed, feed = NOT_DRAWN, NOT_FED
         if trial.load is not None:
@@ -73,7 +76,11 @@ class Rig:
         )  # fmt: skip
 
     def _run(self, trial: Trial, bleed: tuple[float, Signal], feed: Signal, stops: Sequence[str] = ()) -> Recording:
-        """Run a trial with a bleed (size and opening) and a feed as its load."""
+        """Simulate a trial with a bleed and a feed as the load.
+
+        `bleed` is the sonic conductance of the bleed and its opening over time. `stops` are conditions that end the
+        run.
+        """
         scale, circuit = self.scale, self.circuit
         # The outlet starts where a valve without errors would hold it.
         setpoint = scale.setpoint_percent(trial.setpoint.evaluate(0.0, trial.duration))
@@ -101,7 +108,11 @@ class Rig:
         return recording
 
     def _row_time(self, trial: Trial) -> float:
-        """Return the row interval: the sample time for mean flows, because solenoids open for single samples."""
+        """Return the time between recorded samples for a trial.
+
+        For leakage, it is the sample time of the controller, because solenoids can open for single samples and affect
+        the mean flow. If this would give too many samples, a note reports it.
+        """
         numbers, prefix = self.circuit.parameters, f"{self.valve}."
         clocks = [name for name in numbers if name.startswith(prefix) and name.endswith(".sample_time")]
         fastest = min((numbers[name] for name in clocks), default=math.inf)
@@ -116,13 +127,19 @@ class Rig:
     # Flow --------------------------------------------------------------------------------------------------------
 
     def _size(self, sign: float, volume: float) -> float:
-        """Return the bleed conductance or feed flow that moves the outlet by a large fraction of full scale."""
+        """Return the bleed conductance or feed flow that changes the outlet by `PROBED`.
+
+        `sign` is +1 for the bleed and -1 for the feed. All trials use the same value.
+        """
         if sign not in self._sizes:  # one for all trials: their flows are to be compared
             self._sizes[sign] = self._probe(sign, volume)
         return self._sizes[sign]
 
     def _probe(self, sign: float, volume: float) -> float:
-        """Increase the load by decades until the outlet has moved sufficiently."""
+        """Find the load that changes the outlet by `PROBED`, by a run with increasing load.
+
+        `sign` is +1 for the bleed and -1 for the feed.
+        """
         steps = np.arange(10 * DECADES + 1, dtype=np.float64)  # two seconds for each tenth of a decade
         times, load = 2.0 * (1.0 + steps), SMALLEST * 10.0 ** (steps / 10.0)
         largest, growing = float(load[-1]), load / load[-1]
@@ -142,7 +159,11 @@ class Rig:
 def rig_of(
     circuit: BaseCircuit, valve: str, *, full_scale: tuple[float, float] | None = None, supply: float | None = None
 ) -> Rig:
-    """Return the bench for a valve of a circuit."""
+    """Return a virtual bench for one valve of a circuit.
+
+    The default of `supply` is the supply pressure in the circuit. The default of `full_scale` is the scaling of the
+    valve, or a range up to 1 bar below the supply pressure.
+    """
     part = circuit.parts[valve_of(circuit, valve)]
     item = next(item for name in SETPOINTS for item in part.inputs() if item.name == name)
     notes: list[Note] = []
@@ -198,7 +219,10 @@ def rig_of(
 
 
 def valve_of(circuit: BaseCircuit, name: str | None = None) -> str:
-    """Return the name of the test valve in a circuit."""
+    """Return the name of the test valve in a circuit.
+
+    Without `name`, the circuit must contain exactly one suitable valve.
+    """
     candidates = [
         name
         for name, part in circuit.parts.items()

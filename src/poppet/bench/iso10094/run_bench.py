@@ -1,4 +1,4 @@
-"""Tests of a bench, with the same evaluation for models and recordings."""
+"""Execution of the bench tests; models and recordings have the same evaluation."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ Say = Callable[[str], object]
 
 
 class EvaluatedRecord(NamedTuple):
-    """Record of steps or a sine with its rows."""
+    """Record of a step or sine trial, with its rows of results."""
 
     record: Record
     rows: list[Row]
@@ -38,7 +38,7 @@ class EvaluatedRecord(NamedTuple):
 
 @dataclass
 class Bench:
-    """Test valve on the bench with its measurements."""
+    """Test valve on the bench, with its settings and completed measurements."""
 
     specimen: Specimen
     settings: BenchSettings
@@ -47,7 +47,7 @@ class Bench:
     steps: dict[tuple[float, float], EvaluatedRecord] = field(default_factory=dict)  # by volume and amplitude
 
     def records(self, test: str) -> list[Record]:
-        """Return all records of a test."""
+        """Run all trials of a test and return their records."""
         trials = TESTS[test].trials
         if trials is not None:
             pace = Pace(self.specimen, self.settings, self.hold(), self._sweep)
@@ -61,7 +61,11 @@ class Bench:
         return self.specimen.respond(trial)
 
     def step(self, volume: float, amplitude: float) -> EvaluatedRecord:
-        """Measure a step up and down with a sufficient hold."""
+        """Measure a step up and a step down, with holds that are long enough to settle.
+
+        `volume` is the outlet volume [m^3] and `amplitude` the height of the step [% FS]. Completed measurements are
+        reused.
+        """
         measured = self.steps.get((volume, amplitude))
         if measured is not None:
             return measured
@@ -78,19 +82,22 @@ class Bench:
         return self.steps[volume, amplitude]
 
     def hold(self) -> float:
-        """Return the settling time of the test valve with the first volume [s]."""
+        """Return the hold time in which the test valve settles with the first volume [s]."""
         volume = self.settings.volumes[0]
         if volume not in self.holds:
             self.step(volume, max(self.settings.amplitudes))
         return self.holds[volume]
 
     def _response_times(self, steps: Iterable[EvaluatedRecord]) -> list[float]:
-        """Return the response times of steps; without any, a quarter of the hold [s]."""
+        """Return the response times of all measured steps [s].
+
+        If no step has a response time, the result is a quarter of the hold time.
+        """
         times = [row["response_time"] for step in steps for row in step.rows if "response_time" in row]
         return times or [self.hold() / 4.0]
 
     def _sweep(self) -> float:
-        """Return the duration of a sweep that is slow for the test valve [s]."""
+        """Return the duration of a setpoint sweep that is slow compared with the response time [s]."""
         first = self.settings.volumes[0]
         response = max(self._response_times(step for (volume, _), step in self.steps.items() if volume == first))
         sweep_time = self.settings.sweep_time
@@ -100,7 +107,10 @@ class Bench:
         return sweep_time if math.isfinite(sweep_time) else usual
 
     def _sines(self) -> list[Record]:
-        """Measure sines from far below to above both bandwidths, with a fine grid near them."""
+        """Measure sines at frequencies from far below to above both bandwidths.
+
+        The frequencies are closer to each other near the bandwidths.
+        """
         frequencies = self.settings.frequencies
         if frequencies:
             return [self._sine(f).record for f in sorted(frequencies)]
@@ -142,7 +152,10 @@ class Bench:
 
 
 def _needed(rows: list[Row]) -> float:
-    """Return the required hold time from the measured steps [s]."""
+    """Return the hold time that the measured steps require [s].
+
+    The result is infinite if a step did not settle.
+    """
     if any("hum_amplitude" in row for row in rows):
         # What swings never settles: enough of its periods to be measured, and time to have fallen to the swing.
         slowest = min(row["hum_frequency"] for row in rows if "hum_frequency" in row)
@@ -171,7 +184,11 @@ def run_bench(
     source: str = "circuit", notes: Sequence[Note | str] = (), conditions: Mapping[str, Any] | None = None,
     say: Say | None = None,
 ) -> BenchResult:  # fmt: skip
-    """Run the tests of a test valve."""
+    """Run the selected tests with a test valve and return all results.
+
+    If a run of a test fails, a note reports it and the other tests continue. `source` is the kind of test valve for
+    the result, and `say` a callback for progress messages.
+    """
     settings = settings or BenchSettings()
     check_tests(tests)
     bench = Bench(specimen, settings, say or (lambda _: None))
@@ -197,7 +214,10 @@ def run_recordings(
     title: str, records: Mapping[str, Sequence[Record]], scale: Scale, *, tests: Sequence[str] = tuple(TESTS),
     rated_flow: float = math.nan, notes: Sequence[Note | str] = (), conditions: Mapping[str, Any] | None = None,
 ) -> BenchResult:  # fmt: skip
-    """Evaluate recordings of a real valve."""
+    """Evaluate the selected tests from recordings of a real valve.
+
+    `records` maps the name of each test to its records. A note reports each test without records.
+    """
     check_tests(tests)
     evaluations = {name: TESTS[name].evaluated(records[name], scale, rated_flow) for name in tests if records.get(name)}
     missing = [Note("bench.not_given", name) for name in tests if name not in evaluations]
@@ -205,7 +225,7 @@ def run_recordings(
 
 
 def check_tests(tests: Sequence[str]) -> None:
-    """Reject unknown names of tests."""
+    """Raise an error if no test is selected or a name of a test is unknown."""
     if not tests:
         raise InputError("bench.no_test", known=tuple(TESTS))
     for test in tests:
@@ -217,7 +237,7 @@ def _assembled(
     title: str, source: str, evaluations: Mapping[str, Evaluation], scale: Scale, conditions: Mapping[str, Any],
     notes: Sequence[Note | str], outcome: str = "done",
 ) -> BenchResult:  # fmt: skip
-    """Combine the evaluations of all tests in one result."""
+    """Combine the evaluations of all tests into one bench result."""
     tests = {name: evaluations[name] for name in TESTS if name in evaluations}
     figures = {name: figure for evaluation in tests.values() for name, figure in evaluation.figures.items()}
     ranges = {

@@ -1,4 +1,4 @@
-"""Records of the bench and their scale."""
+"""Records of bench trials, and the scale of setpoint and outlet pressure."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ PERCENT = 100.0
 
 @dataclass(frozen=True)
 class Scale:
-    """Corresponding ranges of setpoint and outlet pressure; FS is the span of the pressure.
+    """Corresponding ranges of setpoint and outlet pressure.
+
+    Full scale (FS) is the span of the outlet pressure.
 
     Examples
     --------
@@ -48,7 +50,7 @@ class Scale:
         return self.pressure_high - self.pressure_low
 
     def setpoint(self, percent: float | FloatArray) -> FloatArray:
-        """Return the setpoint at a percentage of its range."""
+        """Return the setpoint, in its unit, for a percentage of the setpoint range."""
         part = np.asarray(percent) / PERCENT
         return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
 
@@ -58,7 +60,7 @@ class Scale:
         return np.asarray(PERCENT * (np.asarray(setpoint) - self.setpoint_low) / width)
 
     def pressure(self, percent: float | FloatArray) -> FloatArray:
-        """Return the outlet pressure at a percentage of full scale."""
+        """Return the absolute outlet pressure [Pa] for a percentage of full scale."""
         return np.asarray(self.pressure_low + self.span * np.asarray(percent) / PERCENT)
 
     def percent(self, pressure: float | FloatArray) -> FloatArray:
@@ -66,13 +68,13 @@ class Scale:
         return np.asarray(PERCENT * (np.asarray(pressure) - self.pressure_low) / self.span)
 
     def percents(self, record: Record) -> tuple[FloatArray, FloatArray]:
-        """Return setpoint and outlet of a record as percentages of their ranges."""
+        """Return setpoint and outlet pressure of a record as percentages of their ranges."""
         return self.setpoint_percent(record.setpoint), self.percent(record.outlet)
 
 
 @dataclass(frozen=True, eq=False)
 class Record:
-    """Run of a test of a model or a real valve: channels over one time base."""
+    """Measured or simulated channels of one trial over a common time base."""
 
     name: str  # of the trial or the recording
     test: str
@@ -89,12 +91,15 @@ class Record:
     clipped: Mapping[str, Mask] = field(default_factory=dict)  # clipped samples by series
 
     def cuts(self, *series: str, part: slice = slice(None)) -> bool:
-        """Return True if a part has clipped samples, of any series by default."""
+        """Return True if a part of the record contains clipped samples.
+
+        `series` are the names of the channels to check, by default all channels.
+        """
         return any(bool(mask[part].any()) for name, mask in self.clipped.items() if not series or name in series)
 
     @property
     def step(self) -> float:
-        """Usual time between samples [s]."""
+        """Median time between samples [s]."""
         return float(np.median(np.diff(self.time)))
 
 
@@ -103,7 +108,9 @@ ELECTRIC = {"V": (0.0, 10.0), "A": (0.004, 0.020), "1": (0.0, 1.0)}
 
 
 def pressure(raw: Any, ambient: float, name: str) -> float:
-    """Return an absolute pressure from its text.
+    """Return the absolute pressure [Pa] of a text with unit.
+
+    `ambient` is the reference of gauge pressures [Pa], and `name` the address for error messages.
 
     Examples
     --------
@@ -121,7 +128,9 @@ def _absolute(read: Quantity, ambient: float) -> float:
 
 
 def pressure_range(raw: Any, ambient: float, name: str = "full_scale") -> tuple[float, float]:
-    """Return a pressure range from both ends, or from its upper end above ambient.
+    """Return the absolute limits [Pa] of a pressure range.
+
+    A single pressure is the upper limit; the lower limit is then the ambient pressure.
 
     Examples
     --------
@@ -139,7 +148,9 @@ def pressure_range(raw: Any, ambient: float, name: str = "full_scale") -> tuple[
 
 
 def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, unit: str = "Pa") -> Scale:
-    """Return the scale for a setpoint range and a full scale.
+    """Return the scale that relates a setpoint range to full scale.
+
+    `raw` is the setpoint range as text, and `full_scale` the range of outlet pressures [Pa].
 
     Examples
     --------
@@ -158,7 +169,10 @@ def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, un
 
 
 def _setpoint(raw: Any, ambient: float) -> tuple[float, str]:
-    """Return value and SI unit of a setpoint, for the first matching quantity."""
+    """Return the value and the SI unit of a setpoint.
+
+    A text is read as a pressure if the unit permits it, else as an electric signal. A number is a ratio.
+    """
     problem: InputError | None = None
     for unit in ("Pa", *ELECTRIC) if isinstance(raw, str) else ("1",):
         try:
@@ -172,7 +186,7 @@ def _setpoint(raw: Any, ambient: float) -> tuple[float, str]:
 
 
 def listed(raw: str, unit: str, name: str) -> tuple[float, ...]:
-    """Return the positive values of a list, `"1 l, 5 l"`.
+    """Return the positive values of a comma-separated text such as `"1 l, 5 l"` in SI units.
 
     Examples
     --------

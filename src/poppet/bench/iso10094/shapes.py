@@ -1,4 +1,4 @@
-"""Parts of a series: branches of a sweep, stairs and jumps; local values of a sampled curve."""
+"""Division of series into branches, stairs and jumps, and the lag of an outlet behind a sweep."""
 
 from __future__ import annotations
 
@@ -20,7 +20,10 @@ _STILL = 1e-6  # setpoint change between samples that counts as constant [% FS]
 
 @dataclass(frozen=True)
 class Branch:
-    """Samples `first` to `end - 1` between two turning points; `sign` is +1 up, -1 down."""
+    """Rising (`sign` = +1) or falling (`sign` = -1) branch of a series between turning points.
+
+    The branch consists of the samples `first` to `end - 1`.
+    """
 
     first: int
     end: int
@@ -28,12 +31,14 @@ class Branch:
 
     @property
     def samples(self) -> slice:
-        """Slice of the samples."""
+        """Slice of the series that contains the samples of the branch."""
         return slice(self.first, self.end)
 
 
 def branches(values: FloatArray, swing: float) -> list[Branch]:
-    """Return the rising and falling parts of a series.
+    """Divide a series into rising and falling branches.
+
+    `swing` is the smallest change of direction that ends a branch.
 
     Examples
     --------
@@ -61,7 +66,10 @@ def branches(values: FloatArray, swing: float) -> list[Branch]:
 
 
 def at_places(x: FloatArray, y: FloatArray, points: FloatArray, half: float) -> tuple[FloatArray, FloatArray]:
-    """Return a curve at given points, from local straight lines, and the number of samples.
+    """Interpolate a noisy curve at given points by local straight lines.
+
+    `half` is half of the width of the window around each point. The result contains the values and the number of
+    samples in each window. Values outside the curve are NaN.
 
     Examples
     --------
@@ -92,7 +100,7 @@ def at_places(x: FloatArray, y: FloatArray, points: FloatArray, half: float) -> 
 
 @dataclass(frozen=True)
 class Jump:
-    """Step of the setpoint."""
+    """Stepwise change of the setpoint between two samples."""
 
     time: float  # [s]
     before: int  # last sample at the old value
@@ -101,7 +109,9 @@ class Jump:
 
 
 def jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact: bool) -> list[Jump]:
-    """Return the steps of a setpoint.
+    """Return all steps of a setpoint that are at least as large as the threshold.
+
+    If `is_exact` is True, a step occurs at the first sample with the new value. Otherwise its time is interpolated.
 
     Examples
     --------
@@ -126,7 +136,7 @@ def jumps(time: FloatArray, setpoint: FloatArray, threshold: float, *, is_exact:
 
 
 def scatter_of(setpoint: FloatArray) -> float:
-    """Return the standard deviation of a setpoint about its neighbours, without its steps."""
+    """Return the standard deviation of the setpoint noise; steps do not contribute."""
     deviations = np.abs(np.diff(setpoint, 2)) / math.sqrt(6.0)
     if not deviations.size:
         return 0.0
@@ -138,7 +148,9 @@ def scatter_of(setpoint: FloatArray) -> float:
 
 
 def stairs(setpoint: FloatArray) -> list[slice]:
-    """Return the parts of a series with a constant setpoint.
+    """Return the slices of a series in which the setpoint is constant.
+
+    The result is empty if the setpoint is not a staircase.
 
     Examples
     --------
@@ -158,12 +170,15 @@ def stairs(setpoint: FloatArray) -> list[slice]:
 
 
 def _end_mean(values: FloatArray) -> float:
-    """Return the mean of the last third."""
+    """Return the mean of the last third of the values."""
     return float(np.mean(values[-max(1, values.size // 3) :]))
 
 
 def rested(time: FloatArray, part: slice, fraction: float) -> slice:
-    """Return the last part of a hold."""
+    """Return the final fraction of a hold, in which the outlet is in steady state.
+
+    `part` is the slice of the hold, and `fraction` is relative to its duration.
+    """
     times = time[part]
     begin = times[-1] - fraction * (times[-1] - times[0])
     return slice(min(part.start + int(np.searchsorted(times, begin)), part.stop - 1), part.stop)
@@ -179,7 +194,7 @@ MOST = 0.1  # largest lag, relative to the duration of the sweep
 
 @dataclass(frozen=True)
 class Lag:
-    """Lag of the outlet behind a sweep."""
+    """Delay and pressure deviation of the outlet behind a sweep."""
 
     time: float  # delay, negative for a lead [s]
     moved: float  # change of the outlet after the end of the sweep, negative for a lead; unit of the outlet
@@ -188,17 +203,19 @@ class Lag:
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
-    """Return the lags of all sweeps that stop at their upper end."""
+    """Return the lags of all rising sweeps that end in a sufficiently long hold."""
     pairs = zip(parts, [*parts[1:], None], strict=False)
     lags = [lag_of(time, x, y, branch, following) for branch, following in pairs if branch.sign > 0]
     return [lag for lag in lags if lag is not None]
 
 
 def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, following: Branch | None) -> Lag | None:
-    """Return the lag of a sweep, from the motion of the outlet in the hold at its end.
+    """Return the lag of the outlet behind a sweep, from its motion during the following hold.
 
-    The sweep stops at the intersection of its straight line with the held level, which is robust to noise. In a slow
-    ramp, the delay of a linear valve is the sum of its time constants and dead times at any rate.
+    `x` is the swept quantity, `y` the outlet, and `following` the next branch. The end of the sweep is the intersection
+    of a fitted straight line with the level of the hold, which is robust to noise. In a slow ramp, the delay of a
+    linear valve is the sum of its time constants and dead times at any rate. The result is None without a sufficient
+    hold.
 
     Examples
     --------
@@ -241,7 +258,10 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
 
 
 def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
-    """Return the time at which the line through a branch meets a level [s]."""
+    """Return the time at which the straight line through a branch reaches a level [s].
+
+    `extent` is the range of the sweep. The result is NaN if the branch has too few samples.
+    """
     part = branch.samples
     distance = np.abs(x[part] - level) / extent
     is_inside = (distance > NEAR) & (distance < FAR)
@@ -253,14 +273,15 @@ def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent
 
 
 def caught_up(time: FloatArray, x: FloatArray, lags: Sequence[Lag]) -> FloatArray:
-    """Return the swept value delayed by the mean lag, which corresponds to the outlet.
+    """Return the swept quantity delayed by the mean lag of the outlet.
 
-    An outlet that returns at the end of the sweep was ahead of it (integral action). This lead is not removed.
+    A negative lag means that the outlet leads the sweep, for example because of integral action. The function does not
+    remove a lead.
     """
     delay = float(np.mean([lag.time for lag in lags])) if lags else 0.0
     return np.interp(time - delay, time, x) if delay > 0.0 else x
 
 
 def moved_by(lags: Sequence[Lag]) -> tuple[float, Uncertainty]:
-    """Return the mean change of the outlet after the end of a sweep."""
+    """Return the mean change of the outlet after the end of the sweeps, with its uncertainty."""
     return mean_of([lag.moved for lag in lags], [Uncertainty(lag.error) for lag in lags])

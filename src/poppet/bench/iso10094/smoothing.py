@@ -1,4 +1,4 @@
-"""Smoothing of a response with a local width that adapts to its curvature."""
+"""Smoothing of a step response by parabolas; their width adapts to the curvature."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ WIDER = 1.2  # standard deviation of the smoothed place, over that of its parabo
 
 @dataclass(frozen=True, eq=False)
 class SmoothedSeries:
-    """Smoothed series with the standard deviation of each value."""
+    """Smoothed step response with the standard deviation of each value."""
 
     time: FloatArray
     values: FloatArray
@@ -37,16 +37,19 @@ class SmoothedSeries:
     noise: Noise
 
     def since(self, first: int) -> SmoothedSeries:
-        """Return the part from a sample on."""
+        """Return the series from the sample `first` to the end."""
         cut = {name: getattr(self, name)[first:] for name in ("time", "values", "errors", "raw", "widths")}
         return replace(self, **cut)
 
     def summit(self) -> tuple[float, Uncertainty]:
-        """Return the largest value above one, from a polynomial through its peak."""
+        """Return the largest value and its uncertainty, from a polynomial fitted to the peak."""
         return _agreed([self._peak(flank) for flank in FLANKS])
 
     def _peak(self, part: float) -> tuple[float, Uncertainty]:
-        """Return the largest value from the samples above a fraction of the peak height."""
+        """Return the largest value from the samples near the peak, with its uncertainty.
+
+        `part` is the fraction of the peak height above one at which the window begins and ends.
+        """
         k = int(np.argmax(self.values))
         flank = 1.0 + part * (float(self.values[k]) - 1.0)
         earlier, later = np.flatnonzero(self.values[:k] < flank), np.flatnonzero(self.values[k:] < flank)
@@ -70,11 +73,11 @@ class SmoothedSeries:
         return float(curve[top]) - bias, Uncertainty(WIDER * self.noise.of(fine[top] @ inverse))
 
     def crossing(self, level: float, extra: float, *, last: bool = False) -> tuple[float, Uncertainty]:
-        """Return the time of the first rise to a level, or of the last fall below it, with uncertainty.
+        """Return the time at which the series crosses a level, with its uncertainty.
 
-        `extra` is the standard deviation of the level.
+        The default is the first rise to the level. If `last` is True, it is the last fall below the level.
 
-        `extra` is the standard deviation of the level itself.
+        `extra` is the standard deviation of the level. The time is NaN if the series does not cross the level.
         """
         time = self._when(level, last=last)
         if not math.isfinite(time):
@@ -96,7 +99,11 @@ class SmoothedSeries:
         return time, Uncertainty(normal, half_width, None if is_even else (earliest - half_width, latest + half_width))
 
     def leaving(self, band: float, extra: float) -> tuple[float, Uncertainty]:
-        """Return the time of the last exit from a band about one, from a local cubic."""
+        """Return the time after which the series stays within a band about one.
+
+        `band` is the half width of the band, and `extra` the standard deviation of the final value. The second item is
+        the uncertainty. A local cubic reduces the effect of noise.
+        """
         away = replace(self, values=np.abs(self.values - 1.0))
         time, uncertainty = away.crossing(band, extra, last=True)
         if not math.isfinite(uncertainty.standard) or self.noise.sigma <= 0.0 or time <= self.time[0]:
@@ -118,7 +125,11 @@ class SmoothedSeries:
         return exit_time, error.wider(extra / slope)
 
     def _left_on_cubic(self, k: int, reach: int, side: float, band: float) -> tuple[float, float]:
-        """Return the time at which a local cubic reaches the edge of the band, and its uncertainty."""
+        """Return the time at which a local cubic enters the band, and its standard deviation.
+
+        The window extends `reach` samples to either side of the sample `k`. `side` is +1 above and -1 below the final
+        value.
+        """
         window = slice(k - reach, min(k + reach + 1, self.time.size))
         if window.stop - window.start < 9:
             return math.nan, math.nan
@@ -134,7 +145,10 @@ class SmoothedSeries:
         return middle + root * width, -self.noise.of(np.vander([root], 4)[0] @ inverse) / slope
 
     def _when(self, level: float, *, last: bool) -> float:
-        """Return the middle between the first and last crossing of a level by a rough series."""
+        """Return the mean of the first and last time at which a noisy series crosses a level.
+
+        The default is the rise to the level. If `last` is True, it is the final fall below the level.
+        """
         if last:
             return self._left(level)
         risen = np.flatnonzero(self.values >= level)
@@ -157,7 +171,7 @@ class SmoothedSeries:
         return 0.5 * (self._between(first, level) + self._between(last, level))
 
     def _between(self, k: int, level: float) -> float:
-        """Return the time at which a cubic between two adjacent samples reaches a level."""
+        """Return the time at which a cubic between the samples `k - 1` and `k` reaches a level."""
         time, b, c = self.time, float(self.values[k - 1]), float(self.values[k])
         a = float(self.values[k - 2]) if k > 1 else 2.0 * b - c
         d = float(self.values[k + 1]) if k + 1 < self.values.size else 2.0 * c - b
@@ -169,7 +183,10 @@ class SmoothedSeries:
 
 
 def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeries:
-    """Smooth a series by parabolas with adaptive widths (intersection of confidence intervals).
+    """Smooth a series by local parabolas, whose widths adapt to the curvature.
+
+    The method is the intersection of confidence intervals [1]_: a parabola widens while its value agrees with those of
+    the narrower parabolas.
 
     References
     ----------
@@ -212,7 +229,10 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeri
 
 
 def _agreed(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
-    """Return the first estimate that agrees with the next one, which uses fewer samples."""
+    """Return the first estimate that agrees with its successor.
+
+    The estimates are in the order of decreasing numbers of samples. If no pair agrees, the result is the last one.
+    """
     for (value, uncertainty), (next_value, next_uncertainty) in pairwise(estimates):
         if abs(value - next_value) <= AGREED * math.hypot(uncertainty.standard, next_uncertainty.standard):
             return value, uncertainty
@@ -221,6 +241,9 @@ def _agreed(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Unce
 
 @cache
 def _parabola(width: int) -> FloatArray:
-    """Return the weights of the central value of a fitted parabola (a line for three samples)."""
+    """Return the weights that give the central value of a parabola fitted to samples.
+
+    `width` is the number of samples on either side. For `width` = 1, the fit is a straight line.
+    """
     offsets = np.arange(-width, width + 1, dtype=np.float64)
     return np.asarray(np.linalg.pinv(np.vander(offsets, 3 if width > 1 else 2))[-1])

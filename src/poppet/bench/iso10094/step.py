@@ -1,4 +1,4 @@
-"""Setpoint steps: delay, rise, settling, overshoot, and limit cycles at the end."""
+"""Test of setpoint steps: delay, rise time, settling time, overshoot and limit cycles."""
 
 from __future__ import annotations
 
@@ -32,7 +32,10 @@ CASE = ("from", "to", "volume", "sampling")  # conditions of a step for its char
 
 
 def step_trial(scale: Scale, volume: float, amplitude: float, hold: float) -> Trial:
-    """Return a step up and a step down about the middle of the range."""
+    """Return a trial with a step up and a step down about the middle of the range.
+
+    `amplitude` is the height of the step [% FS], and `hold` the time at each level [s].
+    """
     low, high = (float(scale.setpoint(50.0 + side * amplitude / 2.0)) for side in (-1.0, 1.0))
     # The steps coincide with rows: both are multiples of a quarter of the hold.
     signal = Steps((0.0, hold + 0.25 * hold, hold + 1.25 * hold), (low, high, low))
@@ -56,7 +59,10 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 def _one(
     evaluation: Evaluation, record: Record, x: FloatArray, y: FloatArray, jump: Jump, before: slice, after: slice
 ) -> None:
-    """Add the row of one step, from the samples of the holds before and after it."""
+    """Evaluate one step and add its row to the evaluation.
+
+    `x` and `y` are setpoint and outlet in % FS. `before` and `after` are the holds before and after the step.
+    """
     if min(before.stop - before.start, after.stop - after.start) < 5:
         evaluation.note("step.no_samples", record.name, time=jump.time)
         return
@@ -111,7 +117,10 @@ def _one(
 
 @dataclass(frozen=True, eq=False)
 class _Answer:
-    """Outlet as a fraction of its change, from the last sample before the step."""
+    """Step response of the outlet, scaled from 0 (initial value) to 1 (final value).
+
+    It begins with the last sample before the step.
+    """
 
     smooth: SmoothedSeries
     part: FloatArray  # as recorded, on the same clock
@@ -136,7 +145,7 @@ class _Answer:
         return self.smooth.crossing(level, extra)
 
     def times(self, evaluation: Evaluation, row: Row) -> None:
-        """Set delay, rise time, response time and overshoot, as far as the record shows them."""
+        """Set delay, rise time, response time and overshoot of the row, if they can be determined."""
         (low, low_doubt), (high, high_doubt) = self.crossing(LOW), self.crossing(HIGH)
         if math.isfinite(low_doubt.standard) and math.isfinite(high_doubt.standard):
             evaluation.set_value(row, "delay", low, low_doubt.plus(self.jump))
@@ -151,7 +160,7 @@ class _Answer:
         row["overshoot_known_to"] = 100.0 * (max(excess, 0.0) + NORMAL * error)
 
     def is_at_rest(self) -> bool:
-        """Return False if the record ends too early to determine the final value."""
+        """Return True if the outlet is in steady state at the end of the hold."""
         time = self.smooth.time
         last = self.part[time >= time[-1] - TAIL * (time[-1] - time[0])]
         half = last.size // 2
@@ -162,7 +171,10 @@ class _Answer:
         return self.smooth.leaving(BAND, self.errors[1])
 
     def settles(self, evaluation: Evaluation, row: Row) -> bool:
-        """Set the settling time; return False if noise hides it."""
+        """Set the settling time of the row, and return True if it could be determined.
+
+        The result is False if the response settles too late or noise hides the settling time.
+        """
         time, uncertainty = self._settled()
         clock = self.smooth.time
         begin = clock[-1] - TAIL * (clock[-1] - clock[0])
@@ -173,7 +185,10 @@ class _Answer:
 
 
 def _figures(evaluation: Evaluation) -> None:
-    """Add the characteristic values; with clipped steps, the largest of the other values is a bound."""
+    """Add the characteristic values of all steps to the evaluation.
+
+    If steps are clipped, the largest values of the other steps become bounds.
+    """
     _of_judged(evaluation)
     sizes = [row["amplitude"] for row in evaluation.rows if "is_clipped" in row]
     if not sizes:
@@ -243,7 +258,10 @@ def _case(row: Row) -> Row:
 
 
 def _curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump: Jump, stop: int) -> None:
-    """Add the outlet as a percentage of its change, from shortly before the step to the end of the motion."""
+    """Add the step response as a percentage of its change to the curves of the evaluation.
+
+    The curve begins shortly before the step and ends after the outlet has settled.
+    """
     lasts = max(2.0 * row.get("settling_time", 0.0), 3.0 * row.get("response_time", 0.0)) or math.inf
     before = 0.1 * min(lasts, record.time[stop - 1] - jump.time)
     start = max(0, int(np.searchsorted(record.time, jump.time - before)))
@@ -272,7 +290,7 @@ FIRST = 3  # fewer periods than these in a hold are a drift, no hum
 
 @dataclass(frozen=True)
 class Hum:
-    """Limit cycle: half of its peak-to-peak value [% FS] and its frequency [Hz]."""
+    """Limit cycle with its amplitude (half of the peak-to-peak value) [% FS] and frequency [Hz]."""
 
     amplitude: float
     frequency: float
@@ -281,10 +299,12 @@ class Hum:
 
 
 def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
-    """Return a limit cycle about a steady state, None if noise can explain the motion.
+    """Detect a limit cycle of the outlet in steady state.
 
-    The largest line of the spectrum without drift is compared with the mean of the others (Fisher's g). The amplitude
-    is that of the mean period, so noise and waveform cause little bias.
+    The result is None if noise can explain the motion.
+
+    After removal of the drift, the largest line of the spectrum is compared with the mean of the other lines (Fisher's
+    g test). The amplitude comes from the mean of all periods, so noise and waveform cause little bias.
 
     Examples
     --------
@@ -333,7 +353,7 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
 def _half_swing(time: FloatArray, values: FloatArray, frequency: float, noise: float) -> tuple[float, FloatArray]:
     """Return half of the peak-to-peak value of the mean period, and the residual.
 
-    Harmonics below the noise are excluded.
+    The residual is the series minus the fitted harmonics. The peak-to-peak value excludes harmonics below the noise.
     """
     phase = 2.0 * math.pi * frequency * (time - time[0])
     per_period = values.size / (frequency * (time[-1] - time[0]))

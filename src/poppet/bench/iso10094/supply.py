@@ -1,4 +1,4 @@
-"""Effect of the supply pressure on the outlet, and consumption in steady state."""
+"""Tests of the effect of supply pressure on outlet pressure, and of air consumption."""
 
 from __future__ import annotations
 
@@ -38,7 +38,10 @@ DRIFT = 0.05  # change of a leakage between the halves of that part at which it 
 def supply_trial(
     scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, ends: tuple[float, float]
 ) -> Trial:
-    """Return a sweep of the supply pressure up and down at a constant setpoint."""
+    """Return a trial with sweeps of the supply pressure up and down at a constant setpoint.
+
+    `ends` are the lowest and highest supply pressure [Pa]. One cycle precedes the recorded one.
+    """
     low, high = ends
     # One cycle ahead: what the valve remembers of its way to the setpoint is over.
     times = np.cumsum([0.0, hold, sweep, sweep, sweep, hold, sweep, hold])
@@ -50,7 +53,7 @@ def supply_trial(
 
 
 def supply_trials(pace: Pace) -> list[Trial]:
-    """Return sweeps of the supply pressure at all setpoints."""
+    """Return one trial with sweeps of the supply pressure for each setpoint."""
     scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
     trials = []
     for setpoint in pace.settings.setpoints:
@@ -61,13 +64,13 @@ def supply_trials(pace: Pace) -> list[Trial]:
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """Return a constant setpoint with a closed outlet."""
+    """Return a trial with a constant setpoint and no flow at the outlet."""
     name, settling = f"rest at {setpoint:g} % FS", 5.0 * hold
     return Trial("leakage", name, held(scale, setpoint), 2.0 * settling, settling, settling / ROWS, volume)
 
 
 def leakage_trials(pace: Pace) -> list[Trial]:
-    """Return trials with a closed outlet at zero and at all setpoints."""
+    """Return one trial without outlet flow for setpoint zero and for each setpoint."""
     setpoints = (0.0, *pace.settings.setpoints)
     return [leakage_trial(pace.specimen.scale, pace.volume, setpoint, pace.hold) for setpoint in setpoints]
 
@@ -137,7 +140,7 @@ def _one(evaluation: Evaluation, record: Record) -> None:
 
 
 def evaluate_leakage(evaluation: Evaluation, records: Sequence[Record]) -> None:
-    """Add the consumption of each record and the largest one."""
+    """Add the steady-state consumption of each record and the largest consumption to the evaluation."""
     for record in records:
         last = record.time >= record.time[-1] - HOLD * (record.time[-1] - record.time[0])
         clock, flow = record.time[last], record.consumption[last]

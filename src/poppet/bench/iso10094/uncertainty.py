@@ -1,7 +1,8 @@
 r"""Uncertainty of characteristic values: noise, sampling and repetition.
 
-Standard uncertainties follow the GUM (JCGM 100). The 95 % intervals combine normal and uniform distributions. The
-autocovariance of the noise prevents means of coloured noise from appearing too accurate.
+Standard uncertainties follow the GUM (JCGM 100). The 95 % intervals combine normal and uniform distributions. Noise is
+described by its autocovariance, because the standard deviation alone would underestimate the uncertainty of a mean of
+correlated samples.
 """
 
 from __future__ import annotations
@@ -26,7 +27,10 @@ SEED = 20
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """Standard deviation of the normal part and half width of the uniform part."""
+    """Uncertainty of a value, the sum of a normal and a uniform distribution.
+
+    `normal` is the standard deviation of the normal distribution, and `even` the half width of the uniform one.
+    """
 
     normal: float
     even: float = 0.0
@@ -35,22 +39,28 @@ class Uncertainty:
 
     @property
     def standard(self) -> float:
-        """Standard uncertainty."""
+        """Standard uncertainty of the sum of both distributions."""
         return math.hypot(self.normal, self.even / math.sqrt(3.0))
 
     def wider(self, normal: float) -> Uncertainty:
-        """Return the uncertainty with another independent normal part."""
+        """Return the uncertainty with an additional independent normal contribution.
+
+        `normal` is the standard deviation of the contribution.
+        """
         return Uncertainty(math.hypot(self.normal, normal), self.even, self.ends)
 
     def plus(self, addend: Uncertainty) -> Uncertainty:
-        """Return the uncertainty of a sum or difference; the larger uniform part stays uniform."""
+        """Return the uncertainty of the sum or difference of two independent values.
+
+        The larger uniform distribution stays uniform. The smaller one is treated as normal.
+        """
         small, even = sorted((self.even, addend.even))
         margin = NORMAL * addend.standard
         ends = None if self.ends is None else (self.ends[0] - margin, self.ends[1] + margin)
         return Uncertainty(math.hypot(self.normal, addend.normal, small / math.sqrt(3.0)), even, ends)
 
     def interval(self, value: float) -> tuple[float, float]:
-        """Return the 95 % interval of the true value.
+        """Return the limits of the 95 % confidence interval about an estimated value.
 
         Examples
         --------
@@ -66,7 +76,10 @@ class Uncertainty:
 
 
 def _half(normal: float) -> float:
-    """Return the 95 % half width of a normal plus a uniform distribution of half width one."""
+    """Return the 95 % half width of the sum of a normal and a uniform distribution.
+
+    `normal` is the standard deviation of the normal distribution, relative to the half width of the uniform one.
+    """
     if normal < 1e-6:
         return COVERAGE
     offsets = np.linspace(-1.0, 1.0, 65)
@@ -87,17 +100,17 @@ def _phi(x: float) -> float:
 
 @dataclass(frozen=True, eq=False)
 class Noise:
-    """Noise of a series as its autocovariance, starting with lag zero."""
+    """Autocovariance of the noise of a series, from lag zero in steps of one sample."""
 
     covariance: FloatArray
 
     @property
     def sigma(self) -> float:
-        """Standard deviation."""
+        """Standard deviation of a single sample."""
         return math.sqrt(float(self.covariance[0]))
 
     def of(self, weights: FloatArray) -> float:
-        """Return the standard deviation of a weighted sum of consecutive samples."""
+        """Return the standard deviation of a weighted sum of consecutive noisy samples."""
         lags = min(self.covariance.size, weights.size)
         products = np.array([float(weights[k:] @ weights[: weights.size - k]) for k in range(lags)])
         products[1:] *= 2.0
@@ -105,23 +118,28 @@ class Noise:
 
     @property
     def spread(self) -> float:
-        """Standard deviation of white noise whose means have the same scatter."""
+        """Standard deviation of the white noise that gives the same scatter of long means."""
         total = float(self.covariance[0]) + 2.0 * float(np.sum(self.covariance[1:]))
         return math.sqrt(SHORT * max(total, 0.25 * float(self.covariance[0])))
 
     def mean(self, count: int) -> float:
-        """Return the standard deviation of a mean of samples."""
+        """Return the standard deviation of the mean of `count` consecutive samples."""
         return self.spread / math.sqrt(max(1, count))
 
     def at(self, turn: float) -> float:
-        """Return the standard deviation of white noise with equal power at a frequency [rad/sample]."""
+        """Return the standard deviation of white noise with the same power density at one frequency.
+
+        `turn` is the angular frequency [rad/sample].
+        """
         lags = np.arange(1, self.covariance.size)
         total = float(self.covariance[0]) + 2.0 * float(np.sum(self.covariance[1:] * np.cos(turn * lags)))
         return math.sqrt(max(total, 0.5 * float(self.covariance[0])))
 
 
 def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
-    """Return the noise of series about fitted polynomials.
+    """Estimate the noise of series from residuals about fitted polynomials.
+
+    `parts` are the series, and `degree` is the degree of the polynomials.
 
     Examples
     --------
@@ -156,7 +174,10 @@ def _left(values: FloatArray, degree: int) -> FloatArray:
 
 
 def roughness(rows: FloatArray, stride: int = 1) -> float:
-    """Return the noise of smooth curves on an even grid, from their second differences.
+    """Estimate the standard deviation of the noise of smooth curves.
+
+    `rows` are values on an even grid, one curve per row. The estimate uses second differences over `stride` grid
+    points.
 
     Examples
     --------
@@ -175,7 +196,7 @@ def roughness(rows: FloatArray, stride: int = 1) -> float:
 
 @dataclass(frozen=True, eq=False)
 class SmoothCurve:
-    """Curve on a grid without its noise, with the standard deviation of its coefficients."""
+    """Smoothed curve on a grid, with the standard deviation of its coefficients."""
 
     values: FloatArray
     basis: FloatArray  # (n, m), orthonormal basis of the remaining noise
@@ -184,20 +205,25 @@ class SmoothCurve:
     kept: int
 
     def draws(self, random: np.random.Generator) -> tuple[FloatArray, FloatArray]:
-        """Return random curves, one per row: with the selected columns, and with all columns."""
+        """Return two sets of random curves with the remaining noise, one curve per row.
+
+        The first set varies only the selected coefficients, and the second set varies all coefficients.
+        """
         chance = self.sigma * random.standard_normal((DRAWS, self.basis.shape[1]))
         selected = self.values + chance[:, : self.kept] @ self.basis[:, : self.kept].T
         return selected, self.values + chance @ self.basis.T
 
     def error(self, weights: FloatArray) -> float:
-        """Return the standard deviation of a weighted sum of values."""
+        """Return the standard deviation of a weighted sum of the values of the curve."""
         return self.sigma * float(np.linalg.norm(weights @ self.basis))
 
 
 def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.0) -> SmoothCurve:
-    """Fit the simplest polynomial within the noise of a curve; without one, return the curve.
+    """Fit the simplest polynomial that represents a curve within its noise.
 
-    `share` is the number of neighbouring values with common noise.
+    `sigma` is the standard deviation of the noise of one value. `share` is the number of neighbouring values that have
+    the same noise, because they come from the same samples. If no polynomial fits, the result contains the original
+    values.
 
     Examples
     --------
@@ -231,9 +257,10 @@ COST = 4.0  # penalty of a coefficient in the sum of squares, in variances of th
 def unbiased(
     curves: Sequence[SmoothCurve], functional: Callable[[list[FloatArray]], FloatArray]
 ) -> tuple[float, Uncertainty]:
-    """Return a nonlinear value of curves without its noise bias.
+    """Evaluate a nonlinear function of smoothed curves, corrected for the bias by noise.
 
-    `functional` takes arrays of shape (draws, n), one per curve, and returns one value per draw.
+    `functional` is the nonlinear function, for example a maximum. Its argument is a list of arrays of shape (draws, n),
+    one per curve; the result is one value per draw. Random draws of the noise give the bias and the uncertainty.
 
     Examples
     --------
@@ -253,7 +280,9 @@ def unbiased(
 
 
 def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
-    """Return the mean of repeated values with its uncertainty, which includes their scatter.
+    """Return the mean of repeated values and its uncertainty.
+
+    The uncertainty includes the scatter between the values.
 
     Examples
     --------
@@ -272,11 +301,11 @@ SCATTER = 3.0  # ratio of scatter to noise variance that can occur by chance in 
 
 
 def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty, int]:
-    """Return the largest of several values, its uncertainty and its index.
+    """Return the largest of several noisy values, its uncertainty and its index.
 
-    The largest of noisy values is biased. Values whose scatter is within their noise shrink to their mean (R.
-    DerSimonian and N. Laird, Controlled Clinical Trials 7 (1986) 177-188). Equal true values thus become equal, and
-    different values stay the same.
+    The largest of several noisy values is too large on average. The function therefore shrinks the values towards their
+    mean if noise explains their scatter (R. DerSimonian and N. Laird, Controlled Clinical Trials 7 (1986) 177-188).
+    Values that differ by much more than the noise change only slightly.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Recordings of a real valve: assignment of files to tests and of columns to channels."""
+"""Recordings of a real valve, with the assignment of columns to channels and tests."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ SERIES: Mapping[str, str] = {
     "flow": "outlet.mass_flow_rate",
     "consumption": "supply.mass_flow_rate",
 }
-"""Series of a record to the channel that it comes from."""
+"""Mapping from each series of a record to the address of its channel in the file."""
 SETPOINT, OUTLET = SERIES["setpoint"], SERIES["outlet"]
 # Channels of a recording and what they are.
 CHANNELS: Mapping[str, str] = {channel: sentence(f"recordings.channel.{key}", {}) for key, channel in SERIES.items()}
@@ -54,7 +54,7 @@ DEFAULT_AMBIENT = 101325.0
 
 @dataclass(frozen=True)
 class ValveRecordings:
-    """Recordings of a valve after reading."""
+    """Recordings of a real valve, read from files and grouped by test."""
 
     title: str
     scale: Scale
@@ -67,7 +67,11 @@ class ValveRecordings:
 def recorded(
     data: Mapping[str, Any], path: Path, *, full_scale: str | None = None, rated_flow: float = math.nan
 ) -> ValveRecordings:
-    """Read the tables of a file of recordings."""
+    """Read all recordings that a recordings file lists.
+
+    `data` is the content of the file, and `path` its path. `full_scale` and `rated_flow` replace the values in the
+    file.
+    """
     with ErrorCollector() as errors:
         optional = {"full_scale": Field()} if full_scale is not None else {}
         data = read_fields(errors, data, TOP_LEVEL | optional, table="file of recordings")
@@ -105,7 +109,7 @@ def recorded(
 
 
 def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
-    """Return one recording and its notes."""
+    """Read one recording, and return its record and notes."""
     address = f"recordings.{name}"
     if not isinstance(table, Mapping):
         raise InputError("fields.no_table", address, value=table)
@@ -134,9 +138,9 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
 
 
 def _is_staircase(record: Record, scale: Scale) -> bool:
-    """Return True if the outlet is constant while the setpoint is constant.
+    """Return True if the outlet is at rest while the setpoint is constant.
 
-    The steps of the setpoint are then commands and not the resolution of a converter.
+    If so, the steps of the setpoint are commands and not the resolution of an analogue-to-digital converter.
     """
     x, y = scale.percents(record)
     held = stairs(x)
@@ -149,7 +153,10 @@ def _is_staircase(record: Record, scale: Scale) -> bool:
 
 
 def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> list[InputError]:
-    """Return the errors of the table of a recording: invalid and missing fields."""
+    """Return the errors of the table of one recording: invalid and missing fields.
+
+    `own` contains the fields that only valve recordings have, such as `test`.
+    """
     problems = [InputError("recordings.unused", f"{where}.{key}") for key in UNUSED if key in table]
     name, is_held = own.get("test"), "setpoint" in own
     if name is None:
@@ -180,7 +187,11 @@ def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> l
 def _joined(
     name: str, measurement: Measurement, own: Mapping[str, Any], where: str, ambient: float, scale: Scale
 ) -> Record:
-    """Combine all channels on the clock of the outlet pressure, within their common time."""
+    """Return a record with all channels interpolated at the samples of the outlet pressure.
+
+    The record covers the time that all channels have in common. `own` contains the fields that only valve recordings
+    have.
+    """
     channels = {channel.address: channel for channel in measurement.channels}
     begin = max(float(channel.time[0]) for channel in channels.values())
     end = min(float(channel.time[-1]) for channel in channels.values())
@@ -219,7 +230,9 @@ MOST_LOOKED_AT = 200  # maximum number of samples before a run that are examined
 
 
 def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
-    """Return the clipped samples of each series with any; setpoint and outlet in % FS.
+    """Return a mask of the clipped samples for each series that has any.
+
+    Setpoint and outlet must be in % FS.
 
     Examples
     --------
@@ -251,7 +264,10 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
 
 
 def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool:
-    """Return True if the outlet is constant although its drivers change."""
+    """Return True if the outlet is clipped: constant although setpoint or flow changes.
+
+    `run` is the slice in which the outlet is constant. `sign` is +1 at the upper limit and -1 at the lower limit.
+    """
     y, x, flow = sign * series["outlet"], sign * series["setpoint"], series.get("flow", np.zeros(0))
     half = slice((run.start + run.stop) // 2, run.stop)
     is_held = _is_ramp(x, run) and float(np.ptp(x[half])) < max(BELOW, CLEAR * noise_of(x))
@@ -270,14 +286,17 @@ def _step(values: FloatArray) -> float:
 
 
 def _is_ramp(x: FloatArray, run: slice) -> bool:
-    """Return True if a series approaches a run in steps and not with a jump."""
+    """Return True if a series reaches the constant slice `run` gradually and not by a jump."""
     approach = x[max(0, run.start - min(run.stop - run.start, MOST_LOOKED_AT)) : run.start + 1]
     change = approach[-1] - approach[0]
     return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
 
 
 def _is_abrupt(y: FloatArray, x: FloatArray, run: slice) -> bool:
-    """Return True if the outlet stops suddenly below its setpoint while the setpoint continues."""
+    """Return True if the outlet stops suddenly while it is still below the setpoint.
+
+    `y` is the outlet and `x` the setpoint. The outlet is constant in the slice `run`.
+    """
     if run.start < 4 or float(np.max(x[run])) - y[run.start] < BELOW or _is_ramp(x, run):
         return False
     earlier, last = np.diff(y[run.start - 3 : run.start])
@@ -285,12 +304,18 @@ def _is_abrupt(y: FloatArray, x: FloatArray, run: slice) -> bool:
 
 
 def _is_left(x: FloatArray, run: slice, threshold: float) -> bool:
-    """Return True if the driver of the outlet continues while the outlet is constant."""
+    """Return True if setpoint or flow continues to change while the outlet is constant.
+
+    `x` is the setpoint or flow, and the outlet is constant in the slice `run`.
+    """
     return bool(float(np.max(x[run])) - x[run.start] > max(threshold, CLEAR * noise_of(x)))
 
 
 def _goes_on(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
-    """Return True if the outlet moves away and returns while its driver seems constant after a ramp."""
+    """Return True if the outlet moves away and back while `x` seems constant after a ramp.
+
+    `x` is constant in the slice `run`. The motion of the outlet indicates that `x` is clipped there.
+    """
     if run.start == 0 or not _is_ramp(x, run):
         return False
     width = max(1, (run.stop - run.start) // 20)

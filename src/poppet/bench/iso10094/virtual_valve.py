@@ -23,7 +23,10 @@ _SCALE = Scale(1e5, 7e5, "Pa", 1e5, 7e5)
 
 @dataclass(frozen=True)
 class StandIn:
-    """Linear valve of first or second order with backlash, threshold, dead zone and dead time."""
+    """Virtual valve of first or second order with backlash, threshold, dead zone and dead time.
+
+    The fields are the true characteristic values, with which the results of the bench can be compared.
+    """
 
     scale: Scale = _SCALE
     supply: float = 9e5  # absolute [Pa]
@@ -48,7 +51,7 @@ class StandIn:
     title: str = "stand-in"
 
     def respond(self, trial: Trial) -> Record:
-        """Run a trial."""
+        """Simulate a trial and return its record."""
         constant = self.time_constant * trial.volume / self.reference_volume
         rows = round(trial.duration / trial.step)
         # Jumps become ramps over one step; signals without jumps need no small step.
@@ -74,7 +77,7 @@ class StandIn:
         )  # fmt: skip
 
     def static(self, setpoint: FloatArray) -> FloatArray:
-        """Return the steady outlet for consecutive setpoints."""
+        """Return the steady-state outlet for a sequence of setpoints, both in % FS."""
         input_ = play(setpoint, self.play)
         if self.threshold > 0.0:
             input_ = _stuck(input_, self.threshold)
@@ -89,7 +92,9 @@ class StandIn:
 
 
 def play(values: FloatArray, width: float) -> FloatArray:
-    """Apply backlash to a series; the result follows within half of the width.
+    """Apply backlash to a series.
+
+    The result follows the series at a distance of at most half of the width.
 
     Examples
     --------
@@ -109,7 +114,10 @@ def play(values: FloatArray, width: float) -> FloatArray:
 
 
 def _stuck(values: FloatArray, threshold: float) -> FloatArray:
-    """Return a series that jumps to the value after each change by a threshold."""
+    """Apply a threshold to a series.
+
+    The result stays constant until the series differs from it by the threshold, then jumps to the value of the series.
+    """
     changes = np.flatnonzero(np.diff(values, prepend=np.nan))
     levels = values[changes]
     last = float(levels[0])
@@ -121,7 +129,10 @@ def _stuck(values: FloatArray, threshold: float) -> FloatArray:
 
 
 def _answer(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:
-    """Return the exact response of the linear part to a piecewise linear series, from steady state."""
+    """Return the exact response of the linear dynamics to a piecewise linear input.
+
+    `target` is the input, and `constant` the time constant [s]. The response starts in steady state.
+    """
     from scipy.signal import lfilter
 
     if damping >= 1.0:

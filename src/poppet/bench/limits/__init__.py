@@ -1,1 +1,1 @@
-"""Limits of a valve versus load volume and amplitude."""
+"""Dynamic limits of a valve model versus load volume and amplitude."""

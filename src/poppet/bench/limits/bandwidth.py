@@ -1,4 +1,4 @@
-"""Bandwidth and step response of the full model, and the part that limits them."""
+"""Bandwidth and step response of the nonlinear model, and the component that limits them."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ WORTH = 1.05  # bandwidth ratio from which a part counts as limiting
 
 @dataclass
 class Sweep:
-    """Gains of a circuit by frequency, computed on demand."""
+    """Frequency response of a circuit at one amplitude; each frequency is simulated on first use."""
 
     rig: SineRig  # the full model, settled
     amplitude: float  # of the setpoint [Pa]
@@ -35,7 +35,10 @@ class Sweep:
     loudest: float = 0.0  # largest relative rms outside the fundamental so far
 
     def gain(self, frequency: float) -> float:
-        """Return the magnitude of the gain, 0 if the circuit cannot be run."""
+        """Return the magnitude of the gain at a frequency [Hz].
+
+        The result is 0 if the simulation fails.
+        """
         if frequency not in self.found:
             wave = self.rig.response(self.amplitude * self.per_pascal, frequency, attempts=ATTEMPTS)
             self.found[frequency] = wave.gain * self.per_pascal
@@ -45,7 +48,7 @@ class Sweep:
         return size if math.isfinite(size) else 0.0
 
     def lag(self, frequency: float) -> float:
-        """Return the phase lag, from -90 to 270 [deg]."""
+        """Return the phase lag at a frequency [Hz], from -90 to 270 [deg]."""
         self.gain(frequency)
         angle = -math.degrees(float(np.angle(self.found[frequency])))
         return angle + 360.0 if angle < -90.0 else angle
@@ -54,7 +57,8 @@ class Sweep:
 def crossing(value: Callable[[float], float], limit: float, guess: float, lowest: float, highest: float) -> float:
     """Return the first frequency at which a falling value goes below a limit.
 
-    The result is 0 below the range and infinite above it.
+    `value` is a falling function of frequency, and the search starts at `guess`. The result is 0 if the value is below
+    the limit at the lowest frequency, and infinite if it is not below the limit at the highest frequency.
     """
     low = high = min(max(guess, lowest), highest)
     while value(low) < limit:
@@ -77,7 +81,7 @@ def crossing(value: Callable[[float], float], limit: float, guess: float, lowest
 
 @dataclass(frozen=True)
 class Point:
-    """Results for a valve at one volume and amplitude."""
+    """Bandwidths and step times of a valve for one load volume and amplitude."""
 
     # Frequencies [Hz] are 0 below the range and infinite above it.
     gain_frequency: float  # gain reduced by 3 dB
@@ -91,14 +95,20 @@ class Point:
 
 
 def guessed(plan: LimitsPlan, volume: float, amplitude: float) -> float:
-    """Return a start value: a slope of 1 bar/s with 1 l at 10 l, at most 30 Hz."""
+    """Return a start value for the search for the bandwidth [Hz].
+
+    It assumes a largest pressure slope of 1 MPa/s with 1 l, inversely proportional to the volume.
+    """
     return float(np.clip(1e6 * 1e-3 / volume / (2.0 * np.pi * amplitude), plan.lowest, 30.0))
 
 
 def bandwidth_point(
     plan: LimitsPlan, volume: float, amplitude: float, guess: float | None = None, parts: Sequence[str] = (*PARTS, LOAD)
 ) -> Point:
-    """Return all results for one volume and amplitude, with the gains of ideal parts."""
+    """Compute bandwidths, step times and the limiting part for one volume and amplitude.
+
+    `guess` is a start value of the bandwidth [Hz]. `parts` are the parts that are made ideal, one at a time.
+    """
     sweep = _sweep(plan, volume, amplitude)
     if sweep is None:
         return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
@@ -123,7 +133,10 @@ def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
 
 
 def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None) -> Sweep | None:
-    """Return a sweep of a settled circuit, None if it does not settle."""
+    """Return the frequency response of a settled circuit.
+
+    The result is None if the circuit does not settle. `changes` are changed parameters.
+    """
     try:
         return Sweep(plan.rig(volume, changes), amplitude, plan.per_pascal)
     except SimulationError:
@@ -131,7 +144,10 @@ def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes |
 
 
 def _rise(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
-    """Return the time of a step of twice the amplitude about the mean."""
+    """Return the time for 90 % of a step of twice the amplitude about the mean pressure [s].
+
+    `sign` is +1 for a step up and -1 for a step down. The result is NaN if the outlet does not reach the value.
+    """
     sweep = _sweep(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
     change = 2.0 * sign * amplitude
     return math.nan if sweep is None else sweep.rig.rise(change * plan.per_pascal, change, RISEN, LONGEST)

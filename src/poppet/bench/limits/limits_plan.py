@@ -1,4 +1,4 @@
-"""Settings for the dynamic limits of a valve: ranges, and circuits with changed parts."""
+"""Settings for the dynamic limits of a valve: ranges of parameters, and modified circuits."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ IDEAL = 10.0  # factor by which a part is made ideal
 
 @dataclass(frozen=True, eq=False)
 class LimitsPlan:
-    """A valve in its circuit and the ranges over which its limits are looked for."""
+    """Valve in a circuit, and the ranges of the parameters for its dynamic limits."""
 
     circuit: BaseCircuit
     valve: str
@@ -46,7 +46,7 @@ class LimitsPlan:
 
     @property
     def setpoint(self) -> str:
-        """Address of the valve's setpoint."""
+        """Address of the setpoint of the valve."""
         return f"{self.valve}.setpoint"
 
     @property
@@ -56,7 +56,7 @@ class LimitsPlan:
 
     @property
     def per_pascal(self) -> float:
-        """Setpoint per pressure, in its unit per Pa."""
+        """Change of the setpoint per change of the outlet pressure, in the unit of the setpoint per Pa."""
         _, first, last = SCALES[self._kind]
         low, high = self.ends
         return 1.0 if self._kind == "pressure" else (last - first) / (high - low)
@@ -68,24 +68,28 @@ class LimitsPlan:
 
     @property
     def ends(self) -> tuple[float, float]:
-        """Pressures at 0 % and 100 % of the setpoint."""
+        """Outlet pressures at 0 % and 100 % of the setpoint [Pa]."""
         values, path = self.circuit.parameters, f"{self.valve}.electronics.scaling"
         return values[f"{path}.low"], values[f"{path}.high"]
 
     def asked(self, pressure: float) -> float:
-        """Return the setpoint for a pressure."""
+        """Return the setpoint, in its unit, that corresponds to an outlet pressure [Pa]."""
         if self._kind == "pressure":
             return pressure
         return SCALES[self._kind][1] + (pressure - self.ends[0]) * self.per_pascal
 
     def rig(self, volume: float, changes: Changes | None = None, *, bands: bool = True) -> SineRig:
-        """Return the settled circuit at the mean pressure with another outlet volume, by default with bands."""
+        """Return a settled circuit for sines and steps, at the mean pressure.
+
+        `volume` is the outlet volume [m^3], and `changes` are changed parameters. If `bands` is False, the controller
+        has no dead and hold bands, and the solenoids are averaged.
+        """
         case = self.case(volume, changes)
         instance = (case if bands else without_bands(case)).instance
         return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
     def case(self, volume: float, changes: Changes | None = None) -> BaseCircuit:
-        """Return the circuit at the mean pressure with another outlet volume."""
+        """Return the circuit at the mean pressure with another outlet volume and changed parameters."""
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
         ambient = self.circuit.surroundings.pressure
@@ -108,7 +112,7 @@ def limits_plan(
     amplitudes: Sequence[Any] | None = None, springs: Sequence[float] | None = None,
     dampings: Sequence[float] | None = None,
 ) -> LimitsPlan:  # fmt: skip
-    """Return a complete plan from partial settings."""
+    """Return a complete plan; defaults replace the settings that are None."""
     name = _valve(circuit, valve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):
@@ -164,7 +168,7 @@ def _read(
 
 
 def _spread(low: float, high: float) -> list[float]:
-    """Return a default range with values of two digits."""
+    """Return geometrically spaced values from `low` to `high`, rounded to two digits."""
     return [float(f"{value:.2g}") for value in np.geomspace(low, high, POINTS)]
 
 
@@ -182,16 +186,20 @@ PARTS: Mapping[str, Mapping[str, float]] = {
     "sonic conductance": {"main_stage.exhaust_seat.sonic_conductance": IDEAL},
     "sensors and sampling": dict.fromkeys((f"electronics.{name}" for name in _LAGS), 1.0 / IDEAL),
 }
-"""Part to factors on numbers of the valve that make it ideal; the load volume, the sixth, is a range of the plan."""
+"""Mapping from each part to the factors on its parameters that make it nearly ideal.
+
+The load volume is the sixth candidate. It is absent here, because the plan varies it as a range.
+"""
 SEVERAL = ("solenoids", "sensors and sampling")  # parts whose name is a plural
 LOAD = "load volume"
 CONTROLLER = "controller"  # what limits where no part does: the loops and their bands
 
 
 def ideal(plan: LimitsPlan, part: str) -> Changes:
-    """Return the changes that make a part ideal.
+    """Return the changes of parameters that make one part of the valve nearly ideal.
 
-    For the conductance, they include the curve of the supply seat over the whole stroke.
+    The result maps addresses of parameters to new values. For the sonic conductance, it includes the characteristic
+    of the supply seat over the whole stroke.
     """
     changes = _scaled(plan, PARTS[part])
     if part == "sonic conductance":
@@ -207,7 +215,10 @@ def ideal(plan: LimitsPlan, part: str) -> Changes:
 
 
 def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
-    """Return changes for another spring rate with equal preload forces, and another damping."""
+    """Return the changes of parameters for other spring rates and another damping.
+
+    `spring` and `damping` are factors. The preload forces of the springs stay equal.
+    """
     factors = {"damping": damping}
     for name in ("upper_spring", "lower_spring"):
         factors |= {f"{name}.rate": spring, f"{name}.preload": 1.0 / spring}
@@ -215,6 +226,9 @@ def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
 
 
 def _scaled(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
-    """Return parameters of the valve times factors."""
+    """Return parameters of the valve multiplied by factors.
+
+    `factors` maps addresses within the valve to factors. The result has complete addresses.
+    """
     values, own = plan.circuit.parameters, f"{plan.valve}."
     return {own + name: values[own + name] * factor for name, factor in factors.items()}

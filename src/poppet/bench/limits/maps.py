@@ -1,4 +1,4 @@
-"""Maps of bandwidth, step response and stability of the full model, with the limiting part."""
+"""Maps of bandwidth, step response and stability of the nonlinear model over volume and amplitude."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 @dataclass
 class LimitsResult(HtmlMixin):
-    """Dynamic limits of a valve, as far as they are computed."""
+    """Dynamic limits of a valve; points that are not computed yet are absent."""
 
     plan: LimitsPlan
     points: dict[tuple[float, float], Point] = field(default_factory=dict)  # by volume [m^3] and amplitude [Pa]
@@ -36,11 +36,17 @@ class LimitsResult(HtmlMixin):
     outcome: str = DONE  # `done` or `interrupted`
 
     def grid(self, name: str) -> list[list[Any]]:
-        """Return a field of the points by volumes (rows) and amplitudes (columns)."""
+        """Return a field of `Point` for all volumes and amplitudes.
+
+        The outer list contains one list per volume, with one value per amplitude.
+        """
         return self._over(attrgetter(name), "" if name == "limiting" else math.nan)
 
     def gains(self, part: str) -> list[list[float]]:
-        """Return the bandwidth ratio with a part ideal, by volumes (rows) and amplitudes (columns)."""
+        """Return the bandwidth with one part ideal, relative to that of the unchanged valve.
+
+        The outer list contains one list per volume, with one value per amplitude.
+        """
         return self._over(lambda point: point.gains.get(part, math.nan), math.nan)
 
     def _over(self, value: Callable[[Point], Any], missing: Any) -> list[list[Any]]:
@@ -48,7 +54,10 @@ class LimitsResult(HtmlMixin):
         return [[missing if point is None else value(point) for point in row] for row in rows]
 
     def map(self, name: str, spring: float) -> list[list[Any]]:
-        """Return a field of the stability by dampings (rows) and volumes (columns)."""
+        """Return a field of `Stability` for one spring factor.
+
+        The outer list contains one list per damping factor, with one value per volume.
+        """
         missing: Any = "" if name in ("smooth", "word") else False if name in ("is_stable", "agrees") else math.nan
         rows = []
         for damping in self.plan.dampings:
@@ -58,11 +67,11 @@ class LimitsResult(HtmlMixin):
 
     @property
     def findings(self) -> tuple[Note, ...]:
-        """Findings on the maps."""
+        """Notes on limiting parts and on stability."""
         return (*_limiting(self), *_stability(self))
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the result file as plain tables."""
+        """Return the result as nested dictionaries, the content of the result file."""
         plan = self.plan
         names = ("gain_frequency", "phase_frequency", "rise_up", "rise_down", "noise", "limiting")
         fields = (
@@ -88,13 +97,20 @@ class LimitsResult(HtmlMixin):
         }  # fmt: skip
 
     def save(self, path: str | Path) -> None:
-        """Write the result as `.toml` or `.json`; replace a file completely or not at all."""
+        """Write the result as a `.toml` or `.json` file.
+
+        The function replaces an existing file completely or not at all.
+        """
         text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
         write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | None = None) -> LimitsResult:
-    """Compute the dynamic limits of a valve."""
+    """Compute bandwidths and stability of a valve at all points of the plan.
+
+    Ctrl-C ends the computation; the result then contains the completed points. `progress` receives the number of
+    completed points, the total number and a text.
+    """
     result = LimitsResult(plan)
     total = len(plan.volumes) * (len(plan.amplitudes) + len(plan.springs) * len(plan.dampings))
     done = 0
@@ -123,7 +139,7 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
 
 
 def _limiting(result: LimitsResult) -> list[Note]:
-    """Return a note for each part on the points that it limits."""
+    """Return one note for each part that limits the bandwidth at some points."""
     limited = {key: point for key, point in result.points.items() if point.limiting}
     notes = []
     for part in (*PARTS, LOAD, CONTROLLER):
@@ -142,7 +158,10 @@ def _limiting(result: LimitsResult) -> list[Note]:
 
 
 def _ends(values: Sequence[float]) -> tuple[float, ...]:
-    """Return the smallest and the largest value, or the only one."""
+    """Return the smallest and the largest value.
+
+    If all values are equal, the result has one item.
+    """
     return tuple(sorted({min(values), max(values)}))
 
 

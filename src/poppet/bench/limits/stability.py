@@ -1,4 +1,4 @@
-"""Stability of a valve: poles of its sampled linear model, and runs of the full model."""
+"""Stability of a valve, from poles of the linear model and runs of the nonlinear model."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
 
 @dataclass(frozen=True)
 class Stability:
-    """Stability of a valve at one spring rate, damping and volume."""
+    """Results on the stability of a valve for one spring factor, damping factor and volume."""
 
     # Of the linear model the one furthest to the right that moves to and fro, or at all where that is unstable [1/s].
     pole: complex
@@ -58,12 +58,12 @@ class Stability:
 
     @property
     def word(self) -> str:
-        """Text of the note."""
+        """Text of the note, empty without a note."""
         return "" if self.note is None else str(self.note)
 
 
 def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: float) -> Stability:
-    """Return poles and motions at one point of the map."""
+    """Compute poles and motions for one spring factor, damping factor and volume."""
     changes = stage_changes(plan, spring, damping)
     rough = _by_itself(plan, volume, changes)
     note = Note("limits.no_rest", points=None)
@@ -87,9 +87,10 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
 
 
 def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
-    """Return the steady state, which does not depend on the damping.
+    """Return the steady state of a valve, which does not depend on the damping.
 
-    Circuits with higher damping provide start values.
+    The search starts from the settled state of the given circuit, then from circuits with higher damping. The result is
+    None if no search finds a steady state.
     """
     for factor in CALM:
         start = rig
@@ -103,7 +104,10 @@ def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume:
 
 
 def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
-    """Return the motion of the full model after a push at the outlet."""
+    """Simulate the response to a small push at the outlet, from the steady state `v`.
+
+    The result is `oscillates`, `decays` or `marginal`, then the amplitude [Pa] and frequency [Hz] of the late motion.
+    """
     pushed = v.copy()
     pushed[rig.point.names.index(rig.kernel.model.columns[0][rig.output])] += PUSH
     time = np.arange(1, int(WATCHED * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
@@ -120,7 +124,10 @@ def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
 
 
 def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:
-    """Return amplitude and frequency in a part of a run, about a straight line."""
+    """Return the amplitude and frequency of an oscillation about a straight line.
+
+    `part` is the start and end of the evaluated time window [s].
+    """
     is_inside = (time > part[0]) & (time <= part[1])
     t, y = time[is_inside], values[is_inside]
     amplitude, period = oscillation(t, y - np.polyval(np.polyfit(t - t[0], y, 1), t - t[0]))
@@ -128,7 +135,10 @@ def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[floa
 
 
 def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float, float]:
-    """Return amplitude and frequency of the outlet of the valve with bands at constant setpoint."""
+    """Return the amplitude and frequency of the outlet at a constant setpoint.
+
+    The controller has its dead and hold bands, which can cause a limit cycle.
+    """
     try:
         rig = plan.rig(volume, changes)
     except SimulationError:
@@ -141,7 +151,11 @@ def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float
 
 
 def _note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
-    """Return a note on differences between linear and full model, with their cause."""
+    """Return a note on the difference between the linear and the nonlinear model, with its cause.
+
+    `smooth` is the motion without bands of the controller. `rough` is the amplitude and frequency with bands. The
+    result is None if there is no difference.
+    """
     amplitude, frequency = rough
     moves = math.isfinite(amplitude) and amplitude > LOUD * PUSH
     if not agrees:

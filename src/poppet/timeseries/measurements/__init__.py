@@ -1,4 +1,4 @@
-"""Measured recordings: assignment of their columns to addresses of a circuit, and plausibility checks."""
+"""Measured recordings: assignment of file columns to circuit signals, and plausibility checks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Late recordings: inputs with a delay against the pressure, temperature sensors with a lag."""
+"""Detection of delays in recordings: inputs recorded late, and slow temperature sensors."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _MIN_RESPONSE = 3.0  # [K]
 
 
 def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
-    r"""Return a note on a mass flow that was recorded late, compared with the pressure.
+    r"""Return a note if a mass flow was recorded late or early compared with a pressure.
 
     .. math:: \Delta p \approx a\, \Delta m + b\, \Delta\!\int m\,dt + c\, \Delta\!\int p\,dt + e, \qquad
         m(t) = \int q(t + d)\,dt
@@ -65,7 +65,7 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
 
 
 def _thinned(channel: Channel) -> Channel:
-    """Return means of consecutive samples; at most `_MAX_SAMPLES` of them remain."""
+    """Average consecutive samples so that at most `_MAX_SAMPLES` samples remain."""
     count = -(-channel.time.size // _MAX_SAMPLES)
     length = channel.time.size // count * count
     time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
@@ -73,7 +73,11 @@ def _thinned(channel: Channel) -> Channel:
 
 
 def _zero_while_rising(item: InputChannel, channel: Channel) -> dict[str, float | None]:
-    """Return facts on a pressure that changed before the flow meter showed a flow."""
+    """Detect a pressure change before the flow meter shows a flow.
+
+    The result contains the time of the first flow and the pressure change. Both are None if the pressure did not
+    change before.
+    """
     flowing = np.flatnonzero(np.abs(item.values) > 0.05 * float(np.max(np.abs(item.values))))
     begin = float(item.time[flowing[0]])
     earlier = channel.values[channel.time < begin]
@@ -86,7 +90,11 @@ def _zero_while_rising(item: InputChannel, channel: Channel) -> dict[str, float 
 
 
 def _misfits(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return pressure changes, delays [s] and the mean residual of a robust fit per delay."""
+    """Fit the pressure changes for a series of delays of the flow.
+
+    The result contains the pressure changes, the delays [s] and the mean residual of each robust fit. `stride` is the
+    distance of the delays in samples.
+    """
     step = float(np.median(np.diff(channel.time)))
     times, span = channel.time[:-_WINDOW], _WINDOW * step
     change = _changes(channel.time, channel.values, times, span)
@@ -125,14 +133,17 @@ def _changes(time: FloatArray, values: FloatArray, times: FloatArray, span: floa
 
 
 def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
-    r"""Return a note on a temperature sensor that is slower than the gas during fast pressure changes.
+    r"""Return a note if a temperature sensor is slower than the gas.
+
+    The check uses fast changes of the pressure.
 
     .. math:: \Delta T = \frac{\kappa - 1}{\kappa}\, T\, \Delta \ln p
 
     Notes
     -----
-    The law is valid for a discharge, and for the start of a charge with gas of the same temperature; kappa = 1.4
-    (air). A high heat flow to the wall has the same effect, so the result is a suspicion.
+    The equation is the adiabatic law with kappa = 1.4 (air). It is valid for a discharge, and for the start of a charge
+    with gas of the same temperature. A high heat flow to the wall also reduces the temperature change, so the note is
+    only a suspicion.
     """
     owner = channel.address.rpartition(".")[0]
     pressure = next((c for c in channels if c.address == f"{owner}.pressure" and c.unit == "Pa"), None)
@@ -159,7 +170,10 @@ def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
 
 
 def _fastest(time: FloatArray, level: FloatArray, change: float) -> tuple[int, int] | None:
-    """Return the limits of the shortest window in which the level changes by `change`."""
+    """Return the indices of the shortest window in which the level changes by `change`.
+
+    The result is None if the level changes by less.
+    """
     shortest: tuple[float, int, int] | None = None
     last = 1
     for first in range(time.size - 1):

@@ -1,4 +1,4 @@
-"""The `[recordings.NAME]` table: assignment of file columns to signals of a circuit, with units."""
+"""Reader of the `[recordings.NAME]` table, which assigns file columns to signals of a circuit."""
 
 from __future__ import annotations
 
@@ -54,10 +54,10 @@ def read_measurement(
     name: str, table: Mapping[str, Any], folder: Path, *, ambient_pressure: float, other_fields: Sequence[str] = (),
     source: Table | None = None,
 ) -> Measurement:  # fmt: skip
-    """Read a `[recordings.NAME]` table and its files.
+    """Read a `[recordings.NAME]` table and the files to which it refers.
 
-    `other_fields` are the other valid fields of the table, for suggestions if a field is misspelt. `source` has the
-    columns of channels and inputs without a file.
+    `other_fields` are further valid fields of the table, which error messages can suggest for a misspelt field.
+    `source` is a table that contains the columns of channels and inputs without a `file` field.
 
     Notes
     -----
@@ -80,7 +80,10 @@ def read_measurement(
 
 @dataclass(frozen=True)
 class _MappedColumn:
-    """Column of a file with the fields of its table. A free delay or lag is None."""
+    """Column of a file with its assignment to a signal.
+
+    `delay` or `lag` is None if it is a free parameter of a fit.
+    """
 
     address: str
     location: str
@@ -97,7 +100,10 @@ class _MappedColumn:
 
 
 class _MeasurementReader:
-    """Reader of one table. It continues after an error and reports all errors together."""
+    """Reader of one `[recordings.NAME]` table.
+
+    It continues after an error and reports all errors together.
+    """
 
     def __init__(
         self, name: str, table: Mapping[str, Any], folder: Path, other_fields: Sequence[str], source: Table | None
@@ -133,7 +139,10 @@ class _MeasurementReader:
         )  # fmt: skip
 
     def recording(self, ambient_pressure: str | float, title: str) -> Recording:
-        """Return the channels over their common time base; missing samples are NaN."""
+        """Return the channels as a recording over the union of their times.
+
+        A value is NaN if a channel has no sample at that time.
+        """
         self.location = "columns"
         self._check_keys()
         self.table = {**self.table, "ambient_pressure": ambient_pressure}
@@ -283,7 +292,10 @@ class _MeasurementReader:
         return self.files[key]
 
     def _named(self, table: Table, column: Any, location: str) -> int | None:
-        """Return the index of a column with numbers, None after an error."""
+        """Return the index of the requested numeric column of a table.
+
+        The result is None if this causes an error, which the reader collects.
+        """
         if isinstance(column, bool) or not isinstance(column, str | int):
             self.errors.add("measured.column", location, value=column)
             return None
@@ -297,7 +309,7 @@ class _MeasurementReader:
         return index
 
     def _time(self, table: Table, value: Any, location: str) -> Any:
-        """Return the times of the samples of a table [s]."""
+        """Return the times of all samples of a table [s]."""
         spec = value if isinstance(value, Mapping) else {"column": value}
         for key in (field for field in spec if field not in ("column", "unit")):
             near = NameSuggestion(key, ("column", "unit"))
@@ -323,9 +335,9 @@ class _MeasurementReader:
         return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset)
 
     def _refuse_slips(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
-        """Report samples beyond the plausibility limit of their quantity.
+        """Add an error if samples exceed the plausibility limit of their quantity.
 
-        A typing error or a recorder fault would otherwise dominate the fit.
+        Such samples are typing errors or faults of the recorder and would dominate a fit.
         """
         largest = sizes_of(column.unit)[1]
         slips = np.flatnonzero(np.abs(values) > largest)
@@ -334,7 +346,10 @@ class _MeasurementReader:
             self.errors.add("measured.too_large", column.location, largest=largest, count=int(slips.size), **facts)
 
     def _deviation(self, column: _MappedColumn, key: str) -> float | None:
-        """Return the stated standard deviation of a channel, None if there is none."""
+        """Return the standard deviation that the field `key` of a channel states.
+
+        The result is None if the field is absent.
+        """
         location, raw = f"{column.location}.{key}", column.fields.get(key)
         if raw is None:
             return None
@@ -365,7 +380,7 @@ def read_recording(
     columns: Mapping[str, str | int | Mapping[str, str]] | None = None, ambient_pressure: str | float = "1 bar",
     title: str | None = None, **options: Any,
 ) -> Recording:  # fmt: skip
-    r"""Read a measured file as a recording in SI units, pressures absolute.
+    r"""Read a measured file as a recording in SI units with absolute pressures.
 
     Parameters
     ----------
@@ -419,7 +434,10 @@ def read_recording(
 
 
 def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapping[str, Any]:
-    """Return the table of a column: `p [bar g]` is the column `p` in gauge pressure."""
+    """Return the fields `column` and `unit` for a column of a file.
+
+    The text `p [bar g]` means the column `p` with the unit `bar g`, unless a column has the complete text as its name.
+    """
     if not isinstance(column, str) or column in source.names:
         return column if isinstance(column, Mapping) else {"column": column}
     name, unit = split_heading(column)
@@ -427,7 +445,10 @@ def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapp
 
 
 def _si_unit(address: str, written: str) -> str:
-    """Return the SI unit of a signal, from its name or from the dimension of its unit."""
+    """Return the SI unit of a signal.
+
+    The ending of the address determines the unit; otherwise the unit in the file (`written`) does.
+    """
     check_unit(written)
     ending = next((ending for ending in _SI_BY_ENDING if address.endswith(ending)), None)
     if ending is not None:

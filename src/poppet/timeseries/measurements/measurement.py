@@ -1,4 +1,4 @@
-"""Bench recording after reading: channels and inputs in SI units over one clock."""
+"""Measurement after reading: channels and inputs in SI units with one common time origin."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from poppet.timeseries.checks import FloatArray
 
 @dataclass(frozen=True, eq=False)
 class Channel:
-    """Measured signal of a circuit, in SI units with absolute pressures."""
+    """Measured signal with which the model is compared, in SI units with absolute pressures."""
 
     address: str  # `tank.pressure`
     time: FloatArray  # (n,), strictly increasing, from 0 at the first used sample of the recording [s]
@@ -43,7 +43,7 @@ class InputChannel:
 
 @dataclass(frozen=True, eq=False)
 class Measurement:
-    """Recording of a test bench with its name in the file."""
+    """Measured channels and inputs of one test, with initial values and notes."""
 
     name: str
     channels: tuple[Channel, ...]  # compared with the model
@@ -67,7 +67,9 @@ _CUT = math.sqrt(
 
 
 def quantum_of(values: FloatArray) -> float:
-    """Return the resolution of the values, 0 if there is no common step.
+    """Estimate the resolution (smallest step) of recorded values.
+
+    The result is 0 if the differences between the values have no common step.
 
     Examples
     --------
@@ -91,7 +93,7 @@ def quantum_of(values: FloatArray) -> float:
 
 
 def noise_of(values: FloatArray, time: FloatArray | None = None) -> float:
-    r"""Return the standard deviation of the noise, from deviations between neighbouring samples.
+    r"""Estimate the standard deviation of the noise from differences between neighbouring samples.
 
     .. math:: e_k = x_k - \frac{x_{k-1} + x_{k+1}}{2}, \qquad
         \sigma^2 = \tfrac{2}{3}\,\overline{e_k^2}
@@ -129,7 +131,7 @@ LEAST_SAMPLES = 8  # with fewer samples, noise and curvature cannot be distingui
 
 @dataclass(frozen=True, eq=False)
 class Samples:
-    """Finite samples of a column over time, with notes on merged and omitted samples."""
+    """Finite samples of a column, with notes on merged and omitted samples."""
 
     time: FloatArray  # (n,), strictly increasing [s]
     values: FloatArray  # (n,)
@@ -137,7 +139,9 @@ class Samples:
 
 
 def ordered(time: FloatArray, values: FloatArray) -> Samples:
-    """Return the usable samples of a column.
+    """Return the finite samples of a column in strictly increasing time.
+
+    Samples with equal times are replaced by their mean. Times that decrease are an error.
 
     Examples
     --------
@@ -165,7 +169,11 @@ def ordered(time: FloatArray, values: FloatArray) -> Samples:
 
 
 def from_first(samples: list[Samples], skip: float, end: float = math.inf) -> tuple[float, list[Samples]]:
-    """Shift the channels to start at their first used sample, and cut the end."""
+    """Cut the samples of all channels to the used time window, and set its start to zero.
+
+    `skip` and `end` are relative to the first sample of all channels [s]. The result contains the removed time origin
+    and the samples.
+    """
     first = min(float(column.time[0]) for column in samples)
     begin = first + skip
     # The tolerance includes a stamp at the limit despite rounding.

@@ -1,4 +1,7 @@
-"""Plausibility checks of a recording. Each suspicion has its evidence and must be checked at the bench."""
+"""Plausibility checks of a recording.
+
+Each check returns notes on suspicions with their evidence, which the user must verify at the test bench.
+"""
 
 from __future__ import annotations
 
@@ -29,7 +32,10 @@ _LONG_STEP, _MANY_STAMPS = 5.0, 30  # integer times with such steps [s] can be m
 def verdicts(
     channels: Sequence[Channel], inputs: Sequence[InputChannel], ambient_pressure: float, gauge: frozenset[str]
 ) -> list[Note]:
-    """Return all suspicions about a recording."""
+    """Run all plausibility checks of a recording and return their notes.
+
+    `gauge` contains the addresses of the pressures that were recorded as gauge pressures.
+    """
     notes: list[Note] = []
     doubtful: set[str] = set()
     for channel in channels:
@@ -53,7 +59,7 @@ def verdicts(
 
 
 def heading_verdicts(address: str, name: str, heading: str, unit: str) -> list[Note]:
-    """Return a suspicion if the heading states another unit than the one in use.
+    """Return a note if the unit in a column heading differs from the specified unit.
 
     Examples
     --------
@@ -72,7 +78,7 @@ def _scale(first: str, second: str) -> float:
 
 
 def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bool) -> list[Note]:
-    """Return suspicions on gauge versus absolute pressure and on implausible values."""
+    """Check a pressure for a confusion of gauge and absolute, and for implausible values."""
     lowest, highest, address = float(np.min(channel.values)), float(np.max(channel.values)), channel.address
     # The median of the lowest samples is robust to single noisy samples.
     level = float(np.median(np.sort(channel.values)[: max(3, int(_LOWEST * channel.values.size))]))
@@ -92,9 +98,9 @@ def pressure_verdicts(channel: Channel, ambient_pressure: float, *, is_gauge: bo
 
 
 def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
-    """Return True if a pressure rises from a vacuum.
+    """Return True if the pressure rises from a vacuum at the start of the recording.
 
-    Its first value is then too high for a gauge reading of 0, or its last value does not exceed the ambient pressure.
+    Then the first value is too high for a gauge reading of 0, or no value clearly exceeds the ambient pressure.
 
     Examples
     --------
@@ -109,7 +115,7 @@ def is_evacuated(values: FloatArray, ambient_pressure: float) -> bool:
 
 
 def value_verdicts(channel: Channel) -> list[Note]:
-    """Return suspicions on constant, clipped or coarsely resolved values."""
+    """Check whether the values of a channel are constant, clipped or coarsely resolved."""
     values, address, unit = channel.values, channel.address, channel.unit
     if float(np.ptp(values)) == 0.0:
         return [Note("suspicion.constant", address, value=float(values[0]), unit=unit, samples=values.size)]
@@ -136,7 +142,10 @@ def _runs(values: FloatArray, level: float) -> list[tuple[int, int]]:
 
 
 def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
-    """Return True if a noisy series stays exactly at a nonzero level for long."""
+    """Return True if a noisy series is exactly constant at a level for a long time.
+
+    This indicates a clipped series. A level of zero is regular and gives False.
+    """
     runs = _runs(values, level)
     if not runs or level == 0.0:
         return False
@@ -148,7 +157,10 @@ def stays_in_noise(values: FloatArray, level: float, quantum: float) -> bool:
 
 
 def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
-    """Return True for a run between two steep flanks, the remains of a clipped peak."""
+    """Return True if a constant section between two steep flanks indicates a clipped peak.
+
+    `run` is the start and end index of the section, and `step` the resolution of the values.
+    """
     start, stop = run
     if start == 0 or stop == values.size:
         return False
@@ -156,7 +168,10 @@ def cuts_a_peak(values: FloatArray, run: tuple[int, int], step: float) -> bool:
 
 
 def time_verdicts(channels: Sequence[Channel]) -> list[Note]:
-    """Return suspicions on gaps, uneven stamps and milliseconds read as seconds, once per clock."""
+    """Check the sample times for gaps, uneven steps and milliseconds read as seconds.
+
+    Channels with the same times are checked once.
+    """
     notes: list[Note] = []
     clocks: dict[bytes, Channel] = {}
     for channel in channels:

@@ -1,1 +1,1 @@
-"""Pictures of recordings."""
+"""Figures of recordings."""

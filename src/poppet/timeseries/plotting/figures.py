@@ -53,14 +53,20 @@ _HINTED = 1.05  # maximum width of letters that are fitted to pixels, relative t
 
 
 def style(purpose: str) -> Any:
-    """Return the style of all figures, for a `with` statement around drawing."""
+    """Return a context manager that applies the style of all figures while drawing.
+
+    `purpose` is the text of the error message if Matplotlib is not installed.
+    """
     with needed("matplotlib", purpose, "plot"):
         import matplotlib as mpl
     return mpl.rc_context(_STYLE)
 
 
 def new_figure(width: float, height: float) -> Figure:
-    """Return an empty figure without a window and without global state."""
+    """Return an empty figure of given width and height [in].
+
+    The figure has no window and does not use the global state of pyplot.
+    """
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
@@ -71,7 +77,10 @@ def new_figure(width: float, height: float) -> Figure:
 
 
 def axes_in(figure: Figure, left: float, top: float, width: float, height: float, **options: Any) -> Any:
-    """Add axes to a figure; positions in inches from the upper left corner."""
+    """Add axes to a figure at a given position.
+
+    All lengths are in inches. `left` and `top` are distances from the upper left corner.
+    """
     figure_width, figure_height = figure.get_size_inches()
     box = (left / figure_width, 1.0 - (top + height) / figure_height, width / figure_width, height / figure_height)
     return figure.add_axes(box, **options)
@@ -79,14 +88,20 @@ def axes_in(figure: Figure, left: float, top: float, width: float, height: float
 
 @contextmanager
 def _boxes() -> Iterator[None]:
-    """Suppress warnings on missing glyphs, which are drawn as boxes."""
+    """Suppress warnings on characters that the font does not contain.
+
+    Matplotlib draws such characters as boxes.
+    """
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph .* missing from font", UserWarning)
         yield
 
 
 def text_width(text: str, size: float, *, bold: bool = False) -> float:
-    """Return the width of a line of text [in]."""
+    """Return the width of one line of text [in].
+
+    `size` is the font size in points.
+    """
     import numpy as np
     from matplotlib.font_manager import FontProperties
     from matplotlib.textpath import TextPath
@@ -108,17 +123,23 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
 
 
 def widest(texts: Sequence[str], size: float) -> float:
-    """Return the width of the longest line of text [in]."""
+    """Return the width of the widest of several lines of text [in].
+
+    `size` is the font size in points.
+    """
     return max((text_width(text, size) for text in texts), default=0.0)
 
 
 def check_format(path: str | Path) -> None:
-    """Reject a file suffix that is not a figure format, before drawing starts."""
+    """Raise an error if the suffix of a path is not a figure format."""
     by_suffix(Path(path), dict.fromkeys((f".{name}" for name in _METADATA), str))
 
 
 def save_figure(figure: Figure, path: str | Path) -> Path:
-    """Write a figure, reproducible byte for byte; replace a file completely or not at all."""
+    """Write a figure to a file; equal figures give identical bytes.
+
+    The function replaces an existing file completely or not at all.
+    """
     check_format(path)
     target = Path(path)
     content = figure_bytes(figure, target.suffix[1:].lower(), target.stem)
@@ -126,7 +147,10 @@ def save_figure(figure: Figure, path: str | Path) -> Path:
 
 
 def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
-    """Return a figure as the content of a file."""
+    """Return the content of a figure file in the given format.
+
+    `name` makes the identifiers of SVG elements unique on a page.
+    """
     import matplotlib as mpl
 
     stream = io.BytesIO()

@@ -1,4 +1,4 @@
-"""Grouping of the series of recordings into panels, with units and labels."""
+"""Assignment of series to panels of a figure and to rows of a timeline."""
 
 from __future__ import annotations
 
@@ -42,7 +42,10 @@ STILL = 1e-6  # range of a series, relative to its own or usual size, below whic
 
 @dataclass(frozen=True)
 class Series:
-    """Series of recording number `source` in its drawing `unit`; `rank` orders quantities."""
+    """Series of a recording in the unit for drawing.
+
+    `source` is the index of the recording, and `rank` the position of the quantity in the order of the panels.
+    """
 
     name: str
     source: int
@@ -54,7 +57,7 @@ class Series:
 
     @property
     def is_still(self) -> bool:
-        """True if the series is constant except for solver noise."""
+        """True if the series is constant except for noise of the solver."""
         finite = self.values[np.isfinite(self.values)]
         if not finite.size:
             return True
@@ -70,7 +73,7 @@ class Series:
 
 @dataclass(frozen=True)
 class Panel:
-    """Series that share an axis, by recording, in the order of the recording."""
+    """Series that are drawn on the same axes."""
 
     quantity: str
     unit: str
@@ -78,17 +81,20 @@ class Panel:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of the series, without duplicates."""
+        """Names of the series in the panel, without duplicates."""
         return tuple(dict.fromkeys(series.name for series in self.series))
 
     @property
     def labels(self) -> dict[str, str]:
-        """Legend labels by name."""
+        """Mapping from the name of each series to its legend label."""
         return readable(self.names, self.quantity)
 
 
 def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | None) -> tuple[str, ...] | None:
-    """Return the names that match the patterns, None without patterns."""
+    """Return the names of all series that match the patterns.
+
+    The result is None if `select` is None.
+    """
     if select is None:
         return None
     names = tuple(dict.fromkeys(name for recording in recordings for name in recording.names))
@@ -104,7 +110,10 @@ def chosen_names(recordings: Sequence[Columns], select: str | Iterable[str] | No
 def shown_series(
     recordings: Sequence[Columns], names: tuple[str, ...] | None, units: Mapping[str, str] | Sequence[str] | str | None
 ) -> list[Series]:
-    """Return the series of several recordings in usual or requested units."""
+    """Return the series to draw, converted to the usual or requested units.
+
+    `names` are the selected names; None selects all series.
+    """
     # Pairs of a pattern and its requested unit; an empty pattern matches the whole quantity.
     if isinstance(units, Mapping):
         requests = list(units.items())
@@ -126,7 +135,7 @@ def shown_series(
 
 
 def bodies_of(recordings: Sequence[Columns]) -> set[str]:
-    """Return the names of the moving bodies in recordings."""
+    """Return the names of all moving bodies that have a position and an acceleration."""
     names = (name for recording in recordings for name in recording.names)
     bodies = {name.rpartition(".")[0] for name in names if name.endswith(".acceleration")}
     return {body for body in bodies if any(f"{body}.position" in recording for recording in recordings)}
@@ -135,9 +144,10 @@ def bodies_of(recordings: Sequence[Columns]) -> set[str]:
 def panels_of(
     series: Sequence[Series], *, keep_still: bool = False, bodies: Collection[str] = ()
 ) -> tuple[list[Panel], list[Series]]:
-    """Group series by quantity and unit; return the panels and the omitted constant series.
+    """Group series by quantity and unit into panels; omit constant series.
 
-    Panels of bodies come first.
+    `bodies` are the names of moving bodies, whose positions and velocities have the first panels. If `keep_still` is
+    True, constant series are not omitted.
     """
     moving = {item.name for item in series if keep_still or not item.is_still}
     moving = moving or {item.name for item in series}  # if all series are constant, all are drawn
@@ -152,7 +162,10 @@ def panels_of(
 
 
 def _place(members: Sequence[Series], bodies: Collection[str]) -> int:
-    """Return the position of a panel in figures with moving bodies."""
+    """Return the rank of a panel in figures with moving bodies.
+
+    `members` are the series of the panel. Positions come first, then velocities, pressures, forces and torques.
+    """
     names = {item.name for item in members}
     motions = [any(f"{body}.{quantity}" in names for body in bodies) for quantity in ("position", "velocity")]
     unit = _QUANTITIES[members[0].rank][0] if members[0].rank < len(_QUANTITIES) else ""
@@ -160,7 +173,9 @@ def _place(members: Sequence[Series], bodies: Collection[str]) -> int:
 
 
 def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.int64]:
-    """Return the indices of the samples to draw: first, last, lowest and highest of each pixel column.
+    """Return the indices of the samples to draw when there are more samples than pixels.
+
+    `columns` is the number of pixel columns. For each column, the first, last, lowest and highest sample remain.
 
     Examples
     --------
@@ -185,20 +200,25 @@ def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.in
 
 
 def draw_thinned(axes: Any, x: FloatArray, y: FloatArray, indices: NDArray[np.int64], **options: Any) -> None:
-    """Draw a line of the samples `indices`; store all samples for plots that can be zoomed."""
+    """Draw a line through the samples `indices`.
+
+    The line object also stores all samples, for figures that can be enlarged.
+    """
     (line,) = axes.plot(x[indices], y[indices], **options)
     if len(indices) < len(x):
         line.whole = x, y
 
 
 def whole_of(line: Any) -> tuple[FloatArray, FloatArray]:
-    """Return all samples of a line, including those that the figure omits."""
+    """Return all samples of a drawn line, including those that are not drawn."""
     samples: tuple[FloatArray, FloatArray] = getattr(line, "whole", None) or line.get_data()
     return samples
 
 
 def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
-    """Return legend labels: the part and the words that the axis label does not contain.
+    """Return legend labels without the words that the axis label contains.
+
+    A label consists of the name of the part and, if necessary, the rest of the series name.
 
     Examples
     --------
@@ -216,7 +236,10 @@ def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
 
 
 def _title(quantity: str, members: Sequence[Series]) -> str:
-    """Return the quantity, or the common name of the series if the quantity is unspecific."""
+    """Return the quantity of a panel for its axis label.
+
+    If the quantity is unspecific, such as a ratio, the result is the common name of the series.
+    """
     phrases = {item.name.rpartition(".")[2].replace("_", " ") for item in members}
     if quantity == "stroke" and "position" in phrases:
         return "position"
@@ -253,7 +276,7 @@ CONTACTS: dict[int, str] = {
     1: "supply open",
     2: "upper stop",
 }
-"""Meanings of the codes of `contact` of a main stage."""
+"""Meaning of each code of the output `contact` of a main stage."""
 
 _REGIME_COLOURS = {0: "#dfe2e7", 1: "#f3c76b", 2: "#5b9bd5", 3: "#1f4e87"}
 _CONTACT_COLOURS = {-2: "#7a4b1e", -1: "#d9822b", 0: "#dfe2e7", 1: "#3d9a5f", 2: "#14532d"}
@@ -261,7 +284,7 @@ _CONTACT_COLOURS = {-2: "#7a4b1e", -1: "#d9822b", 0: "#dfe2e7", 1: "#3d9a5f", 2:
 
 @dataclass(frozen=True)
 class CodeStyle:
-    """Meaning, colour and hatching of a code."""
+    """Text, colour and hatching that represent a code in the timeline."""
 
     text: str
     colour: str
@@ -284,7 +307,7 @@ BANDS = (("friction", FRICTION_LOOKS), ("flow\nregime", REGIME_LOOKS), ("contact
 
 @dataclass(frozen=True)
 class Span:
-    """Time span of a code: start and width [s]."""
+    """Time interval of a constant code, with start and width [s]."""
 
     start: float
     width: float
@@ -293,7 +316,10 @@ class Span:
 
 @dataclass(frozen=True)
 class Band:
-    """Row of the timeline; `is_thinned` if codes change faster than the figure can resolve."""
+    """Row of the timeline for one series of codes.
+
+    `is_thinned` is True if the codes change faster than the figure can resolve.
+    """
 
     name: str
     label: str
@@ -304,7 +330,10 @@ class Band:
 
 
 def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] | None:
-    """Return the styles of the codes of a series, None if the series has no codes."""
+    """Return the style of each code of a series.
+
+    The result is None if the series does not consist of codes.
+    """
     last = name.rpartition(".")[2]
     styles = {"contact": CONTACT_LOOKS, "regime": REGIME_LOOKS}.get(last.rpartition("_")[2])
     styles = FRICTION_LOOKS if last == "friction_state" else styles
@@ -315,7 +344,10 @@ def looks_of(name: str, unit: str, values: FloatArray) -> dict[int, CodeStyle] |
 
 
 def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, columns: int) -> list[Band]:
-    """Return the rows of the timeline in the order of `BANDS`, recordings side by side."""
+    """Return the rows of the timeline, ordered by kind of code, series and recording.
+
+    `columns` is the number of pixel columns.
+    """
     bands = []
     for source, recording in enumerate(recordings):
         for name in recording.names if names is None else names:
@@ -331,7 +363,9 @@ def bands_of(recordings: Sequence[Columns], names: tuple[str, ...] | None, colum
 
 
 def at_rest(recording: Columns, name: str) -> FloatArray:
-    """Return the codes of a series; regimes of solver noise near equal pressures become no flow.
+    """Return the codes of a series, in which negligible flows count as no flow.
+
+    Near equal pressures, solver noise would otherwise switch between flow regimes.
 
     Examples
     --------
@@ -349,7 +383,10 @@ def at_rest(recording: Columns, name: str) -> FloatArray:
 
 
 def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[Span, ...], bool]:
-    """Return codes as time spans; a code is valid from its row to the next.
+    """Convert a series of codes to time intervals.
+
+    A code is valid from its sample to the next one. The second item of the result is True if the codes change faster
+    than `columns` pixel columns can show.
 
     Examples
     --------
@@ -371,7 +408,7 @@ def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[S
 
 
 def _most_frequent(time: FloatArray, codes: FloatArray, edges: FloatArray) -> FloatArray:
-    """Return the code with the longest total duration between adjacent edges."""
+    """Return the code with the longest total duration in each interval between edges."""
     kinds = np.unique(codes[np.isfinite(codes)])
     if not kinds.size:
         return np.full(len(edges) - 1, np.nan)

@@ -1,4 +1,4 @@
-"""Figure of recordings: panels by quantity over one time axis, and a timeline of flow regimes."""
+"""Figures of recordings: panels by quantity over one time axis, and a timeline of flow regimes."""
 
 from __future__ import annotations
 
@@ -102,9 +102,10 @@ _TIME_UNITS = ((1.0, "ms", 1e-3), (1800.0, "s", 1.0), (14400.0, "min", 60.0), (f
 
 
 class Sheet:
-    """Content of one figure.
+    """Layout and content of one figure of recordings.
 
-    Names or patterns select series. `units` maps names or patterns to units, or lists units alone.
+    `select` contains names or patterns of the series to draw. `units` maps names or patterns to units, or is a list of
+    units. If `inner` is True, internal outputs are drawn as well.
     """
 
     def __init__(
@@ -136,7 +137,7 @@ class Sheet:
         self.limits = start / self.time_size, end / self.time_size
 
     def draw(self) -> Figure:
-        """Draw the figure."""
+        """Draw all panels, the timeline and the legends, and return the figure."""
         usual = 1.6 if len(self.panels) <= 4 else 1.25
         heights = [max(usual, _ROW * len(panel.names) + 0.1) for panel in self.panels]
         heights += [_BAND * len(self.bands)] * bool(self.bands)
@@ -208,7 +209,7 @@ class Sheet:
             top += _KEY_ROW
 
     def _row(self, handles: Sequence[Any], texts: Sequence[str], y: float, handlelength: float) -> None:
-        """Draw a legend in one line below or above the axes."""
+        """Draw a legend of one line at the height `y`, outside the axes."""
         options = {"bbox_to_anchor": (_LEFT / self.across, y), "handlelength": handlelength}
         _legend(self.figure, handles, texts, **options, ncols=len(texts), columnspacing=1.4)
 
@@ -305,7 +306,10 @@ class Sheet:
 
 
 def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
-    """Assign each part a colour that it keeps in all panels; parts of a panel differ."""
+    """Assign a colour to each part of the circuit.
+
+    A part has the same colour in all panels, and the parts of a panel have different colours.
+    """
     together = [dict.fromkeys(name.partition(".")[0] for name in panel.names) for panel in panels]
     homes: dict[str, str] = {}
     for part in dict.fromkeys(part for parts in together for part in parts):
@@ -316,7 +320,10 @@ def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
 
 
 def panel_colours(panel: Panel, homes: Mapping[str, str]) -> dict[str, str]:
-    """Return colours by series: the first series of a part has its colour, others a free one."""
+    """Return the colour of each series in a panel.
+
+    The first series of a part has the colour of the part (`homes`). Further series have unused colours.
+    """
     colours: dict[str, str] = {}
     remaining = []
     for name in panel.names:
@@ -335,19 +342,22 @@ def _legend(owner: Any, handles: Sequence[Any], texts: Sequence[str], **options:
 
 
 def _fill(style: CodeStyle) -> dict[str, Any]:
-    """Return the patch options of a code of the timeline."""
+    """Return the Matplotlib options for the area of a code in the timeline."""
     if style.is_hatched:
         return {"facecolor": style.colour, "edgecolor": "white", "linewidth": 0.0, "hatch": "////"}
     return {"facecolor": style.colour, "edgecolor": "none", "linewidth": 0.0}
 
 
 def time_unit(span: float) -> tuple[str, float]:
-    """Return the unit of a time axis of this span [s], and its size [s]."""
+    """Return the unit of a time axis and the size of this unit [s].
+
+    `span` is the length of the time axis [s].
+    """
     return next((name, size) for longest, name, size in _TIME_UNITS if span < longest)
 
 
 def axis_unit(panel: Panel) -> str:
-    """Return the unit of an axis in brackets, with the pressure reference."""
+    """Return the unit of a panel in brackets; for absolute pressures, the text includes "absolute"."""
     if panel.unit in ("1", ""):
         return "[1]"
     is_pressure = panel.quantity == "pressure" and not panel.unit.endswith("g")
@@ -360,9 +370,11 @@ WIDTH, HEIGHT = 7.0, 2.2  # width of the figure and height of a panel [in]
 def plot_fitted_series(
     tables: Mapping[str, Mapping[str, Any]], path: str | Path | None = None, *, title: str = ""
 ) -> Figure:
-    """Draw one panel for each table of `measured` and `model` over `time` or `x`.
+    """Draw measured and fitted series, with one panel for each table.
 
-    `low` and `high` are the edges of a band about the model.
+    Each table contains `measured` and `model` over `time` or `x`.
+
+    The optional series `low` and `high` of a table are the limits of a band about the model.
 
     Examples
     --------

@@ -1,1 +1,1 @@
-"""Tables of numbers in files of many formats: names, units and columns, without interpretation."""
+"""Readers of tables of numbers in many file formats, with names and units of the columns."""

@@ -1,4 +1,4 @@
-"""Readers of column files by suffix, and those of the binary formats: TDMS, MDF, MAT and Parquet."""
+"""Selection of the reader by file suffix, and readers of TDMS, MDF, MAT and Parquet files."""
 
 from __future__ import annotations
 
@@ -27,7 +27,10 @@ _UNIT_PROPERTIES = ("unit_string", "NI_UnitDescription", "Unit", "unit")
 
 
 def read_tdms(path: Path, *, group: str | int | None = None) -> Table:
-    """Read the channels of a TDMS file."""
+    """Read the channels of a TDMS file.
+
+    `group` is the name or index of a group; the default is all groups.
+    """
     with needed("npTDMS", "A TDMS file", "measured"):
         from nptdms import TdmsFile
     file = TdmsFile.read(path)
@@ -48,7 +51,10 @@ def read_tdms(path: Path, *, group: str | int | None = None) -> Table:
 
 
 def _tdms_columns(channels: list[Any]) -> tuple[dict[str, FloatArray], list[str]]:
-    """Return the columns of a group with their times, and the names of channels without numbers."""
+    """Return the columns of a TDMS group with their times.
+
+    The second item contains the names of the channels without numbers.
+    """
     columns, missing = {}, []
     bases: dict[str, tuple[float, float, int]] = {}
     for channel in channels:
@@ -70,7 +76,10 @@ def _tdms_columns(channels: list[Any]) -> tuple[dict[str, FloatArray], list[str]
 
 
 def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
-    """Read the channels of an MDF file."""
+    """Read the channels of an MDF file.
+
+    `group` is the name or index of a group; the default is all groups.
+    """
     with needed("asammdf", "An MDF file", "measured"):
         from asammdf import MDF
     path.open("rb").close()  # gives the usual error for a missing file
@@ -105,7 +114,10 @@ def _mdf_groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, 
 
 
 def known(metadata: Any) -> dict[str, Any]:
-    """Return the metadata of a recording, empty for files of other programs."""
+    """Return the metadata of a poppet recording as a dictionary.
+
+    The result is empty if another program wrote the file.
+    """
     try:
         content = json.loads(metadata) if isinstance(metadata, str) else {}
     except ValueError:
@@ -114,7 +126,7 @@ def known(metadata: Any) -> dict[str, Any]:
 
 
 def read_mat(path: Path) -> Table:
-    """Read the vectors of a MAT file."""
+    """Read all vectors of a MATLAB file as columns."""
     from scipy.io import loadmat
     from scipy.io.matlab import matfile_version
 
@@ -161,7 +173,7 @@ def _mat_columns(name: str, value: Any) -> Iterator[tuple[str, FloatArray]]:
 
 
 def arrow() -> Any:
-    """Return the package pyarrow."""
+    """Import and return the package pyarrow."""
     with needed("pyarrow", "A Parquet file", "data"):
         import pyarrow
         import pyarrow.parquet
@@ -169,7 +181,10 @@ def arrow() -> Any:
 
 
 def table_in(path: Path, columns: list[str] | None = None) -> Any:
-    """Return the table of a file, or selected columns of it."""
+    """Return the pyarrow table of a Parquet file.
+
+    `columns` selects columns; the default is all columns.
+    """
     package = arrow()
     path.open("rb").close()  # gives the usual error for a missing file
     # Arrow must open the file itself: its threads would call a Python stream, and a thread that still runs at the end
@@ -179,7 +194,7 @@ def table_in(path: Path, columns: list[str] | None = None) -> Any:
 
 
 def read_parquet(path: Path) -> Table:
-    """Read the columns of a Parquet file."""
+    """Read the numeric columns of a Parquet file."""
     content = table_in(path)
     meta = known((content.schema.metadata or {}).get(METADATA.encode(), b"").decode())
     columns: dict[str, FloatArray] = {}
@@ -210,14 +225,14 @@ READERS: Registry[Callable[..., Table]] = Registry(
     lambda suffix, reader: callable(reader),
     prefix=".",
 )
-"""Suffix to reader. A reader takes a path and those options that its format needs."""
+"""Mapping from file suffix to reader. The arguments of a reader are a path and the options of its format."""
 
 
 def read_table(
     path: Path, *, separator: str | None = None, decimal: str | None = None, header_rows: int | None = None,
     group: str | int | None = None,
 ) -> Table:  # fmt: skip
-    r"""Read the columns of a measured file.
+    r"""Read the columns of a measured file, in the format of the file suffix.
 
     Examples
     --------
@@ -249,7 +264,7 @@ def read_table(
 
 
 def read_with(reader: Callable[[Path], Found], path: Path) -> Found:
-    """Return the result of a reader; every error contains the name of the file."""
+    """Call a reader with a path, and add the name of the file to each error."""
     try:
         return reader(path)
     except OSError as problem:

@@ -1,4 +1,4 @@
-"""Table of columns from a file of any format, with the unit spellings of instruments."""
+"""Table of numeric columns from a file of any format, and units in the spelling of instruments."""
 
 from __future__ import annotations
 
@@ -37,7 +37,9 @@ _SPELLINGS = {
 
 
 def unit_of(spelling: str) -> str:
-    """Return the unit for an instrument's spelling, empty if it is not a unit.
+    """Convert the unit of an instrument, such as `PSI`, to the spelling of poppet.
+
+    The result is empty if the text is not a unit.
 
     Examples
     --------
@@ -52,7 +54,9 @@ def unit_of(spelling: str) -> str:
 
 
 def heading_of(text: str) -> tuple[str, str]:
-    """Return the name and the unit of a column heading.
+    """Split a column heading of a file into name and unit.
+
+    The unit is empty if the heading has none.
 
     Examples
     --------
@@ -71,7 +75,7 @@ def heading_of(text: str) -> tuple[str, str]:
 
 @dataclass(frozen=True, eq=False)
 class Table:
-    """Columns of numbers with names and units."""
+    """Numeric columns of a file with names, units and notes."""
 
     names: tuple[str, ...]  # without units; `column 0` and so on if the file has no names
     columns: tuple[FloatArray, ...]  # each (n,), in its unit; NaN for an empty cell
@@ -81,7 +85,10 @@ class Table:
     lines: Sequence[int] = ()  # of a text file: line of each sample, counted from 1
 
     def index(self, column: str | int) -> int:
-        """Return the index of a column from its heading or its index."""
+        """Return the index of a column.
+
+        The argument is the heading or the index. An unknown column is an error.
+        """
         if isinstance(column, int):
             if 0 <= column < len(self.names):
                 return column
@@ -101,9 +108,9 @@ def table_of(
     columns: Mapping[str, FloatArray], units: Mapping[str, str], notes: Sequence[Note] = (),
     meta: Mapping[str, Any] | None = None,
 ) -> Table:  # fmt: skip
-    """Return a table of named columns, padded with NaN to equal length.
+    """Return a table of named columns; NaN extends short columns to equal length.
 
-    `units` maps names to units in the spelling of the file.
+    `units` maps names to units in the spelling of the file, and `meta` is the metadata of a poppet recording.
     """
     longest = max((column.size for column in columns.values()), default=0)
     if not longest:
@@ -125,7 +132,7 @@ def table_of(
 
 
 def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> FloatArray:
-    """Return calendar times as seconds since the first one.
+    """Convert calendar times to seconds since the first time.
 
     Examples
     --------
@@ -142,7 +149,10 @@ def seconds(column: np.ndarray[tuple[int, ...], np.dtype[np.datetime64]]) -> Flo
 
 
 def groups_of(groups: Mapping[str, Mapping[str, FloatArray]], group: str | int | None) -> dict[str, FloatArray]:
-    """Return the columns of one group, or of all groups with the group in each name.
+    """Return the columns of the selected group.
+
+    If `group` is None and there are several groups, the result contains all columns. Each name then begins with the
+    name of the group.
 
     Examples
     --------

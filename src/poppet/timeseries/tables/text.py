@@ -1,7 +1,7 @@
-"""Tables in text files: separators, first line of numbers, header lines.
+"""Readers of tables in text files.
 
-`read` accepts files of other programs and notes what it guessed. `read_exact` accepts the format of recordings and
-rejects other input with the line number.
+`read` accepts files of other programs and adds a note on each guess. `read_exact` accepts only the format of poppet
+recordings. Its error messages contain the line number.
 """
 
 from __future__ import annotations
@@ -55,7 +55,9 @@ class _TextLayout:
         return any(map(self.is_number, self.cells(text)))
 
     def is_sample(self, text: str) -> bool:
-        """Return True for a line with a number first, or with numbers in all numeric columns.
+        """Return True if a line contains a sample and not a heading.
+
+        A sample has a number in its first cell, or in all numeric columns.
 
         A line that begins with a number and continues with text is an invalid sample, not a heading.
         """
@@ -72,7 +74,10 @@ class _TextLayout:
 def read(
     path: Path, *, separator: str | None = None, decimal: str | None = None, header_rows: int | None = None
 ) -> Table:
-    """Read the columns of a text file; guess the unspecified options and note them."""
+    """Read the columns of a text file.
+
+    The function guesses the options that are None and adds notes on the guesses.
+    """
     text, bad_line = _text(path)
     notes = [Note("table.latin_1")] if bad_line else []
     lines = _lines(text)
@@ -98,9 +103,9 @@ def read(
 
 
 def read_exact(path: Path) -> Table:
-    """Read a CSV file of a recording: UTF-8, a heading line, a number in every cell.
+    """Read the CSV file of a recording: UTF-8 with a heading line and a number in every cell.
 
-    The complete headings are the names. Nothing is omitted or guessed.
+    The names in the table are the complete headings with their units. The function omits and guesses nothing.
     """
     text, bad_line = _text(path)
     if bad_line:
@@ -127,7 +132,10 @@ def read_exact(path: Path) -> Table:
 
 
 def _text(path: Path) -> tuple[str, int]:
-    """Return the content, and the number of the first line that is not UTF-8 (0 if none)."""
+    """Return the text of a file, and the number of the first line that is not UTF-8.
+
+    The number is 0 if the file is UTF-8 or UTF-16. Otherwise, the text is decoded as Latin-1.
+    """
     with path.open("rb") as file:
         content = file.read(LARGEST_TEXT + 1)  # a device has no size and can be endless
     if len(content) > LARGEST_TEXT:
@@ -158,7 +166,10 @@ def _separators(separator: str | None) -> Sequence[str]:
 
 
 def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
-    """Return the layout that reads most lines as numbers; on a tie, the one with more columns."""
+    """Return the layout (separator and decimal sign) with which most cells are numbers.
+
+    If several layouts are equally good, the result is the one with the most columns.
+    """
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
     if not choices:
@@ -188,7 +199,11 @@ def _scored(sample: Sequence[str], layout: _TextLayout) -> tuple[tuple[bool, flo
 
 
 def _parted(lines: list[Line], layout: _TextLayout, header_rows: int | None) -> tuple[list[Line], list[Line]]:
-    """Return header and samples. A `header_rows` that ends above the headings is extended."""
+    """Divide the lines of a file into header lines and samples.
+
+    `header_rows` is the number of header lines in the file, or None to detect them. Headings after that number are
+    also header lines.
+    """
     if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
         raise InputError("table.header_rows", "header_rows", value=header_rows)
     if header_rows is None:
@@ -205,7 +220,11 @@ def _parted(lines: list[Line], layout: _TextLayout, header_rows: int | None) -> 
 def _headings(
     head: list[Line], comments: list[Line], layout: _TextLayout, body: list[Line]
 ) -> tuple[list[str], list[str], list[Note]]:
-    """Return names and units from the last header line, or from it and a line of units below."""
+    """Return the names and units of the columns, with notes.
+
+    Names are in the last header line. If the last header line contains only units, names are in the line above.
+    Without suitable header lines, the names come from a comment line or are generated.
+    """
     rows = [layout.cells(text) for _, text in head]
     units = [unit_of(cell.strip("[]()")) for cell in rows[-1]] if len(rows) > 1 else []
     guessed = []
@@ -247,9 +266,10 @@ def _columns(body: list[Line], layout: _TextLayout, names: list[str]) -> tuple[l
 
 
 def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatArray | None:
-    """Return the columns of lines without empty cells, shape (width, n), None if there are others.
+    """Convert lines that contain only numbers to columns, shape (width, n).
 
-    This is the fast path of the readers.
+    The function is fast, so the readers try it first. The result is None if a cell is empty or is not a number, or if
+    the number of columns is not `width`.
     """
     try:
         table = np.loadtxt(texts, delimiter=delimiter, comments=None, quotechar='"', ndmin=2)
