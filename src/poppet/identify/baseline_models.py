@@ -1,4 +1,4 @@
-"""Linear reference models of the same recordings.
+"""Linear reference models, fitted to the same recordings for comparison with the circuit.
 
 Two models are fitted to each channel and its command: a first-order lag with dead time by simulation, and a
 second-order ARX model by least squares. Both then simulate the recording from its first measured value.
@@ -20,9 +20,9 @@ from poppet.timeseries.measurements import Measurement
 
 GREY_BOX, FIRST_ORDER, ARX, ONE_STEP = "circuit", "first order + dead time", "ARX", "ARX, one step"
 LONGEST_DEAD_TIME = 0.1
-"""Maximum dead time, as a fraction of the training window."""
+"""Upper limit on the dead time, as a fraction of the duration of the shortest recording."""
 LEAST_DEAD_TIME = 0.4
-"""Least value of the maximum dead time, limited to 20 % of the window [s]."""
+"""Smallest upper limit on the dead time, itself limited to 20 % of the shortest recording [s]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,20 +31,27 @@ class Response:
 
     name: str  # `recording.channel`
     time: FloatArray  # times of the samples, strictly increasing, from 0, (n,) [s]
-    measured: FloatArray  # the channel, (n,)
-    command_time: FloatArray  # start of each value, strictly increasing, also before 0, (m,) [s]
+    measured: FloatArray  # measured channel, (n,)
+    command_time: FloatArray  # start times of the commands, strictly increasing, possibly before 0, (m,) [s]
     command: FloatArray  # piecewise constant command, (m,)
-    first: float  # channel at time 0, smoothed
+    first: float  # smoothed value of the channel at time 0
 
     def commanded(self, time: FloatArray) -> FloatArray:
-        """Return the command at some times [s]; before its start, its first value."""
+        """Return the command at the times `time` [s].
+
+        At times before the first recorded command, the result is the first recorded command.
+        """
         # At the sample instant of a new command, use the new one, in spite of rounding errors of both clocks.
         index = np.searchsorted(self.command_time, time + 1e-9, side="right") - 1
         command: FloatArray = self.command[np.maximum(index, 0)]
         return command
 
     def even(self, step: float) -> tuple[FloatArray, FloatArray, FloatArray]:
-        """Return times at a constant step [s], the held command and the interpolated channel."""
+        """Resample command and channel at a constant time step `step` [s].
+
+        The result contains the times, the command (constant between its changes) and the linearly interpolated
+        channel.
+        """
         time = np.arange(0.0, self.time[-1] + 1e-9, step)
         return time, self.commanded(time), np.interp(time, self.time, self.measured)
 
@@ -67,7 +74,7 @@ class FirstOrder:
     offset: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
-        """Simulate the channel from its first value at the times of the samples."""
+        """Simulate the channel, starting from its first value, and return it at the sample times."""
         gain, offset, free = first_order_columns(response, self.dead_time, self.time_constant)
         return self.gain * gain + self.offset * offset + free
 
@@ -79,14 +86,14 @@ class SecondOrderArx:
     .. math:: y_k = a_1 y_{k-1} + a_2 y_{k-2} + b_1 u_{k-d} + b_2 u_{k-d-1} + c
     """
 
-    step: float  # between samples [s]
+    step: float  # time between two values of the model [s]
     dead_steps: int  # d
     a: FloatArray  # coefficients of the channel, (2,)
     b: FloatArray  # coefficients of the command, (2,)
     constant: float  # c
 
     def simulate(self, response: Response) -> FloatArray:
-        """Simulate the channel from its first value at the times of the samples."""
+        """Simulate the channel, starting from its first value, and return it at the sample times."""
         from scipy.signal import lfilter, lfiltic
 
         time = np.arange(0.0, response.time[-1] + self.step, self.step)
@@ -100,13 +107,19 @@ class SecondOrderArx:
         return simulated
 
     def one_step(self, response: Response) -> tuple[FloatArray, FloatArray]:
-        """Return the one-step predictions on an even grid, and the measured values."""
+        """Return one-step predictions of the channel, and the measured values at the same times.
+
+        Each prediction uses the two previous measured values. The times have the constant step of the model.
+        """
         time, _, measured = response.even(self.step)
         predicted = self._push(response, time)[2:] + self.a[0] * measured[1:-1] + self.a[1] * measured[:-2]
         return predicted, measured[2:]
 
     def _push(self, response: Response, time: FloatArray) -> FloatArray:
-        """Return the contribution of the command at each time.
+        """Return the terms of the difference equation that do not depend on the channel.
+
+        These terms are the contribution of the command and the constant. Before the first command takes effect, the
+        command is assumed to be the value that keeps the channel at its first value.
 
         Before the first command arrives, the channel is at rest.
         """
@@ -125,7 +138,7 @@ class SecondOrderArx:
 
 @dataclass(frozen=True)
 class Score:
-    """Agreement of one model with one channel.
+    """Agreement of one model with one measured channel.
 
     Parameters
     ----------
@@ -134,11 +147,11 @@ class Score:
     model : str
         Name of the model.
     held_out : bool
-        True if the window is a validation window.
+        True if the recording was withheld from the fit for validation.
     rms : float
         Root mean square of model - measured.
     nrmse : float
-        rms over the range (max - min) of the measurement.
+        Ratio of `rms` to the range (max - min) of the measurement.
     fit : float
         100 (1 - |model - measured| / |measured - its mean|) [%].
     samples : int
@@ -155,7 +168,7 @@ class Score:
 
 
 def score_model(response: str, model: str, held_out: bool, simulated: FloatArray, measured: FloatArray) -> Score:
-    """Compare a model with a measurement.
+    """Return the error measures of a simulated channel relative to its measurement.
 
     Examples
     --------
@@ -171,7 +184,11 @@ def score_model(response: str, model: str, held_out: bool, simulated: FloatArray
 def first_order_columns(
     response: Response, dead_time: float, time_constant: float
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the columns of gain and offset of a first-order lag, and its free response."""
+    """Return the linear terms of a first-order lag with given dead time and time constant.
+
+    The result contains the response per unit gain, the response per unit offset and the decay of the first value. The
+    modelled channel is gain times the first series plus offset times the second plus the third.
+    """
     start = max(0.0, float(response.command_time[0]) + dead_time)
     # Between commands the response is exponential: a grid of commands and samples makes it exact.
     arrival = response.command_time + dead_time
@@ -185,7 +202,7 @@ def first_order_columns(
 
 
 def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
-    """Fit a first-order lag with dead time by simulation.
+    """Fit a first-order lag with dead time to measured channels by minimising the simulation error.
 
     Examples
     --------
@@ -221,7 +238,11 @@ def fit_first_order(responses: Sequence[Response]) -> FirstOrder:
 
 
 def fit_arx(responses: Sequence[Response]) -> SecondOrderArx:
-    """Fit a second-order ARX model by least squares of the one-step errors."""
+    """Fit a second-order ARX model to measured channels.
+
+    Linear least squares on the one-step errors gives the coefficients for each dead time. The selected dead time has
+    the smallest simulation error.
+    """
     step = float(np.median(np.concatenate([np.diff(r.time) for r in responses])))
     best, least = None, np.inf
     for dead_steps in range(int(_longest_dead_time(responses) / step) + 1):
@@ -247,7 +268,7 @@ def _longest_dead_time(responses: Iterable[Response]) -> float:
 
 
 def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[Response]:
-    """Return the channels of a recording that have a command."""
+    """Return the channels for which `commands` names a command, each with this command."""
     inputs = {item.address: item for item in measurement.inputs}
     responses = []
     for channel in measurement.channels:
@@ -264,14 +285,14 @@ def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[
 
 
 def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None = None) -> list[Score]:
-    """Return the scores of both linear models and of the circuit on a fit file.
+    """Return the scores of both linear models, and of the circuit if `result` is given.
 
     Parameters
     ----------
     plan : FitPlan
         Plan with the recordings; those with `use = "validation"` are the validation data.
     commands : mapping
-        Address of each channel to the address of its command.
+        Mapping from the address of each channel to the address of its command.
     result : Result, optional
         Result of the fit of the circuit to the same plan.
 
@@ -307,7 +328,7 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
 
 
 def score_table(scores: Sequence[Score]) -> str:
-    """Return NRMSE and fit of each model as a Markdown table.
+    """Return a Markdown table of the NRMSE and the fit of each model.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Fields that files with measured columns share, and a column in SI units."""
+"""Fields that all files with measured columns share, and the conversion of a column to SI units."""
 
 from __future__ import annotations
 
@@ -22,24 +22,24 @@ FILE_FIELDS = {
     **dict.fromkeys((*TABLE_OPTIONS, "ambient_pressure"), Field()),
     "file": Field(is_required=True, meaning="table with the data", example='file = "points.csv"'),
 }
-"""Fields of each of these files."""
+"""Fields that each file with measured columns can have."""
 
 
 class ColumnReading(NamedTuple):
-    """Readings of a column in SI units; pressures are absolute."""
+    """Readings of one column in SI units; pressures are absolute."""
 
     values: FloatArray
     written_unit: str
-    unit: str  # the written unit with its reference condition, if that was added
+    unit: str  # unit as written in the file, with the reference condition if the reader added one
 
 
 def channel_field(name: str, *, is_required: bool = False) -> Field:
-    """Return the declaration of a channel of a file."""
+    """Return the declaration of the field that describes the channel `name` in a file."""
     return Field(type="table", is_required=is_required, example=f'{name} = {{ column = "...", unit = "..." }}')
 
 
 def read_ambient(fields: Mapping[str, Any]) -> float:
-    """Return the pressure to which the gauge pressures of a file refer [Pa]."""
+    """Return the ambient pressure of a file, the reference of its gauge pressures [Pa]."""
     try:
         return float(Ambient(pressure=fields.get("ambient_pressure", "1 bar")).pressure)  # type: ignore[arg-type]
     except InputError as error:
@@ -47,14 +47,14 @@ def read_ambient(fields: Mapping[str, Any]) -> float:
 
 
 def open_table(folder: Path, name: Any, fields: Mapping[str, Any]) -> Table:
-    """Read a table that a file names, with the options of the file."""
+    """Read the table `name`, with the options in the fields of the file that refers to it."""
     return read_table(folder / str(name), **{key: fields[key] for key in TABLE_OPTIONS if key in fields})
 
 
 def read_column(
     channel: str, fields: Mapping[str, Any], table: Table, unit: str, kind: Kind, ambient_pressure: float
 ) -> ColumnReading:
-    """Read the column of a channel and convert it to an SI unit."""
+    """Read the column of a channel from a table and convert it to an SI unit."""
     try:
         index = table.index(fields["column"])
         written_unit = str(fields.get("unit", table.units[index]))

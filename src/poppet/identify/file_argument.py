@@ -1,4 +1,4 @@
-"""Functions that accept data or the path of a file."""
+"""Decorator for functions that accept either data or the path of a file."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ Function = TypeVar("Function", bound=Callable[..., Any])
 
 
 def or_file(read: Callable[[str | Path], tuple[Any, dict[str, Any]]]) -> Callable[[Function], Function]:
-    """Return a decorator that lets a function accept a file path as its first argument.
+    """Return a decorator that lets a function accept a file path instead of its data.
+
+    The function `read` reads the file and returns the data and the keyword arguments of the file. Keyword arguments of
+    the call override those of the file.
 
     Keyword arguments override those of the file.
     """

@@ -1,4 +1,4 @@
-"""Free parameters of a fit: of the circuit, of start values, of sensors."""
+"""Free parameters of a fit: parameters of the circuit, start values and sensor parameters."""
 
 from __future__ import annotations
 
@@ -37,14 +37,14 @@ class NormalPrior:
 
 @dataclass(frozen=True)
 class FreeParameter:
-    """Free parameter.
+    """Parameter whose value a fit determines.
 
     Parameters
     ----------
     name : str
         Address in the result.
     address : str
-        Address of the changed parameter of the circuit, or of the channel or input with the lag, delay or offset.
+        Address of the circuit parameter, or of the channel or input to which the lag, delay or offset belongs.
     unit : str
         SI unit.
     start : float
@@ -56,7 +56,7 @@ class FreeParameter:
         `input_lag` (sensor lag of an input), `delay` (delay of the recorded input), `offset` (of the sensor of a
         channel) or `dead_time` (delay of the effect of an input).
     recording : str
-        Recording of the parameter; empty if all recordings share it.
+        Name of the only recording to which the parameter applies; empty if it applies to all recordings.
     prior : NormalPrior, optional
         Prior distribution.
     """
@@ -73,7 +73,7 @@ class FreeParameter:
 
     @property
     def bounds(self) -> tuple[float, float]:
-        """Lower and upper bound."""
+        """Lower and upper bound of the parameter."""
         return self.low, self.high
 
     @cached_property
@@ -86,17 +86,17 @@ class FreeParameter:
 
 
 def by_name(free: Sequence[FreeParameter], x: Iterable[float]) -> dict[str, float]:
-    """Return the values of free parameters by name."""
+    """Return a mapping from the name of each free parameter to its value in `x`."""
     return {f.name: float(v) for f, v in zip(free, x, strict=True)}
 
 
 def with_starts(free: Sequence[FreeParameter], x: Iterable[float]) -> tuple[FreeParameter, ...]:
-    """Return the free parameters with other start values."""
+    """Return copies of the free parameters with the start values `x`."""
     return tuple(replace(f, start=float(v)) for f, v in zip(free, x, strict=True))
 
 
 def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declaration of every parameter of the parts by address."""
+    """Return a mapping from the address of each parameter of the circuit to its declaration."""
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
         for key, number in part.numbers().items():
@@ -105,9 +105,9 @@ def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def _coefficient_spec(key: str, unit: str) -> NumberSpec:
-    """Return the declaration of a coefficient of a characteristic.
+    """Return the declaration of one coefficient of a characteristic.
 
-    Tabulated values of C and b have limits.
+    Tabulated values of C and b have limits; coefficients of polynomials have none.
     """
     match = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
     if match is None:
@@ -118,7 +118,10 @@ def _coefficient_spec(key: str, unit: str) -> NumberSpec:
 def read_free(
     address: str, table: Any, circuit: BaseCircuit, *, recording: str = "", name: str = "", where: str = ""
 ) -> FreeParameter:
-    """Read a free parameter; `where` is its location in the file, for messages."""
+    """Read the table of a free parameter.
+
+    `where` is the location of the table in the file. Messages use it.
+    """
     # Use the circuit, not its instance: the parts declare units and limits.
     numbers = circuit.numbers()
     # Exclude fields that a part sets in its members: a change of one alone would make them inconsistent.

@@ -1,4 +1,4 @@
-"""Uncertainty according to the GUM: degrees of freedom, coverage, tests of residuals."""
+"""Uncertainty according to the GUM: degrees of freedom, coverage factors and tests of residuals."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def effective_degrees_of_freedom(components: Sequence[tuple[float, float]]) -> f
 
 
 def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -> float:
-    """Return the half width of a two-sided interval in standard uncertainties (Student's t).
+    """Return the half width of a confidence interval, divided by the standard uncertainty (Student's t).
 
     References
     ----------
@@ -55,7 +55,10 @@ def coverage_factor(degrees_of_freedom: float, confidence: float = CONFIDENCE) -
 
 
 def widened(estimate: Estimate, share: float) -> Estimate:
-    """Return an estimate with a further relative standard uncertainty."""
+    """Return an estimate whose standard error includes a further relative standard uncertainty.
+
+    `share` is the further standard uncertainty, as a fraction of the value.
+    """
     value, error = estimate.value, share * abs(estimate.value)
     half = coverage_factor(math.inf) * error
     return replace(
@@ -80,7 +83,10 @@ def chi_square_probability(chi_square: float, degrees_of_freedom: int) -> float:
 
 
 def few_runs_probability(residuals: FloatArray) -> float:
-    r"""Return the probability of at most this number of runs of equal sign (Wald-Wolfowitz, exact).
+    r"""Return the probability of as few sign runs as observed, or fewer (Wald-Wolfowitz, exact).
+
+    A sign run is a sequence of successive residuals of equal sign. In the formula, P is the probability of 2k sign
+    runs, and n_+ and n_- are the numbers of positive and negative residuals.
 
     .. math::
 
@@ -88,8 +94,8 @@ def few_runs_probability(residuals: FloatArray) -> float:
 
     Notes
     -----
-    Odd numbers of runs, 2k + 1, split one sign into k + 1 runs and the other into k. The residuals of a fit
-    alternate a little more than independent ones, so a small probability is a cautious verdict.
+    With an odd number of sign runs, 2k + 1, one sign has k + 1 of them and the other has k. The residuals of a fit
+    change sign slightly more often than independent residuals. The test therefore rejects a fit less often than stated.
 
     References
     ----------
@@ -116,7 +122,9 @@ def few_runs_probability(residuals: FloatArray) -> float:
 
 
 def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    r"""Return the sensitivity of the estimates to the data, and a mask of determined parameters.
+    r"""Return the derivative of the estimates by the residuals, and a mask of determined parameters.
+
+    The derivative G is the pseudo-inverse of the Jacobian J of the residuals. cov is the covariance of the estimates.
 
     .. math:: G = J^{+}, \qquad \mathrm{cov} = G G^\mathsf{T}
     """
@@ -128,7 +136,7 @@ def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
 
 
 def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict[str, float]]:
-    """Return the correlations between all estimates."""
+    """Return the correlation of each pair of estimates, as a mapping from name to name to correlation."""
     errors = np.maximum(np.sqrt(np.diag(covariance)), 1e-300)
     # Divide in two steps: the product of the errors can underflow.
     table = np.clip(covariance / errors / errors[:, None], -1.0, 1.0)
@@ -137,7 +145,9 @@ def correlations(names: Sequence[str], covariance: FloatArray) -> dict[str, dict
 
 
 def corrected_penalty(numbers: int, samples: int) -> float:
-    """Return the penalty of AICc; infinite if there are too few samples.
+    """Return the penalty term of AICc for the number of parameters `numbers`.
+
+    The result is infinite if there are too few samples.
 
     References
     ----------
@@ -148,7 +158,10 @@ def corrected_penalty(numbers: int, samples: int) -> float:
 
 
 def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArray) -> FloatArray:
-    r"""Return the first-order shift of every parameter if one residual is omitted.
+    r"""Return the first-order shift of each parameter estimate if one residual is omitted.
+
+    G is `data_gain`, the derivative of the estimates by the residuals. J is the Jacobian, r_i is a residual and h_i
+    its leverage.
 
     .. math:: \Delta\theta_i = G_{\cdot i}\, \frac{r_i}{1 - h_i}, \qquad h_i = J_{i \cdot} G_{\cdot i}
 
@@ -163,12 +176,12 @@ def leave_one_out(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatA
 
 
 def studentised(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArray, freedom: int) -> FloatArray:
-    r"""Return each residual over its standard error from the other residuals.
+    r"""Return each residual divided by a standard error that is estimated from the other residuals.
 
     .. math:: t_i = e_i \sqrt{\frac{\nu - 1}{\nu - e_i^2}}, \qquad e_i = \frac{r_i}{s \sqrt{1 - h_i}}
 
-    with `freedom` - 1 degrees of freedom, where s is the standard deviation of the residuals and h their leverage;
-    not-a-number where a residual cannot be judged.
+    Here nu is `freedom`, s is the standard deviation of the residuals, and h_i is the leverage of r_i. The result
+    follows Student's t with `freedom` - 1 degrees of freedom. It is not-a-number if a residual cannot be tested.
 
     References
     ----------
@@ -183,7 +196,7 @@ def studentised(jacobian: FloatArray, residuals: FloatArray, data_gain: FloatArr
 
 
 class ClusterCovariance(NamedTuple):
-    """Covariance and degrees of freedom of estimates."""
+    """Covariance and degrees of freedom of estimates from residuals that are correlated within groups."""
 
     covariance: FloatArray  # (n, n); infinite on the diagonal if a parameter is not identifiable
     freedom: FloatArray  # degrees of freedom of each parameter, (n,)
@@ -191,6 +204,8 @@ class ClusterCovariance(NamedTuple):
 
 def clustered(jacobian: FloatArray, residuals: FloatArray, group: NDArray[np.int_], numbers: int) -> ClusterCovariance:
     r"""Return the covariance of the first `numbers` parameters for residuals correlated within groups.
+
+    `group` is the group of each residual. In the formula, J_g is the Jacobian of the residuals e_g of group g.
 
     .. math::
 

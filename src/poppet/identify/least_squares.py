@@ -39,15 +39,15 @@ from numpy.typing import NDArray
 FloatArray = NDArray[np.float64]
 
 LOOKED_BACK = 3
-"""Number of last steps whose maximum cost limits the next one."""
+"""Number of previous steps; their maximum cost limits the cost of the next step."""
 LATE = 1e-2
-"""Gain of a step, as a fraction of the cost, below which S is used; small residuals do not need it."""
+"""Relative decrease of the cost by a step below which S is used. With small residuals, S is not necessary."""
 SHRINKS, GROWS, SMALL = 0.5, 2.0, 0.1
-"""Largest relative decrease and increase of a parameter in one step; its least size, in units."""
+"""Largest relative decrease and increase of a parameter in one step; smallest size to which they refer, in `units`."""
 
 
 class LocalModel(NamedTuple):
-    """Local model of the residuals."""
+    """Local model of the residuals at one point: QR factors, Jacobian and derivative of the cost."""
 
     slopes: FloatArray  # R, (k, n): the curvature of the cost is R'R
     residual: FloatArray  # q, (k,): the gradient of the cost is R'q
@@ -56,7 +56,7 @@ class LocalModel(NamedTuple):
 
 
 class SearchResult(NamedTuple):
-    """Result of a search."""
+    """Result of a search: point, cost and termination reason."""
 
     x: FloatArray  # (n,)
     cost: float  # cost at x
@@ -66,7 +66,10 @@ class SearchResult(NamedTuple):
 
 
 def condense(columns: FloatArray) -> FloatArray:
-    """Return the triangular factor R of `columns`, (m, k), with the same products of columns."""
+    """Return the triangular factor R of the matrix `columns`, (m, k), from a QR factorisation.
+
+    The inner products of the columns of R equal those of the columns of the matrix.
+    """
     from scipy.linalg.lapack import dgeqrf
 
     rows = dgeqrf(columns)[0][: columns.shape[1]]
@@ -90,7 +93,7 @@ def search(
     precision: float = 1e-9,
     most: int = 200,
 ) -> SearchResult:
-    """Return the parameters with the least cost.
+    """Minimise a cost within bounds and return the point with the least cost.
 
     Parameters
     ----------
@@ -172,14 +175,18 @@ def _norms(columns: FloatArray) -> FloatArray:
 
 
 def _step_bounds(x: FloatArray, low: FloatArray, high: FloatArray, units: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the lowest and highest values of the parameters in one step."""
+    """Return the lowest and the highest value that one step permits for each parameter."""
     size = np.maximum(np.abs(x), SMALL * units)
     down = np.where(x >= 0.0, SHRINKS, GROWS)
     return np.maximum(low, x - down * size), np.minimum(high, x + (SHRINKS + GROWS - down) * size)
 
 
 def _update_curvature(bend: FloatArray, step: FloatArray, previous: LocalModel, now: LocalModel) -> FloatArray:
-    """Return S after a step: scaled, with the smallest consistent change."""
+    """Return the estimate of the curvature S after a step.
+
+    `bend` is S before the step. The update scales S and then applies the smallest change that agrees with the observed
+    change of the derivatives.
+    """
     gradient = now.residual @ now.slopes
     slope_change = gradient - previous.residual @ previous.slopes
     gradient_change = gradient - now.force @ previous.jacobian
@@ -202,7 +209,7 @@ def _solve_step(
     radius: float,
     unseen: float,
 ) -> FloatArray:
-    """Return the best step within a radius and bounds, in scaled parameters.
+    """Return the step to the least modelled cost within a radius and bounds, in scaled parameters.
 
     A parameter is fixed at a bound that stops a step. It becomes free again if the gradient points away from the bound.
     """
@@ -250,7 +257,10 @@ def _directions(
     indices: NDArray[np.int64],
     fixed_step: FloatArray,
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return curvatures, directions and gradients along them for some parameters; the others are fixed."""
+    """Return the principal curvatures, directions and gradients of the model for some parameters.
+
+    The other parameters are fixed.
+    """
     from scipy.linalg.lapack import dgesdd, dsyevd
 
     free_slopes, remaining = slopes, residual
@@ -267,7 +277,7 @@ def _directions(
 def _steps_within(
     curvatures: FloatArray, slopes_along: FloatArray, radius: float, unseen: float
 ) -> tuple[FloatArray, float]:
-    """Return the steps to the least cost within a radius, and the damping."""
+    """Return the steps along the principal directions to the least cost within a radius, and the damping."""
     # The curvatures are sorted, in ascending or descending order.
     lowest, greatest = sorted((float(curvatures[0]), float(curvatures[-1])))
     floor = unseen * max(greatest, -lowest, 1e-290)

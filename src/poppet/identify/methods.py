@@ -1,4 +1,4 @@
-"""Registry of the identification methods. A method is one declaration and one package."""
+"""Registry of the identification methods; each method is one declaration and one package."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _INTERVALS_OF_FITS = (
 
 
 class MethodOption(NamedTuple):
-    """Option of the command line that only some methods have."""
+    """Command-line option that only some identification methods have."""
 
     option: Option
     # Keyword argument of `run` that takes the value; empty for an option that writes a file.
@@ -32,7 +32,9 @@ class MethodOption(NamedTuple):
 
 
 class Method(NamedTuple):
-    """Identification method.
+    """Declaration of an identification method.
+
+    A function can be given as text `module:name`. The module is then imported on first use.
 
     The text form `module:name` of a function delays its import.
     """
@@ -55,14 +57,17 @@ class Method(NamedTuple):
     text: Callable[[Any, int | None], str] | str = SUMMARY  # terminal output with at most so many findings
 
     def identify(self, path: str | Path, **options: Any) -> Any:
-        """Run the method on a file; `progress` and `stages` are ignored if it does not take them."""
+        """Run the method on a file and return the result.
+
+        `progress` and `stages` are ignored if the method does not accept them.
+        """
         run = imported(self.run)
         accepted = inspect.signature(run).parameters
         is_accepted = {key: key in accepted or key not in ("progress", "stages") for key in options}
         return run(Path(path), **{key: value for key, value in options.items() if is_accepted[key]})
 
     def file_schema(self) -> dict[str, Any]:
-        """Return the JSON schema of the files of the method."""
+        """Return the JSON schema of the input files of the method."""
         from poppet.core.tables import table_schema
 
         title = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": f"poppet identify {self.name}"}
@@ -70,7 +75,7 @@ class Method(NamedTuple):
 
 
 def imported(value: Any) -> Any:
-    """Return an object, or import it from its text form `module:name`."""
+    """Return the object itself, or the object that its text form `module:name` refers to."""
     if not isinstance(value, str) or not value:
         return value
     module, _, name = value.partition(":")

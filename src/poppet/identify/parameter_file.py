@@ -1,4 +1,4 @@
-"""Circuits with the parameters of a file: results of an identification, or controller gains."""
+"""Application of parameters from a file to a circuit: identification results or controller gains."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ UNTRUSTED = ("not determined", "at bound")
 
 
 def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, list[str]]:
-    """Return a circuit with the values of a file, and the unreliable parameters.
+    """Return a circuit with the parameter values of a file, and a list of unreliable parameters.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
 
 
 def _muscle(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
-    """Return the fields of a fitted muscle, with its law and size."""
+    """Return the circuit fields that describe a fitted muscle: law, parameters and size."""
     law, values = result.comparison.get("law"), result.values()
     name = next(iter(values), "").partition(".")[0]
     muscles = {name: part for name, part in circuit.parts.items() if isinstance(part, MuscleLawPart)}

@@ -34,7 +34,7 @@ DETERMINED, WEAK = 0.1, 0.5
 
 @dataclass(frozen=True)
 class Estimate:
-    """Estimate of a free parameter.
+    """Estimate of a free parameter, with its interval and verdict.
 
     Parameters
     ----------
@@ -45,7 +45,7 @@ class Estimate:
     standard_error : float
         Standard error; infinite if the data do not determine the parameter.
     low, high : float
-        Interval of 95 %.
+        Lower and upper end of the 95 % confidence interval.
     verdict : str
         `determined`, `weak`, `not determined` or `at bound`.
     start : float
@@ -63,14 +63,14 @@ class Estimate:
 
 @dataclass(frozen=True)
 class ResidualSummary:
-    """Summary of model minus measurement of a channel.
+    """Statistics of the residuals (model - measurement) of one channel.
 
     Parameters
     ----------
     rms : float
         Root mean square, in `unit`.
     nrmse : float
-        rms over the range (max - min) of the measurement.
+        Ratio of `rms` to the range (max - min) of the measurement.
     bias : float
         Mean of model - measurement, in `unit`.
     unit : str
@@ -87,7 +87,7 @@ class ResidualSummary:
 
     @classmethod
     def of(cls, model: FloatArray, measured: FloatArray, unit: str) -> ResidualSummary:
-        """Return the summary of two series.
+        """Return the statistics of the difference of a modelled and a measured series.
 
         Parameters
         ----------
@@ -118,11 +118,11 @@ class Result(HtmlMixin):
     title : str
         Title of the result.
     parameters : mapping
-        Address to estimate.
+        Mapping from the address of each free parameter to its estimate.
     residuals : mapping
-        `recording.channel` to summary.
+        Mapping from `recording.channel` to the statistics of the residuals.
     correlation : mapping
-        Address to address to correlation of the estimates.
+        Correlations: mapping from the address of one parameter to a mapping from another address to the correlation.
     comparison : mapping
         AICc, and comparisons with other models.
     remarks : tuple of Note
@@ -200,7 +200,7 @@ class Result(HtmlMixin):
         return bool(self.conditions.get("interrupted", False))
 
     def lines(self) -> list[str]:
-        """Return a line of text for each estimate and for the residuals of each channel.
+        """Return one line of text for each estimate, and one for the residuals of each channel.
 
         Returns
         -------
@@ -253,7 +253,7 @@ class Result(HtmlMixin):
         return plot_fitted_series(tables, path, title=self.title)
 
     def content(self) -> dict[str, Any]:
-        """Return all content of the file as plain tables."""
+        """Return the content of the result file as plain tables."""
         return {
             "method": self.method,
             "title": self.title,
@@ -289,7 +289,7 @@ finding that replaces them otherwise."""
 
 
 def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Estimate]) -> tuple[Note, ...]:
-    """Replace or drop the findings that depend on a parameter that is not determined."""
+    """Replace or remove the findings that refer to a parameter that is not determined."""
     findings = []
     for note in notes:
         fact, replacement = DEPENDENT_FINDINGS.get(note.code, ("", ""))
@@ -302,19 +302,25 @@ def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Es
 
 
 def fitted_number(estimate: Estimate, title: str) -> Number:
-    """Return an estimate as a number whose source is `fitted`."""
+    """Return the value of an estimate as a parameter value whose source is `fitted`."""
     note = f"+/- {estimate.standard_error:.3g} ({estimate.verdict})"
     return Number(estimate.value, estimate.unit, Source("fitted", title, note))
 
 
 def judged(half: float, size: float, limits: tuple[float, float] = (DETERMINED, WEAK)) -> Verdict:
-    """Return the verdict on half an interval relative to a size."""
+    """Return the verdict on an interval.
+
+    The verdict depends on the ratio of the half width `half` to the reference `size`. `limits` are the ratios up to
+    which a parameter is determined and weakly determined.
+    """
     # In this order not-a-number and infinity are "not determined".
     return "determined" if half <= limits[0] * size else "weak" if half <= limits[1] * size else "not determined"
 
 
 def behind(unit: str) -> str:
-    """Return a unit as it follows a number.
+    """Return a unit in the form in which it follows a value, with a leading space.
+
+    The result is empty for a dimensionless quantity.
 
     Examples
     --------
@@ -335,12 +341,12 @@ def read_result(path: str | Path) -> Result:
     Returns
     -------
     Result
-        Without the series.
+        Result of the file; `series` is empty.
 
     Raises
     ------
     InputError
-        If the file is no result.
+        If the file is not a result file.
     """
     from poppet.core.toml_file import TomlFile
 
@@ -371,7 +377,10 @@ def read_result(path: str | Path) -> Result:
 
 
 def _remarks(sentences: Sequence[str], tables: Sequence[Mapping[str, Any]]) -> tuple[Note, ...]:
-    """Return the findings of a file; a finding of another version stays as its sentence."""
+    """Return the findings of a result file.
+
+    A finding that this version of `poppet` does not know is kept as a sentence.
+    """
     if len(tables) != len(sentences):
         return notes_of(sentences)
     remarks: list[Note] = []

@@ -1,1 +1,1 @@
-"""C(x) and b(x) from tests at several strokes."""
+"""Identification of C(x) and b(x) from tests at several strokes."""

@@ -1,4 +1,4 @@
-"""Files of `identify characteristic`: lists of tests, and fitted characteristics."""
+"""Input files of `identify characteristic`, and files with the fitted characteristics."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from poppet.laws.curves import characteristic_from_mapping
 from poppet.timeseries.measurements import read_measurement
 
 CLOSING = 2e-5
-"""Default stroke over which a seat closes, as in the closed characteristic of the library [m]."""
+"""Default stroke over which C falls to zero at the seat, as in the library characteristic that closes [m]."""
 OPTIONS = (
     "form", "degree_conductance", "degree_ratio", "domain", "knots", "joint", "common", "bootstrap", "seed",
 )  # fmt: skip
@@ -40,7 +40,7 @@ TOP_LEVEL = {
     **dict.fromkeys(("recording", "set", "free"), Field(type="table")),
 }
 SOURCES = ("file", "result", "sonic_conductance")
-"""Sources of C and b; a test has one of them."""
+"""Fields that can give C and b of a test; each test has exactly one of them."""
 _POINT = {f"{u}{name}": Field(unit=unit) for u in ("", "u_") for name, unit in UNITS.items()}
 OF_TEST = {
     **dict.fromkeys(("name", "result", "part", "file"), Field()),
@@ -52,7 +52,9 @@ OF_TEST = {
 
 
 def write_characteristic(result: Result, path: str | Path, *, closing: float | None = None) -> None:
-    """Write a fitted characteristic for `characteristic = "mine.toml"` in a circuit file.
+    """Write a fitted characteristic to a file that a circuit file can refer to.
+
+    The circuit file refers to it by `characteristic = "mine.toml"`.
 
     Parameters
     ----------
@@ -61,8 +63,8 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
     path : str or Path
         A `.toml` file.
     closing : float, optional
-        Stroke over which C falls to zero; 0 for none. The default is none for polynomials. For a spline it is 0.02 mm,
-        or the first tested stroke if that is smaller [m].
+        Stroke over which C falls to zero at the seat [m]; 0 leaves the curve unchanged. The default is 0 for
+        polynomials. For a spline it is 0.02 mm, or the first tested stroke if that is smaller.
 
     Raises
     ------
@@ -76,7 +78,7 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
 
 
 def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
-    """Return the content of the file that `write_characteristic` writes."""
+    """Return the content of the file that `write_characteristic` writes, as a table."""
     if result.method != "characteristic":
         raise InputError("characteristic.other_method", method=result.method)
     conditions, is_table = result.conditions, result.conditions["form"] == "spline"
@@ -118,7 +120,7 @@ def _millimetres(x: float) -> str:
 
 @dataclass
 class _BenchContext:
-    """Common data of the tests of a file."""
+    """Settings that all tests of a file share."""
 
     folder: Path
     passage: str
@@ -129,7 +131,7 @@ class _BenchContext:
 
 
 def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[str, Any]]:
-    """Read a list of tests.
+    """Read a file that lists tests at several strokes.
 
     Parameters
     ----------

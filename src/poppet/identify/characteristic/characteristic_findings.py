@@ -1,4 +1,7 @@
-"""Findings on fitted curves, the most important first.
+"""Findings on the fitted curves of C and b, the most important first.
+
+The test of the constraint that C does not fall compares three fits: splines with the constraint, splines without it,
+and polynomials.
 
 The test of a rising C compares the splines with and without the constraint, and the polynomials.
 """
@@ -20,24 +23,24 @@ from poppet.identify.gum import few_runs_probability
 from poppet.timeseries.checks import FloatArray as Array
 
 GAP = 3.0
-"""Distance of neighbouring strokes, relative to the median, above which a gap is reported."""
+"""Distance of neighbouring strokes, relative to the median distance, above which a gap is reported."""
 FAR = 4.0
 """Difference of repeated tests that is significant, in standard deviations."""
 REJECTED = 0.01
 """Probability below which the constraint is rejected."""
 FLAT = 1e-6
-"""Relative increment below which the constraint is active, and residual in sigmas that counts as zero."""
+"""Relative increment of C below which the constraint is active; also the residual in sigmas below which it is zero."""
 
 
 @dataclass(frozen=True)
 class MonotoneVerdict:
-    """Test of the constraint that C does not fall."""
+    """Result of the test of the constraint that C does not fall with the stroke."""
 
     rejected: bool  # True if the data reject the constraint
-    probability: float  # of such a gain if C does not fall
+    probability: float  # probability of this gain or a larger one if C does not fall
     gain: float  # reduction of chi-square of C without the constraint, relative to the scatter
     held: int  # number of increments that the constraint keeps at zero
-    runs_probability: float  # of so few runs of sign in the residuals of C at active constraints
+    runs_probability: float  # probability of so few sign runs in the residuals of C at active constraints
     fall: float  # relative fall of the unconstrained C beyond its maximum
     fall_from: float  # stroke of the maximum [m]
     aicc_constrained: float
@@ -48,13 +51,16 @@ class MonotoneVerdict:
 def judge_monotone(
     fit: CurveFit, free: CurveFit, rival: CurveFit | None, evidence: Sequence[TestEvidence]
 ) -> MonotoneVerdict:
-    """Test the constraint of a rising spline.
+    """Test whether the data reject the constraint that C does not fall with the stroke.
+
+    `fit` is the spline with the constraint, `free` the spline without it, and `rival` the polynomial.
 
     Notes
     -----
-    Under the constraint, the gain follows a mixture of chi-square distributions. Its largest number of degrees of
-    freedom is the number of active increments; the test uses this number, which is conservative. The gain is divided by
-    the lack of fit of the unconstrained spline, so that too few knots do not reject the constraint.
+    The gain is the reduction of chi-square without the constraint. If C does not fall, the gain follows a mixture of
+    chi-square distributions with at most as many degrees of freedom as active constraints. The test uses this number,
+    which is conservative. The gain is divided by the lack of fit of the unconstrained spline. Otherwise a spline with
+    too few knots could reject the constraint.
     """
     from scipy.special import chdtrc
 
@@ -86,7 +92,10 @@ def judge_monotone(
 
 
 def curve_residuals(fit: CurveFit, evidence: Sequence[TestEvidence], curve_index: int) -> Array:
-    """Return curve minus the value of each test in standard uncertainties, in the order of the strokes."""
+    """Return the curve minus the value of each test, divided by the standard uncertainty of the test.
+
+    The curve is C for `curve_index` 0 and b for 1. The residuals are in the order of the strokes.
+    """
     ordered = sorted(evidence, key=lambda e: e.stroke)
     curve = fit.curve(curve_index, np.array([e.stroke for e in ordered]))
     residuals = np.array(
@@ -103,7 +112,7 @@ def characteristic_findings(
     domain: tuple[float, float],
     joint: bool,
 ) -> tuple[Note, ...]:
-    """Return findings on the curves and the tests, the most important first."""
+    """Return findings on the fitted curves and the tests, the most important first."""
     notes = _constraint(verdict, joint) if verdict else []
     notes += _twin(fit, evidence) + _invalid_values(fit, domain) + _lack_of_fit_notes(fit)
     uninformative = [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]
@@ -127,7 +136,7 @@ def characteristic_findings(
 
 
 def _twin(fit: CurveFit, evidence: Sequence[TestEvidence]) -> list[Note]:
-    """Return a finding on equivalent curves with another wall conductance."""
+    """Return a finding on an equivalent fit with other curves and another wall conductance."""
     if fit.twin is None:
         return []
     strokes = np.array([e.stroke for e in evidence])
@@ -139,7 +148,7 @@ def _twin(fit: CurveFit, evidence: Sequence[TestEvidence]) -> list[Note]:
 
 
 def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
-    """Return findings on the constraint of the rising spline."""
+    """Return findings on the constraint that C does not fall."""
     numbers = {name: getattr(verdict, name) for name in ("gain", "probability", "runs_probability")}
     numbers |= {"constrained": verdict.aicc_constrained, "unconstrained": verdict.aicc_free}
     polynomial = verdict.aicc_polynomial
@@ -152,7 +161,7 @@ def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
 
 
 def _invalid_values(fit: CurveFit, domain: tuple[float, float]) -> list[Note]:
-    """Return findings on curves with invalid values within the domain."""
+    """Return findings on invalid values of C or b within the domain."""
     x = np.linspace(*domain, 401)
     conductance, ratio = fit.curve(0, x), fit.curve(1, x)
     notes = []
@@ -168,7 +177,7 @@ def _invalid_values(fit: CurveFit, domain: tuple[float, float]) -> list[Note]:
 
 
 def _lack_of_fit_notes(fit: CurveFit) -> list[Note]:
-    """Return findings on curves that the tests reject."""
+    """Return findings on curves that the tests contradict."""
     notes = []
     for name, misfit in zip(NUMBERS, fit.misfits, strict=True):
         curve = "C(x) and b(x)" if fit.misfits[0] is fit.misfits[1] else f"{SYMBOLS[name]}(x)"
@@ -197,7 +206,7 @@ def _repeats(evidence: Sequence[TestEvidence]) -> list[Note]:
 
 
 def _coverage(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
-    """Return findings on ranges of the domain without tests."""
+    """Return findings on ranges of stroke within the domain that no test covers."""
     strokes = np.unique([e.stroke for e in evidence])
     steps = np.diff(strokes)
     notes = []
@@ -210,7 +219,10 @@ def _coverage(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> 
 
 
 def _joint_difference(fit: CurveFit, by_test: CurveFit) -> Note:
-    """Return a finding on the difference between the joint fit and the fit test by test."""
+    """Return a finding on the difference between two fits of the curves.
+
+    The first fit uses all recorded samples together. The second uses C and b of each single test.
+    """
     shape = fit.shapes[0]
     ends = shape.domain if isinstance(shape, PolynomialShape) else (shape.knots[0], shape.knots[-1])
     x = np.linspace(*ends, 101)

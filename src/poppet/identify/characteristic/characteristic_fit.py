@@ -1,4 +1,4 @@
-"""Fits of C(x) and b(x): weighted fit to C and b of each test, and joint fit to all histories."""
+"""Fits of the curves C(x) and b(x), either to C and b of each test or to all recorded samples."""
 
 from __future__ import annotations
 
@@ -34,7 +34,10 @@ APART = 0.01
 
 
 class HistoryTerm:
-    """Test with its recorded histories; the fit to this test gives the noise."""
+    """Residuals of one test with recorded samples.
+
+    The noise of the samples is that of the fit to this test alone.
+    """
 
     def __init__(self, test: StrokeRecording, evidence: TestEvidence) -> None:
         assert evidence.optimum is not None
@@ -44,7 +47,11 @@ class HistoryTerm:
         self.largest = float(evidence.centre[0])
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Return the residuals of all samples of all channels, and their derivatives."""
+        """Return the residuals of all samples of the test, and their derivatives.
+
+        `z` contains C and b. `nuisance` contains the free parameters of the bench. The residuals are divided by the
+        noise.
+        """
         law_values = np.array([max(z[0], SMALLEST * self.largest), min(max(z[1], 0.0), LARGEST_RATIO)])
         series, slopes = self.experiment.outputs_and_slopes(by_name(self.free, (*law_values, *nuisance)))
         channels = self.experiment.measurement.channels
@@ -56,9 +63,9 @@ class HistoryTerm:
 
 @dataclass(frozen=True, eq=False)
 class LackOfFit:
-    """Lack of fit of the tests, in their uncertainties."""
+    """Lack of fit of the curves to the tests, relative to the uncertainties of the tests."""
 
-    chi_square: float  # sum of squares minus those of the single tests
+    chi_square: float  # sum of squared residuals minus that of the separate fits to the tests
     freedom: int
 
     @property
@@ -73,39 +80,43 @@ class LackOfFit:
 
     @property
     def coverage(self) -> float:
-        """Half a 95 % interval over a standard uncertainty.
+        """Ratio of the half width of a 95 % interval to the standard uncertainty.
 
-        The stated uncertainties of the tests add degrees of freedom to those of the lack of fit.
+        If the lack of fit enlarges the uncertainty, the ratio uses Student's t. Its degrees of freedom are those of the
+        lack of fit plus those of the stated uncertainties.
         """
         return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 
 
 @dataclass(frozen=True, eq=False)
 class CurveFit:
-    """Fitted curves of C and b."""
+    """Fitted curves of C and b versus stroke."""
 
-    shapes: Shapes  # of C and b
-    theta: Array  # free parameters of both, then the scaled parameters of the bench
+    shapes: Shapes  # shapes of C and b
+    theta: Array  # free parameters of C, of b, then the scaled parameters of the bench
     nuisance: tuple[FreeParameter, ...]  # parameters of the bench
-    # Of theta, with the variance factor. Bounds are ignored, so that a constraint makes no interval narrower.
+    # Covariance of theta, with the variance factor. Bounds are ignored: a constraint must not make intervals narrower.
     covariance: Array
-    misfits: tuple[LackOfFit, LackOfFit]  # of C and b; the same object if a test couples them
-    common: tuple[float, float]  # relative standard uncertainty common to all C, and that common to all b
+    misfits: tuple[LackOfFit, LackOfFit]  # lack of fit of C and b; the same object if a test couples C and b
+    common: tuple[float, float]  # standard uncertainties of errors that all tests share: of C (relative) and of b
     evaluations: int  # number of evaluations of all tests
     cost: float = math.nan  # half the sum of squared residuals
     twin: CurveFit | None = None  # equivalent curves
 
     def part(self, index: int) -> slice:
-        """Return the slice of C (0), b (1) or the bench (2) in theta."""
+        """Return the slice of `theta` that contains the parameters of C (0), b (1) or the bench (2)."""
         first, second = self.shapes[0].size, self.shapes[0].size + self.shapes[1].size
         return (slice(0, first), slice(first, second), slice(second, self.theta.size))[index]
 
     def curve(self, index: int, x: Array) -> Array:
-        """Return C (0) or b (1) at strokes, (n,)."""
+        """Return C (`index` 0) or b (`index` 1) at the strokes `x`, (n,)."""
         return self.shapes[index].values(self.theta[self.part(index)], x)
 
     def standard_uncertainty(self, index: int, x: Array) -> Array:
-        """Return the standard uncertainty of C (0) or b (1) at strokes, including common errors, (n,)."""
+        """Return the standard uncertainty of C (`index` 0) or b (`index` 1) at the strokes `x`, (n,).
+
+        It includes the errors that all tests have in common.
+        """
         part = self.part(index)
         slopes = self.shapes[index].slopes(self.theta[part], x)
         variance = np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes)
@@ -114,27 +125,27 @@ class CurveFit:
 
     @property
     def chi_square(self) -> float:
-        """Chi-square of both curves."""
+        """Chi-square of the lack of fit of both curves."""
         return sum(m.chi_square for m in dict.fromkeys(self.misfits))
 
     @property
     def freedom(self) -> int:
-        """Degrees of freedom of both curves."""
+        """Degrees of freedom of the lack of fit of both curves."""
         return sum(m.freedom for m in dict.fromkeys(self.misfits))
 
     @property
     def size(self) -> int:
-        """Number of free parameters of the curves."""
+        """Number of free parameters of both curves."""
         return self.shapes[0].size + self.shapes[1].size
 
     def aicc(self) -> float:
-        """Return the corrected Akaike information criterion of the curves for known noise."""
+        """Return the corrected Akaike information criterion (AICc) of both curves, for known noise."""
         return self.chi_square + corrected_penalty(self.size, self.freedom + self.size)
 
 
 @dataclass
 class _CurveObjective:
-    """Residuals of all tests as a function of theta, with their derivatives."""
+    """Residuals of all tests as a function of the parameters `theta`, with their derivatives."""
 
     terms: Sequence[TestEvidence | HistoryTerm]
     strokes: Array
@@ -174,7 +185,7 @@ class _CurveObjective:
 def fit_evidence(
     evidence: Sequence[TestEvidence], shapes: Shapes, common: tuple[float, float] = (0.0, 0.0)
 ) -> CurveFit:
-    """Fit the curves to the C and b of each single test."""
+    """Fit the curves to the values of C and b from the single tests."""
     strokes = np.array([e.stroke for e in evidence])
     objective = _CurveObjective(evidence, strokes, shapes, ())
     centres = np.array([e.centre for e in evidence])
@@ -189,7 +200,7 @@ def fit_histories(
     first_fit: CurveFit,
     progress: Callable[[int, float], Any] | None = None,
 ) -> CurveFit:
-    """Fit all coefficients to all recorded histories."""
+    """Fit the coefficients of both curves to all recorded samples of all tests together."""
     pairs = list(zip(tests, evidence, strict=True))
     terms = [HistoryTerm(t, e) if isinstance(t, StrokeRecording) else e for t, e in pairs]
     nuisance = tuple(dict.fromkeys(f for term in terms for f in term.nuisance))
@@ -217,9 +228,12 @@ def fit_histories(
 
 
 def _opposite_starts(objective: _CurveObjective, fit: CurveFit) -> Iterator[Array]:
-    """Yield starts at the opposite thermal limit if only pressures determine the wall conductance.
+    """Yield start points for a search at the opposite thermal limit of the tank.
 
-    An adiabatic charge with C equals an isothermal charge with kappa C.
+    They are necessary only if no recorded temperature determines the wall conductance.
+
+    The pressure of an adiabatic charge with conductance C equals that of an isothermal charge with kappa C, where kappa
+    is the isentropic exponent.
     """
     experiments = [term.experiment for term in objective.terms if isinstance(term, HistoryTerm)]
     for index, unit in thermal_units(experiments, objective.nuisance).items():
@@ -238,7 +252,7 @@ def _fit_curves(
     single_cost: float,
     common: tuple[float, float],
 ) -> CurveFit:
-    """Return the fit from a start point."""
+    """Fit the curves, starting the search from `theta`."""
     from scipy.optimize import least_squares
 
     ends = [s.bounds for s in objective.shapes]
@@ -271,7 +285,10 @@ def _fit_curves(
 def _lack_of_fit(
     objective: _CurveObjective, evidence: Sequence[TestEvidence], residual: Array, single_cost: float
 ) -> tuple[LackOfFit, LackOfFit]:
-    """Return the lack of fit of both curves together, or of each if no test couples them."""
+    """Return the lack of fit of C and of b.
+
+    If a test couples C and b, both items are the same joint lack of fit.
+    """
     n_determined = np.isfinite([e.uncertainty for e in evidence]).sum(axis=0)
     sizes = [shape.size for shape in objective.shapes]
     if objective.nuisance or single_cost or any(e.root[0, 1] for e in evidence):
@@ -287,7 +304,10 @@ def _lack_of_fit(
 def bootstrap_bands(
     fit: CurveFit, evidence: Sequence[TestEvidence], x: Array, count: int, seed: int
 ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-    """Return 95 % bands of C and b from a parametric bootstrap of the tests, with all constraints."""
+    """Return 95 % bands of C and b from a parametric bootstrap.
+
+    Each bootstrap fit uses random errors of all tests and satisfies all constraints of the curves.
+    """
     generator = np.random.default_rng(seed)
     strokes = np.array([e.stroke for e in evidence])
     truth = np.column_stack([fit.curve(0, strokes), fit.curve(1, strokes)])
@@ -309,20 +329,23 @@ TEMPERATURE = "temperature"
 
 @dataclass(frozen=True)
 class AmbientUncertainty:
-    """Relative standard uncertainties caused by assumed temperatures."""
+    """Relative standard uncertainties caused by temperatures that are assumed because they are not stated."""
 
-    unstated: tuple[str, ...]  # addresses of these temperatures
-    conductance: float  # common to all C
-    shares: dict[str, float]  # by free parameter of the bench
+    unstated: tuple[str, ...]  # addresses of the temperatures that are not stated
+    conductance: float  # relative standard uncertainty that all values of C share
+    shares: dict[str, float]  # relative standard uncertainty by free parameter
 
     def note(self, names: Sequence[str]) -> Note:
-        """Return a finding for the parameters whose intervals include the uncertainty."""
+        """Return a finding that names the parameters whose intervals include this uncertainty."""
         facts = {"percent": 100.0 * self.conductance / SPREAD, "spread": SPREAD, "untold": self.unstated}
         return Note("characteristic.room", "sonic_conductance", **facts, names=tuple(names))
 
 
 def ambient_uncertainty(tests: Sequence[StrokeTest], evidence: Sequence[TestEvidence]) -> AmbientUncertainty | None:
-    """Return the uncertainty caused by unstated temperatures, or None if all are stated."""
+    """Return the uncertainty caused by temperatures that are not stated.
+
+    The result is None if all temperatures are stated.
+    """
     unstated, largest = list[str](), dict[str, float]()
     for test, test_evidence in zip(tests, evidence, strict=True):
         if isinstance(test, StrokeRecording) and (defaults := _default_temperatures(test)):
@@ -336,7 +359,10 @@ def ambient_uncertainty(tests: Sequence[StrokeTest], evidence: Sequence[TestEvid
 
 
 def _default_temperatures(test: StrokeRecording) -> dict[str, float]:
-    """Return the temperatures of a circuit that are defaults, or nothing if a temperature is recorded."""
+    """Return the temperatures of the circuit that have default values, by address.
+
+    The result is empty if the recording contains a temperature.
+    """
     recorded = [c.address for c in (*test.measurement.channels, *test.measurement.inputs)] + [*test.measurement.start]
     if any(address.endswith(TEMPERATURE) for address in recorded):
         return {}
@@ -345,7 +371,10 @@ def _default_temperatures(test: StrokeRecording) -> dict[str, float]:
 
 
 def _relative_shifts(test: StrokeRecording, evidence: TestEvidence, defaults: dict[str, float]) -> dict[str, float]:
-    """Return the relative shift of each free parameter for temperatures that are `SPREAD` higher, to first order."""
+    """Return the relative change of each free parameter if the default temperatures rise by `SPREAD`.
+
+    The changes are computed to first order.
+    """
     assert evidence.optimum is not None
     x = evidence.optimum.x
     warm = test.circuit.with_values({address: value + SPREAD for address, value in defaults.items()})

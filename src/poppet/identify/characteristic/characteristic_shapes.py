@@ -1,4 +1,4 @@
-"""Shapes of C(x) and b(x) with scaled free parameters: polynomials and monotone cubic splines."""
+"""Curve shapes for C(x) and b(x), polynomials and monotone cubic splines, with scaled parameters."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ MILLIMETRES = 1e3
 LARGEST_RATIO = 0.999
 """Upper bound of b at the knots of a spline."""
 STEP = 1e-7
-"""Step of the forward differences, relative to the maximum free parameter."""
+"""Step of the forward differences, relative to the largest free parameter."""
 
 
 @dataclass(frozen=True)
 class PolynomialShape:
-    """Polynomial as a Chebyshev series over the domain.
+    """Polynomial of the stroke, represented as a Chebyshev series over the domain.
 
     From 0 to 1 mm, the powers up to degree 7 have a condition number of about 1e5; that of the Chebyshev polynomials
     is about 2.
@@ -36,12 +36,12 @@ class PolynomialShape:
 
     @property
     def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free parameters, (size,) each."""
+        """Lower and upper bounds of the free parameters, shape (size,) each."""
         return np.full(self.size, -np.inf), np.full(self.size, np.inf)
 
     @cached_property
     def numbers_matrix(self) -> Array:
-        """Matrix from free parameters to the parameters of a characteristic, without the scale."""
+        """Matrix that converts Chebyshev coefficients to powers of the stroke in mm, without the scale."""
         from numpy.polynomial import Chebyshev, Polynomial
 
         window = [MILLIMETRES * x for x in self.domain]
@@ -52,15 +52,15 @@ class PolynomialShape:
         return columns
 
     def numbers(self, theta: Array) -> Array:
-        """Return the coefficients, highest power first."""
+        """Return the coefficients of the powers of the stroke in mm, highest power first."""
         return np.asarray(self.scale * (self.numbers_matrix @ theta))
 
     def values(self, theta: Array, x: Array) -> Array:
-        """Return the curve at strokes, (n,), in its unit."""
+        """Return the curve with parameters `theta` at the strokes `x`, (n,), in the unit of the curve."""
         return np.asarray(self.slopes(theta, x) @ theta)
 
     def slopes(self, theta: Array, x: Array) -> Array:
-        """Return the derivatives of the curve by the free parameters, (n, size)."""
+        """Return the derivatives of the curve values by the free parameters, (n, size)."""
         low, high = self.domain
         powers = np.polynomial.chebyshev.chebvander((2.0 * x - low - high) / (high - low), self.degree)
         return np.asarray(self.scale * powers, dtype=float)
@@ -68,18 +68,18 @@ class PolynomialShape:
 
 @dataclass(frozen=True)
 class SplineShape:
-    """Monotone piecewise cubic (PCHIP) through knots.
+    """Monotone piecewise cubic curve (PCHIP) through values at knots.
 
-    The free parameters of a rising spline are its increments. The curve is extrapolated linearly before the first free
-    knot and is constant after the last.
+    The free parameters of a rising spline are the first value and the increments between knots. Otherwise they are the
+    values at the knots. Before the first free knot the curve is extrapolated linearly; after the last it is constant.
     """
 
     knots: tuple[float, ...]  # strictly increasing strokes at which values are free [m]
-    rises: bool  # the free parameters are increments between knots, else values
-    constrained: bool = True  # increments must not be negative
+    rises: bool  # True if the free parameters are increments between knots, False if they are values
+    constrained: bool = True  # True if increments must not be negative
     upper: float = np.inf  # upper bound of the values at the knots; the lower bound is 0
     scale: float = 1.0
-    first: float = np.inf  # ends of the curve [m]
+    first: float = np.inf  # first stroke of the curve; the next field is the last one [m]
     last: float = -np.inf
 
     @property
@@ -89,21 +89,21 @@ class SplineShape:
 
     @property
     def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free parameters, (size,) each."""
+        """Lower and upper bounds of the free parameters, shape (size,) each."""
         low = np.full(self.size, 0.0 if self.constrained or not self.rises else -np.inf)
         low[0] = 0.0
         return low, np.full(self.size, self.upper / self.scale)
 
     @property
     def table_knots(self) -> tuple[float, ...]:
-        """Knots of the curve, including the fixed knots at its ends [m]."""
+        """Strokes of all knots of the curve, including the added knots at its ends [m]."""
         start_knots = (self.first,) if self.first < self.knots[0] else ()
         end_knots = (self.last,) if self.last > self.knots[-1] else ()
         return (*start_knots, *self.knots, *end_knots)
 
     @cached_property
     def numbers_matrix(self) -> Array:
-        """Matrix from free parameters to the parameters of a characteristic, without the scale."""
+        """Matrix that converts the free parameters to the values at all knots, without the scale."""
         free = np.tril(np.ones((self.size, self.size))) if self.rises else np.eye(self.size)
         rows = [free]
         if self.first < self.knots[0]:
@@ -114,7 +114,7 @@ class SplineShape:
         return np.vstack(rows)
 
     def numbers(self, theta: Array) -> Array:
-        """Return the values at the knots."""
+        """Return the values of the curve at all knots, in the unit of the curve."""
         values = self.scale * self._at_knots(theta)
         # Rounding errors could make sums of increments fall.
         return np.maximum.accumulate(values) if self.rises and self.constrained else values
@@ -127,11 +127,11 @@ class SplineShape:
         return np.asarray(values)
 
     def values(self, theta: Array, x: Array) -> Array:
-        """Return the curve at strokes, (n,), in its unit."""
+        """Return the curve with parameters `theta` at the strokes `x`, (n,), in the unit of the curve."""
         return self.scale * pchip(self.table_knots, self._at_knots(theta), x)
 
     def slopes(self, theta: Array, x: Array) -> Array:
-        """Return the derivatives of the curve by the free parameters, (n, size)."""
+        """Return the derivatives of the curve values by the free parameters, (n, size)."""
         base = self.values(theta, x)
         step = STEP * max(float(np.max(np.abs(theta))), 1e-3)
         shifted = [self.values(theta + step * row, x) for row in np.eye(self.size)]
@@ -143,14 +143,19 @@ Shape = PolynomialShape | SplineShape
 
 
 def start_parameters(shape: Shape, x: Array, y: Array, weight: Array) -> Array:
-    """Return the free parameters of a weighted linear fit, clipped to the bounds."""
+    """Return start values of the free parameters from a weighted linear fit to points `x`, `y`.
+
+    The values are limited to the bounds.
+    """
     low, high = shape.bounds
     rows = shape.slopes(np.clip(np.full(shape.size, 0.5), low, high), x) * weight[:, None]
     return np.clip(np.linalg.lstsq(rows, y * weight, rcond=1e-10)[0], low, high)
 
 
 def pchip(knots: tuple[float, ...], values: Array, x: Array) -> Array:
-    """Return a monotone piecewise cubic through points, constant beyond them, as in `TableCurve`.
+    """Evaluate a monotone piecewise cubic curve through knots at the positions `x`.
+
+    Beyond the knots the curve is constant. The interpolation equals that of `TableCurve`.
 
     Examples
     --------
@@ -174,6 +179,6 @@ def pchip(knots: tuple[float, ...], values: Array, x: Array) -> Array:
 
 
 def select_knots(strokes: Array, count: int) -> tuple[float, ...]:
-    """Return evenly selected tested strokes, including the first and the last."""
+    """Return `count` of the tested strokes, evenly selected, including the first and the last."""
     indices = np.round(np.linspace(0, strokes.size - 1, count)).astype(int)
     return tuple(strokes[indices].tolist())

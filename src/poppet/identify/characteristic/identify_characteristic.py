@@ -61,7 +61,7 @@ BOUND = 1e-6
 
 @dataclass(frozen=True)
 class _CurveOptions:
-    """Checked options of the identification."""
+    """Checked options of `identify_characteristic`."""
 
     form: Form
     degrees: tuple[int, int]
@@ -269,7 +269,7 @@ def _polynomial_shapes(choice: _CurveOptions) -> Shapes:
 def _fit_spline(
     choice: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
-    """Return the constrained spline, and the test of its constraint."""
+    """Return the spline with the constraint that C does not fall, and the test of this constraint."""
     decoupled = [e.decoupled() for e in evidence]
     counts = range(FEWEST_KNOTS, choice.strokes.size)
     candidates = [choice.knots] if choice.knots else [select_knots(choice.strokes, n) for n in counts]
@@ -316,7 +316,10 @@ def _estimates(fit: CurveFit, choice: _CurveOptions, prefix: str) -> dict[str, E
 
 
 def _widen_estimates(estimates: Mapping[str, Estimate], twin_estimates: Mapping[str, Estimate]) -> dict[str, Estimate]:
-    """Return estimates whose intervals include two equivalent optima; none is determined."""
+    """Return estimates whose intervals include those of two equivalent fits.
+
+    No estimate then has the verdict `determined`.
+    """
     widened = {}
     for name, estimate in estimates.items():
         low, high = min(estimate.low, twin_estimates[name].low), max(estimate.high, twin_estimates[name].high)
@@ -333,7 +336,7 @@ def _estimate(value: float, unit: str, error: float, coverage: float, limits: tu
 
 
 def _residuals(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
-    """Return the residuals of the curves at C and b of each test."""
+    """Return statistics of the differences between the curves and C and b of the tests."""
     summaries = {}
     for index, name in enumerate(NUMBERS):
         strokes, measured, _ = determined_values(evidence, index)
@@ -357,7 +360,7 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
 def _bands(
     fit: CurveFit, evidence: Sequence[TestEvidence], choice: _CurveOptions, bootstrap: int, seed: int
 ) -> list[tuple[Array, Array]]:
-    """Return the 95 % bands of C and b over the domain."""
+    """Return the 95 % bands of C and b at strokes over the domain."""
     x = np.linspace(*choice.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
     if bootstrap:

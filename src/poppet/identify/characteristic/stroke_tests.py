@@ -1,4 +1,4 @@
-"""Tests of a flow path at known strokes, with the C and b of each single test."""
+"""Tests of a flow path at known strokes, and the values of C and b from each test."""
 
 from __future__ import annotations
 
@@ -30,16 +30,16 @@ SENSITIVITY_LIMIT = 1e-2
 
 @dataclass(frozen=True)
 class StrokePoint:
-    """Known C and b of a flow path at one stroke.
+    """Values of C and b of a flow path at one stroke.
 
     Parameters
     ----------
     stroke : float
-        At which the passage was held [m].
+        Stroke of the flow path during the test [m].
     sonic_conductance : float
-        C [m^3/(s Pa)].
+        Sonic conductance C [m^3/(s Pa)].
     critical_ratio : float
-        b; NaN if the test does not determine it, with an infinite `u_critical_ratio`.
+        Critical back-pressure ratio b. If the test does not determine b, use NaN and an infinite `u_critical_ratio`.
     u_sonic_conductance : float
         Standard uncertainty of C, without the errors common to all tests [m^3/(s Pa)].
     u_critical_ratio : float
@@ -66,7 +66,7 @@ class StrokeRecording:
     Parameters
     ----------
     stroke : float
-        At which the passage was held [m].
+        Stroke of the flow path during the test [m].
     circuit : Circuit
         Circuit of the bench; the flow path is an orifice with C and b.
     measurement : Measurement
@@ -74,7 +74,7 @@ class StrokeRecording:
     passage : str
         Name of the flow path in the circuit.
     free : tuple of Free
-        Further free parameters of the bench, `tank.wall_conductance`; a joint fit shares them among all tests.
+        Further free parameters of the bench, such as `tank.wall_conductance`. In a joint fit, all tests share them.
     name : str
         Name for messages; the default is the name of the measurement.
     """
@@ -92,7 +92,9 @@ StrokeTest = StrokePoint | StrokeRecording
 
 @dataclass(frozen=True, eq=False)
 class TestEvidence:
-    r"""Information of one test on z = (C, b), as two residuals of unit variance.
+    r"""Values of C and b from one test, with their covariance, as two residuals of unit variance.
+
+    The residuals r are a function of z = (C, b). z_0 is `centre`, R is `root`, and r_0 is `pull`.
 
     .. math:: r(z) = R\,(z - z_0) + r_0
     """
@@ -103,23 +105,26 @@ class TestEvidence:
     stroke: float  # [m]
     centre: Array  # C and b of this test alone, (2,) [m^3/(s Pa), 1]
     root: Array  # upper triangular R, (2, 2), in inverse units of z
-    pull: Array  # residuals at the centre, (2,); zero unless a bound is active
+    pull: Array  # residuals at the centre, (2,); zero unless C or b is at a bound
     optimum: Optimum | None = None  # optimum of the fit to this test alone
-    widening: float = 1.0  # factor on its variances if the residuals are not white or exceed the noise
-    findings: tuple[Note, ...] = ()  # on its residuals
+    widening: float = 1.0  # variance factor for residuals that are not white or exceed the noise
+    findings: tuple[Note, ...] = ()  # findings on the residuals of the test
 
     @property
     def nuisance(self) -> tuple[FreeParameter, ...]:
-        """Free parameters of the bench: none, because they are eliminated."""
+        """Free parameters of the bench; the tuple is empty, because they are already eliminated."""
         return ()
 
     def evaluate(self, z: Array, nuisance: Array) -> tuple[Array, Array]:
-        """Return two residuals of unit variance at C and b, and their derivatives."""
+        """Return the two residuals at z = (C, b), and their derivatives by z.
+
+        `nuisance` is not used.
+        """
         return np.asarray(self.root @ (z - self.centre) + self.pull), self.root
 
     @property
     def uncertainty(self) -> Array:
-        """Standard uncertainties of C and b; infinite if the test does not determine the parameter."""
+        """Standard uncertainties of C and b; infinite for a value that the test does not determine."""
         uncertainty = np.full(2, np.inf)
         scale = np.array([self.centre[0], 1.0])
         is_determined = np.linalg.norm(self.root * scale, axis=0) > SENSITIVITY_LIMIT
@@ -128,18 +133,18 @@ class TestEvidence:
         return uncertainty
 
     def decoupled(self) -> TestEvidence:
-        """Return the same C and b and uncertainties, without correlation."""
+        """Return a copy with the same values and uncertainties of C and b, but without their correlation."""
         root = np.diag(1.0 / self.uncertainty)
         return replace(self, root=root, pull=np.zeros(2))
 
     @property
     def samples(self) -> int:
-        """Number of determined parameters: 2 for C and b, 1 for C alone."""
+        """Number of values that the test determines: 2 for C and b, 1 for C alone."""
         return int(np.isfinite(self.uncertainty).sum())
 
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
-    """Raise all errors of the tests."""
+    """Check the tests and raise all errors together."""
     with ErrorCollector() as errors:
         recordings = [(k, test) for k, test in enumerate(tests) if isinstance(test, StrokeRecording)]
         for (k, first_test), (n, second_test) in itertools.combinations(recordings, 2):
@@ -160,13 +165,16 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
 
 
 def determined_values(evidence: Sequence[TestEvidence], index: int) -> Array:
-    """Return strokes, values and standard uncertainties, (3, n), of the tests that determine C (0) or b (1)."""
+    """Return stroke, value and standard uncertainty of C (`index` 0) or b (`index` 1).
+
+    The result has the shape (3, n) for the n tests that determine this value.
+    """
     rows = [(e.stroke, e.centre[index], e.uncertainty[index]) for e in evidence]
     return np.array([row for row in rows if math.isfinite(row[2])], dtype=float).reshape(-1, 3).T
 
 
 def test_name(test: StrokeTest, index: int) -> str:
-    """Return the name of a test for messages."""
+    """Return the name of a test that messages use."""
     name = test.name or (str(test.measurement.name) if isinstance(test, StrokeRecording) else "")
     return name or f"test {index + 1}"
 
@@ -198,7 +206,10 @@ def _check_recording(errors: ErrorCollector, test: StrokeRecording, name: str) -
 
 
 def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
-    """Return the information of a test on C and b; a recording is fitted alone."""
+    """Return the values of C and b from one test, with their covariance.
+
+    A recording is fitted separately from all other tests.
+    """
     if isinstance(test, StrokeRecording):
         return _fit_recording(test, name)
     u_c, u_b, rho = test.u_sonic_conductance, test.u_critical_ratio, test.correlation
@@ -213,7 +224,7 @@ def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
 
 
 def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
-    """Return the free parameters of a single recording: C, b, then those of the bench."""
+    """Return the free parameters of the fit to one recording: C, b, then those of the bench."""
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
 
 
@@ -232,7 +243,7 @@ def _fit_recording(test: StrokeRecording, name: str) -> TestEvidence:
 
 
 def _check_residuals(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note], float]:
-    """Return findings on the residuals of a test, and the mean factor on its variances."""
+    """Return findings on the residuals of a test, and the mean variance factor of its channels."""
     remarks: list[Note] = []
     weights, n_samples = 0.0, 0
     for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
@@ -244,7 +255,10 @@ def _check_residuals(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note
 
 
 def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:
-    """Return C and b at a stroke from the result of a tank test or a flow bench."""
+    """Return the C and b that a tank test or a flow bench identified, as a test at a stroke.
+
+    `part` is the name of the flow path in the result. The uncertainties exclude errors that all tests have in common.
+    """
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     missing = [key for key in keys if key not in result.parameters]
     if missing:
@@ -269,7 +283,11 @@ def point_of_result(result: Result, stroke: float, *, part: str = "", name: str 
 
 
 def common_of_result(result: Result, *, part: str = "") -> tuple[float, float]:
-    """Return the uncertainty common to all results of a bench: sensors and ambient temperature."""
+    """Return the standard uncertainties of C (relative) and b that all tests of a bench share.
+
+    They are caused by the sensors and an unknown ambient temperature. `part` is the name of the flow path in the
+    result.
+    """
     keys = [f"{part}.{number}" if part else number for number in NUMBERS]
     budget = result.comparison.get("uncertainty", {})
     conductance, ratio = (float(budget.get(key, {}).get("type_b", 0.0)) for key in keys)

@@ -1,1 +1,1 @@
-"""Selection of tests by their predicted confidence intervals."""
+"""Test design: selection of tests by their predicted confidence intervals."""

@@ -1,4 +1,4 @@
-"""Reader of design files: free parameters, sensors and possible tests."""
+"""Reader of design files, which contain free parameters, sensors and possible tests."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ _DIFFERENCE: dict[str, Kind] = {"Pa": "pressure_difference", "K": "temperature_d
 
 @dataclass(frozen=True)
 class DesignSensor:
-    """Sensor with its noise, offset and lag."""
+    """Sensor of a possible test, with noise, offset and lag."""
 
     address: str
     unit: str
@@ -63,7 +63,7 @@ class DesignSensor:
 
 @dataclass(frozen=True)
 class TestCandidate:
-    """Possible test."""
+    """Possible test that the design can recommend."""
 
     name: str
     circuit: BaseCircuit
@@ -74,7 +74,7 @@ class TestCandidate:
 
     @property
     def samples(self) -> int:
-        """Number of samples of each sensor."""
+        """Number of samples of each sensor during the test."""
         return max(2, math.floor(self.duration / self.sample_time * (1.0 + 1e-9)) + 1)
 
 
@@ -178,7 +178,7 @@ def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSe
 def _read_candidates(
     errors: ErrorCollector, data: Mapping[str, Any], circuit: BaseCircuit, sensors: Mapping[str, DesignSensor]
 ) -> Iterator[TestCandidate]:
-    """Yield each test with each combination of the varied values."""
+    """Yield one candidate for each test and each combination of its varied values."""
     tests: dict[str, Mapping[str, Any]] = {}
     for name, table in data.get("tests", {"": {}}).items():
         if isinstance(table, Mapping):

@@ -1,4 +1,4 @@
-"""Method `identify design`: selection of the tests with the smallest intervals."""
+"""Method `identify design`: selection of the tests with the smallest predicted intervals."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ LOST = 1e-10
 
 @dataclass(frozen=True)
 class Prediction:
-    """Predicted estimate of a parameter from one or more tests.
+    """Predicted estimate of one parameter from one or more tests.
 
     Parameters
     ----------
@@ -43,7 +43,7 @@ class Prediction:
     standard_error : float
         Standard error caused by noise and sensor offsets, in `unit`.
     largest : float
-        Largest standard error at the samples of the priors.
+        Largest standard error over all samples of the priors, in `unit`.
     verdict : str
         Predicted verdict of a fit: `determined`, `weak` or `not determined`.
     """
@@ -61,13 +61,13 @@ class Prediction:
 
     @property
     def half_at_most(self) -> float:
-        """Half width at the least favourable sample of the priors."""
+        """Half width of the 95 % interval at the least favourable sample of the priors."""
         return TWO_SIDED * self.largest
 
 
 @dataclass(frozen=True)
 class Design:
-    """Ranking of possible tests, the best first.
+    """Ranking of possible tests, the best first, with the recommended tests.
 
     Parameters
     ----------
@@ -77,13 +77,14 @@ class Design:
         Minimised quantity: `intervals` (geometric mean of the relative standard errors), `worst` (largest relative
         standard error) or `volume` (volume of the joint confidence region).
     tests : mapping
-        Predictions of each candidate by parameter, from this test and the prior information; the best test first.
+        Mapping from the name of each candidate to its predictions by parameter, the best candidate first. A prediction
+        uses this test and the prior information.
     chosen : tuple of str
         Recommended tests. A test can occur more than once.
     together : mapping
-        Predictions of the recommended tests together, by parameter.
+        Mapping from each parameter to its prediction from all recommended tests together.
     scores : mapping
-        Criterion of each candidate as a natural logarithm; smaller is better.
+        Mapping from the name of each candidate to the natural logarithm of its criterion; smaller is better.
     remarks : tuple of Note
         Findings.
     interrupted : bool
@@ -100,7 +101,7 @@ class Design:
     interrupted: bool = False
 
     def content(self) -> dict[str, Any]:
-        """Return all content of the file as plain tables."""
+        """Return the content of the design file as plain tables."""
         return {
             "method": "design",
             "title": self.title,
@@ -126,7 +127,7 @@ class Design:
 
 
 def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, int, str], Any] | None = None) -> Design:
-    r"""Rank possible tests by the intervals of a fit to them.
+    r"""Rank possible tests by the predicted confidence intervals of a fit to their recordings.
 
     Parameters
     ----------
@@ -189,7 +190,7 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
 
 
 def _prior_points(plan: DesignPlan) -> list[FloatArray]:
-    """Return the start point and random samples of the priors."""
+    """Return the start values of the free parameters, and random samples of their priors."""
     starts = np.array([f.start for f in plan.free])
     generator = np.random.default_rng(plan.seed)
     points = [starts]
@@ -203,7 +204,7 @@ def _prior_points(plan: DesignPlan) -> list[FloatArray]:
 
 
 def _prior_information(plan: DesignPlan) -> FloatArray:
-    """Return the information before any test: priors and a previous result."""
+    """Return the Fisher information from the priors and from an earlier result."""
     spreads = [f.prior.sd if f.prior else f.scale for f in plan.free]
     information = np.diag(1.0 / np.square(spreads))
     if plan.known is None:
@@ -220,7 +221,10 @@ def _prior_information(plan: DesignPlan) -> FloatArray:
 
 
 def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter], point: FloatArray) -> FloatArray:
-    """Return the Fisher information of a test about the shared parameters."""
+    """Return the Fisher information of a test on the free parameters, at the parameter values `point`.
+
+    The nuisance parameters of the test (initial values, lags, offsets) are eliminated.
+    """
     time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
     measurement = Measurement(
         "test",
@@ -258,7 +262,10 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
 
 
 def _offsets(candidate: TestCandidate, sizes: Sequence[int]) -> tuple[FloatArray, FloatArray]:
-    """Return columns of the uncertain sensor offsets, and their prior information."""
+    """Return the sensitivities of all samples to uncertain sensor offsets, and the prior information.
+
+    `sizes` is the number of samples of each sensor.
+    """
     columns, priors = [np.zeros((sum(sizes), 0))], list[float]()
     first = 0
     for sensor, size in zip(candidate.sensors, sizes, strict=True):
@@ -276,7 +283,7 @@ Information = Sequence[FloatArray]
 
 
 def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, float]:
-    """Return the relative standard errors, and the log determinant of their covariance."""
+    """Return the relative standard error of each parameter, and the log determinant of the covariance."""
     scale = np.array([f.scale for f in plan.free])
     relative = information * np.outer(scale, scale)
     # Scale to a unit diagonal: the variances differ by many orders of magnitude.
@@ -291,7 +298,10 @@ def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, floa
 def _criterion(
     plan: DesignPlan, points: Sequence[FloatArray], prior: FloatArray, tests: Sequence[Information]
 ) -> float:
-    """Return the criterion of several tests: a natural logarithm, averaged over the points."""
+    """Return the criterion of several tests together, as a natural logarithm.
+
+    The criterion is averaged over the parameter values `points`.
+    """
     scores = []
     for k in range(len(points)):
         errors, volume = _errors(plan, prior + sum(information[k] for information in tests))
@@ -303,7 +313,11 @@ def _criterion(
 def _select_tests(
     plan: DesignPlan, points: Sequence[FloatArray], prior: FloatArray, informations: Sequence[Information]
 ) -> list[int]:
-    """Return the tests with the best criterion: greedy choice, then exchanges."""
+    """Return the indices of the recommended tests.
+
+    Tests are first added one by one, the best at each time. Single tests are then exchanged while this improves the
+    criterion.
+    """
 
     def score(tests: Sequence[int]) -> float:
         return _criterion(plan, points, prior, [informations[k] for k in tests])
@@ -344,7 +358,7 @@ def _predict(
 def _design_notes(
     plan: DesignPlan, tests: Mapping[str, Mapping[str, Prediction]], together: Mapping[str, Prediction]
 ) -> list[Note]:
-    """Return notes on parameters that no test determines or that depend on the priors."""
+    """Return notes on parameters that no test determines, or whose intervals depend on the priors."""
     remarks = []
     for f in plan.free:
         if all(row[f.name].verdict == "not determined" for row in tests.values()):

@@ -1,1 +1,1 @@
-"""Any numbers of any circuit from any recordings."""
+"""Identification of any parameters of a circuit from recordings."""

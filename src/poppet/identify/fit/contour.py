@@ -1,4 +1,4 @@
-"""Chi-square contour over conductance and wall conductance; the other free parameters are refitted at each point."""
+"""Chi-square contour over conductance and wall conductance, with the other free parameters refitted."""
 
 from __future__ import annotations
 
@@ -31,14 +31,14 @@ Fit = Callable[..., Optimum]
 
 
 class RowFit(NamedTuple):
-    """Best fit at one fixed wall conductance."""
+    """Best fit at one fixed wall conductance, which is one row of the contour grid."""
 
     wall: float
     optimum: Optimum
 
 
 def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Callable[[str, int, int], Any]) -> Result:
-    """Add the chi-square contour and a note on each 95 % region to a result."""
+    """Add the chi-square contour, and a note on each connected 95 % region, to a result."""
     conductance_index, wall_index = contour_indices(plan.free)
     conductance_parameter, wall_parameter = plan.free[conductance_index], plan.free[wall_index]
     spread = error_model_of(plan.experiments, optimum, plan.settings)
@@ -107,7 +107,10 @@ def _fit_rows(
     fit: Fit,
     variance_factor: float,
 ) -> list[RowFit]:
-    """Fit at a grid of wall conductances, local to the optimum unless other regions fit as well."""
+    """Fit at each wall conductance of a grid.
+
+    The grid is local to the optimum, or global if another region fits equally well.
+    """
     low, high = wall_parameter.low, wall_parameter.high
     best = float(optimum.x[wall_index])
     offsets = HALF_WIDTH * wall_error * np.linspace(-1.0, 1.0, ROWS) if np.isfinite(wall_error) else np.zeros(1)
@@ -126,10 +129,11 @@ def _fit_rows(
 def _has_other_region(
     rows: Sequence[RowFit], local_grid: FloatArray, least_cost: float, variance_factor: float
 ) -> bool:
-    """Return True if the local grid would miss a region or distort it.
+    """Return True if the local grid would omit a 95 % region or distort it.
 
-    Outside the local grid no row may lie in the 95 % region. Inside it chi-square may rise to twice the value of a
-    parabola at the edge of the grid, but no further.
+    `rows` are fits on the global grid. The result is True in two cases. In the first, a wall conductance outside the
+    local grid belongs to the 95 % region. In the second, chi-square inside the local grid exceeds twice the value that
+    a parabola has at the edge of the grid.
     """
     for row in rows:
         rise = 2.0 * (row.optimum.cost - least_cost) / variance_factor
@@ -144,7 +148,10 @@ def _wall_of(row: RowFit) -> float:
 
 
 def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: Fit) -> list[RowFit]:
-    """Fit at each wall conductance, outwards from the optimum; each fit starts from that of its inner neighbour."""
+    """Fit at each wall conductance of `walls`, outwards from the optimum.
+
+    Each fit starts from the result of the neighbour that is closer to the optimum.
+    """
     rows: list[RowFit] = []
     for branch in (walls[walls >= best], walls[walls < best][::-1]):
         neighbour = optimum
@@ -157,7 +164,10 @@ def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: 
 def _fit_columns(
     row: RowFit, pair: tuple[int, int], conductance_parameter: FreeParameter, fit: Fit, variance_factor: float
 ) -> list[tuple[float, float]]:
-    """Fit at conductances on both sides of the best fit of a row; return pairs of conductance and cost."""
+    """Fit at conductances on both sides of the best fit of a row.
+
+    The result contains pairs of conductance and cost.
+    """
     (wall, row_optimum), (conductance_index, _) = row, pair
     n_parameters = row_optimum.x.size
     nuisances = [k for k in range(n_parameters) if k not in pair and row_optimum.active[k] == 0]
@@ -178,7 +188,7 @@ def _fit_columns(
 
 
 def _region_notes(contour: dict[str, Any]) -> list[Note]:
-    """Return one note for each connected range of rows in the 95 % confidence region."""
+    """Return one note for each connected range of wall conductances in the 95 % confidence region."""
     is_inside = contour["rise"] < LEVELS["95 %"]
     rows = np.flatnonzero(is_inside.any(axis=1))
     regions = [region for region in np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if region.size]

@@ -20,13 +20,13 @@ from poppet.identify.result import CONFIDENCE, VERDICTS, Estimate
 ALIKE = 0.02
 """Relative difference below which two conductances are reported as one."""
 Local = Sequence[Mapping[str, Estimate]]
-"""Separate estimates at each optimum; the lowest one first."""
+"""One mapping from address to estimate for each optimum; the optimum of lowest cost first."""
 
 
 def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]]:
-    """Return the estimates at each optimum, as if it were the only one.
+    """Return the estimates at each equivalent optimum, as if it were the only one.
 
-    The intervals of an optimum above the lowest one shrink with its excess cost.
+    An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely.
     """
     optima = (optimum, *optimum.others)
     optimum_tables = [estimates(plan.free, o, error_model_of(plan.experiments, o, plan.settings)) for o in optima]
@@ -38,7 +38,7 @@ def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]
 
 
 def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:
-    """Return the estimates of the lowest optimum, with intervals that contain all optima."""
+    """Return the estimates at the lowest optimum, with intervals that include those of all optima."""
     from scipy.special import ndtri
 
     result = {}
@@ -58,7 +58,7 @@ def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:
 
 
 def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
-    """Yield a note on equivalent optima whose parameters differ."""
+    """Yield a note if equivalent optima have different parameter values."""
     optima = (optimum, *optimum.others)
     differing = {
         f.name: tuple(o.x[k] for o in optima)
@@ -85,7 +85,7 @@ def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
 
 
 def optimum_tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[str, Any], ...]:
-    """Return the optima as plain tables, the lowest one first."""
+    """Return one plain table for each equivalent optimum, the one of lowest cost first."""
     names = [f.name for f in plan.free]
     result = []
     for o, local_estimates_k in zip((optimum, *optimum.others), local, strict=True):
@@ -109,7 +109,7 @@ def optimum_tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[
 
 
 def search_tables(plan: FitPlan, optimum: Optimum) -> list[dict[str, Any]]:
-    """Return each search as a table: start, name of the start, end, and cost."""
+    """Return one table for each search: start point, name of the start point, end point and cost."""
     return [
         {"name": o.name, "cost": o.cost, "start": by_name(plan.free, o.start_point), "end": by_name(plan.free, o.x)}
         for o in optimum.searches

@@ -1,4 +1,4 @@
-"""Model of one recording: from parameter values to modelled channels and their derivatives.
+"""Model of one recording, which computes modelled channels and their derivatives from parameter values.
 
 A run of the model is a compiled kernel on plain arrays. Derivatives with respect to the parameters are differences of
 runs with the step sequence of the base run. The outputs are then smooth, and forward differences are accurate to 1e-6.
@@ -43,26 +43,26 @@ FAILED = 1e6
 
 
 class ChannelSensor(NamedTuple):
-    """Sensor between an output of the circuit and a channel."""
+    """Sensor model of a channel: lag and offset between an output of the circuit and the readings."""
 
-    places: slice | NDArray[np.int64]  # rows of the grid with samples
+    places: slice | NDArray[np.int64]  # indices of the times of the samples in the grid
     lag: float  # known time constant [s]
     free_lag: str  # names of the free parameters of the sensor; empty for none
     free_offset: str
 
 
 class _LastRun(NamedTuple):
-    """Result of the most recent run."""
+    """Outputs of the most recent run of the model."""
 
-    repeated: RepeatedCall | None  # call of the run; None for runs in lanes
-    tables: FloatArray  # (n_runs, n_outputs, n_times); in lanes, runs with one shifted parameter follow
-    steps: FloatArray  # shifts of these parameters
+    repeated: RepeatedCall | None  # call of the compiled kernel; None if several runs are computed together
+    tables: FloatArray  # (n_runs, n_outputs, n_times); the first run has the given values, others one shifted parameter
+    steps: FloatArray  # shift of the parameter in each further run
 
 
 class Experiment:
-    """Recording with its model.
+    """Recording with the model that simulates it.
 
-    Free parameters of other recordings are ignored.
+    The constructor ignores free parameters that apply to other recordings only.
     """
 
     def __init__(
@@ -115,7 +115,10 @@ class Experiment:
         self._last: tuple[tuple[float, ...], _LastRun] | None = None
 
     def with_samples(self, samples: Sequence[FloatArray], free: Sequence[FreeParameter]) -> Experiment:
-        """Return a copy with other sample values and other start values of the free parameters."""
+        """Return a copy of the experiment with other sample values and other start values.
+
+        `samples` are the values of each channel. `free` are the free parameters with the new start values.
+        """
         channels = zip(self.measurement.channels, samples, strict=True)
         resampled = tuple(dataclasses.replace(channel, values=values) for channel, values in channels)
         measurement = dataclasses.replace(self.measurement, channels=resampled)
@@ -133,7 +136,7 @@ class Experiment:
 
     @property
     def brings_slopes(self) -> bool:
-        """True if a run also gives its derivatives, at little extra cost."""
+        """True if a run of the model also gives its derivatives, at little extra cost."""
         return self._lanes is not None
 
     @property
@@ -142,14 +145,17 @@ class Experiment:
         return [channel.time.size for channel in self.measurement.channels]
 
     def problem(self, values: Mapping[str, float]) -> Problem:
-        """Return the arrays of a run with other parameter values."""
+        """Return the input arrays of a run with the given parameter values."""
         base = self._rebuilt(values) if self._rebuilds else self.base
         p, coefficients = base.p.copy(), base.coefficients.copy()
         self._write(values, p, coefficients)
         return dataclasses.replace(base, p=p, x0=base.kernel.start(p), coefficients=coefficients)
 
     def _rebuilt(self, values: Mapping[str, float]) -> Problem:
-        """Return the arrays of a run with changed inputs or changed dependent parameters."""
+        """Return the input arrays of a run, computed again from the circuit.
+
+        This is necessary if inputs or dependent parameters change.
+        """
         delays = {f.address: values[f.name] for f in self.free if f.role == "delay"}
         delays |= {f.address: -values[f.name] for f in self.free if f.role == "dead_time"}
         lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
@@ -163,7 +169,7 @@ class Experiment:
         return dataclasses.replace(instance.problem(self.run), grid=self.grid, kernel=self._kernel)
 
     def _write(self, values: Mapping[str, float], p: FloatArray, coefficients: FloatArray) -> None:
-        """Write parameter values to the arrays of a run."""
+        """Write parameter values into the input arrays of a run."""
         for name, slots in self.slots.items():
             if slots is None:
                 continue
@@ -173,20 +179,22 @@ class Experiment:
                 coefficients[:, driven, 0] = values[name]
 
     def all_outputs(self, values: Mapping[str, float]) -> tuple[RawRun, list[str]]:
-        """Run the circuit; return all its outputs and their names."""
+        """Run the circuit with the given values; return all outputs and their names."""
         kernel = self.instance.kernel
         run = solve(dataclasses.replace(self.problem(values), kernel=kernel))
         return run, [name for name, _ in kernel.model.outputs]
 
     def outputs(self, values: Mapping[str, float]) -> list[FloatArray]:
-        """Return the modelled channels at the measured times, with sensor lags and offsets."""
+        """Return the modelled channels at the measured times, including sensor lags and offsets."""
         return self._channels(self._run_at(values).tables[0], values)
 
     def _run_at(self, values: Mapping[str, float]) -> _LastRun:
-        """Return the run at some values; in lanes, also the runs with one shifted value.
+        """Return the outputs of a run with the given values.
 
-        The last run is stored, because the derivatives at the same point follow. A run that stalls is not repeated with
-        a slower solver.
+        If several runs can be computed together, the result also contains the runs in which one value is shifted.
+
+        The result is stored, because the derivatives at the same values are usually requested next. A run that stalls
+        is not repeated with a slower solver.
         """
         key = tuple([values[f.name] for f in self.free])
         if self._last is None or self._last[0] != key:
@@ -214,20 +222,23 @@ class Experiment:
         ]
 
     def _sense(self, series: FloatArray, sensor: ChannelSensor, values: Mapping[str, float]) -> FloatArray:
-        """Return output series, (..., n_times), as the sensor reads them at its samples, without an offset."""
+        """Return output series, (..., n_times), as readings of a sensor at its sample times.
+
+        The readings include the lag, but not the offset.
+        """
         lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
         return apply_lag(self.grid, series, lag)[..., sensor.places]
 
     def outputs_and_slopes(
         self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
     ) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return the modelled channels and their derivatives."""
+        """Return the modelled channels and their derivatives by the free parameters."""
         return self.outputs(values), self.slopes(values, width)
 
     def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
-        """Return the derivatives of the modelled channels, (n_samples, n_free) each.
+        """Return the derivatives of the modelled channels by the free parameters, (n_samples, n_free) each.
 
-        `width` is the relative width of the differences for sampled circuits.
+        `width` is the relative step of the finite differences. Only sampled circuits use it.
         """
         repeated, tables, steps = self._run_at(values)
         # Column order, because each column is written as a whole.
@@ -246,7 +257,7 @@ class Experiment:
     def _write_slopes(
         self, values: Mapping[str, float], tables: FloatArray, steps: FloatArray, slopes: list[FloatArray]
     ) -> None:
-        """Compute the derivatives from the differences of runs in lanes."""
+        """Write derivatives into `slopes`, from the differences of runs that were computed together."""
         columns = [k for k, f in enumerate(self.free) if f.name in self.slots]
         for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
             sensed = self._sense(series, sensor, values)
@@ -280,9 +291,10 @@ class Experiment:
     def _difference_ends(
         self, f: FreeParameter, values: Mapping[str, float], width: float
     ) -> tuple[float, float] | None:
-        """Return the ends of a central difference of whole runs, or None if unnecessary.
+        """Return the two values of a parameter between which a central difference of whole runs is computed.
 
-        A parameter stays within its bounds. An input can be recorded early or late.
+        Values of parameters are limited to their bounds. Delays are not limited, because an input can be recorded early
+        or late. The result is None for a parameter that does not need whole runs.
         """
         value = values[f.name]
         if f.role in ("delay", "dead_time", "input_lag"):
@@ -296,7 +308,7 @@ class Experiment:
     def _wide_slopes(
         self, free: Sequence[FreeParameter], values: Mapping[str, float], width: float
     ) -> dict[str, list[FloatArray]]:
-        """Return central differences of whole runs for the parameters that need them."""
+        """Return derivatives from central differences of whole runs, for the parameters that need them."""
         pairs = {f.name: pair for f in free if (pair := self._difference_ends(f, values, width))}
         if not pairs:
             return {}
@@ -314,13 +326,13 @@ class Experiment:
 
 
 def _difference_step(f: FreeParameter, values: Mapping[str, float]) -> float:
-    """Return the step of the forward difference in a parameter."""
+    """Return the change of a parameter for its forward difference."""
     step = DIFFERENCE * max(abs(values[f.name]), 1e-3 * f.scale)
     return -step if values[f.name] + step > f.high else step
 
 
 class FittedChannel(NamedTuple):
-    """Channel of a fit; `rows` are its samples in the vector of all residuals."""
+    """Channel of a fit; `rows` is the slice of its samples in the vector of all residuals."""
 
     name: str
     channel: Channel
@@ -328,7 +340,7 @@ class FittedChannel(NamedTuple):
 
 
 def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
-    """Return all channels in the order of the residuals."""
+    """Return all channels of all experiments, in the order of the residuals."""
     channels, row = [], 0
     for e in experiments:
         for channel in e.measurement.channels:
@@ -340,9 +352,9 @@ def channels_of(experiments: Sequence[Experiment]) -> list[FittedChannel]:
 def _with_dead_times(
     free: Sequence[FreeParameter], measurement: Measurement, instance: Instance
 ) -> tuple[tuple[FreeParameter, ...], Instance]:
-    """Turn free parameters that delay a recorded input into shifts of its recording.
+    """Replace free dead times of recorded inputs by shifts of the recordings.
 
-    A shifted recording can extend to times before the run.
+    A shifted recording can contain times before the start of the run.
     """
     recorded = {item.address for item in measurement.inputs}
     inputs_by_delay = {item.delay: item.name for item in instance.model.inputs if item.delay and item.name in recorded}
@@ -355,9 +367,10 @@ def _with_dead_times(
 
 
 def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]:
-    """Return the start values of a recording by address: given values, or first values of channels.
+    """Return a mapping from the address of each start value to a given value or a first measured value.
 
-    A free start value begins at the first value of its channel. It is omitted if no channel measures it.
+    The search for a free start value begins at the first value of its channel. The result omits a free start value
+    that no channel measures.
 
     Raises
     ------
@@ -378,7 +391,7 @@ def start_values(measurement: Measurement, instance: Instance) -> dict[str, Any]
 
 
 def starting_channel(address: str, instance: Instance, measurement: Measurement) -> tuple[str, Channel | None]:
-    """Return the output that starts at a parameter, and its channel or None."""
+    """Return the output that starts at a start value, and the channel that measures it, or None."""
     output = next((name for name, number in instance.initial.items() if number == address), address)
     return output, next((c for c in measurement.channels if c.address == output), None)
 
@@ -398,9 +411,11 @@ def _sensor(channel: Channel, grid: FloatArray, free: Sequence[FreeParameter]) -
 
 
 def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
-    """Return the index in p and the driven inputs of each free parameter.
+    """Return the location of each free parameter in the arrays of a run, by name.
 
-    The result is None for a parameter on which others depend.
+    The location is the index in the parameter array p and the indices of the inputs that have this parameter as value.
+
+    The value of the mapping is None for a parameter on which other parameters depend.
     """
     inputs, values = instance.model.inputs, instance.parameters
     tied = instance.tied({f.address: _probe(f, values[f.address]) for f in free if f.address in values})
@@ -414,6 +429,6 @@ def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple
 
 
 def _probe(f: FreeParameter, value: float) -> float:
-    """Return a value of a free parameter close to its present value."""
+    """Return a value of a free parameter that differs slightly from its present value, within the bounds."""
     probe = value * (1.0 + 1e-6) if value else 1e-6 * f.scale
     return probe if f.low <= probe <= f.high else value * (1.0 - 1e-6)

@@ -1,4 +1,4 @@
-"""Fit of a circuit in one call, with recordings in memory, and its result."""
+"""Fit of a circuit to recordings in memory, in one call, and the result of this fit."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.table import Table, seconds
 
 DISCRETE = ("regime", "contact", "friction")
-"""Last words of outputs that are codes of a state. They are compared only if `outputs` contains them."""
+"""Last words of the names of outputs that are state codes. They are compared only if `outputs` contains them."""
 CARRIED = ("table", "measured", "doubt", "series")
 """First parts of the codes of notes on how a recording was read."""
 
@@ -62,7 +62,7 @@ class FitResult(Result, Generic[CircuitT]):
         Circuit with the fitted values. After a fit of one recording it also has the inputs and the start values of that
         recording: `circuit.simulate` then repeats the fitted curves.
     circuits : mapping
-        Name of each recording to the circuit with its inputs and start values.
+        Mapping from the name of each recording to the fitted circuit with the inputs and start values of the recording.
     """
 
     circuit: CircuitT = dataclasses.field(kw_only=True, repr=False, compare=False)
@@ -70,7 +70,7 @@ class FitResult(Result, Generic[CircuitT]):
 
     @classmethod
     def of(cls, result: Result, circuit: CircuitT, plan: FitPlan) -> FitResult[CircuitT]:
-        """Return a result with the fitted circuits.
+        """Return a result, extended by the fitted circuit.
 
         Parameters
         ----------
@@ -153,7 +153,7 @@ def _add_limits(
     bounds: Mapping[str, Sequence[Any]],
     priors: Mapping[str, Any],
 ) -> None:
-    """Add bounds and priors to the tables of the free parameters."""
+    """Add the bounds and priors of the arguments to the tables of the free parameters."""
     for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
         for address, pair in pairs.items():
             if address not in tables:
@@ -180,7 +180,7 @@ def _by_name(recordings: Data | Mapping[str, Data], circuit: BaseCircuit) -> dic
 
 
 def _circuit_of(circuit: CircuitT, experiment: Experiment, result: Result) -> CircuitT:
-    """Return a circuit with the fitted values, the inputs and the start values of a recording."""
+    """Return the circuit with the fitted values, and with inputs and start values of a recording."""
     measurement = experiment.measurement
     values: dict[str, Any] = {a: n for a, n in result.values().items() if a in circuit.numbers()}
     values |= start_values(measurement, experiment.instance)
@@ -199,7 +199,7 @@ def _circuit_of(circuit: CircuitT, experiment: Experiment, result: Result) -> Ci
 
 
 class _RecordingReader:
-    """Reader of recordings in memory: assigns their series to the inputs and outputs of a circuit."""
+    """Reader that assigns the series of recordings in memory to inputs and outputs of a circuit."""
 
     def __init__(
         self,
@@ -217,7 +217,7 @@ class _RecordingReader:
         self.inputs = {address: item for address, item in self.inputs.items() if not item.slope_of}
 
     def read_all(self, recordings: Mapping[str, Data]) -> list[Measurement]:
-        """Return all recordings, and check the addresses of the arguments.
+        """Return all recordings as measurements, after a check of the addresses in the arguments.
 
         Raises
         ------
@@ -256,7 +256,7 @@ class _RecordingReader:
         return measurements
 
     def offset_parameters(self, measurements: Sequence[Measurement], roles: Sequence[str]) -> list[FreeParameter]:
-        """Return the free sensor offsets of the fitted recordings."""
+        """Return the free offsets of the sensors of the fitted recordings."""
         return [
             offset_parameter(measurement.name, channel, self._offset_prior(channel))
             for measurement, role in zip(measurements, roles, strict=True)
@@ -277,7 +277,7 @@ class _RecordingReader:
         )
 
     def _read(self, name: str, data: Data, recordings: Iterable[str]) -> Measurement:
-        """Return one recording in SI units."""
+        """Return one recording as a measurement in SI units."""
         location = f"recordings.{name}"
         if isinstance(data, Recording):
             names, units = ("time", *data.names), ("s", *data.units)
@@ -320,7 +320,10 @@ class _RecordingReader:
         )
 
     def _compared(self, table: Table, internal: set[str], location: str) -> tuple[list[str], list[str]]:
-        """Return the addresses that are compared, and those that are omitted from a default selection."""
+        """Return the addresses of the series to compare, and those that are omitted.
+
+        Only a default selection omits series.
+        """
         recorded = dict(zip(table.names[1:], table.columns[1:], strict=True))
         if self.selected is not None:
             compared = [address for address in self.selected if address in recorded]
@@ -341,7 +344,10 @@ class _RecordingReader:
         return compared, [address for address in candidates if address not in compared]
 
     def _driving(self, table: Table) -> list[str]:
-        """Return the recorded inputs, but for those that equal their constant value in the circuit."""
+        """Return the addresses of the recorded inputs of the circuit.
+
+        Inputs that equal their constant value in the circuit are omitted.
+        """
         driving = []
         for address, column, unit in zip(table.names[1:], table.columns[1:], table.units[1:], strict=True):
             if address not in self.inputs:
@@ -355,7 +361,10 @@ class _RecordingReader:
         return driving
 
     def _unit(self, table: Table, address: str, unit: str, location: str) -> str:
-        """Return the unit of a column; the SI unit of the circuit if the column has none."""
+        """Return the unit of a column.
+
+        If the column has no unit, the result is the SI unit of the circuit, `unit`.
+        """
         written = table.units[table.names.index(address)] or unit
         try:
             convert(1.0, written, unit)
@@ -365,7 +374,7 @@ class _RecordingReader:
 
 
 def _frame_table(frame: DataFrame, location: str) -> Table:
-    """Return the columns of a data frame, the time first.
+    """Convert a data frame to a table whose first column is the time.
 
     Raises
     ------
@@ -398,7 +407,10 @@ def _frame_table(frame: DataFrame, location: str) -> Table:
 
 
 def _numbers(column: Any) -> FloatArray:
-    """Return a column as floats; dates as seconds since the first, text as NaN."""
+    """Return a column as floats.
+
+    Dates become seconds since the first date, and text becomes NaN.
+    """
     values = np.asarray(column)
     if values.dtype.kind == "M":
         return seconds(values)

@@ -1,4 +1,4 @@
-"""Reader of fit files."""
+"""Reader of fit files, which describe recordings, free parameters and settings of a fit."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def _read_plan(file: TomlFile) -> FitPlan:
 
 
 def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
-    """Return the circuit of a file with the values of its table `set`.
+    """Return the circuit that a file refers to, with the changed values of the table `set`.
 
     Errors refer to the location in that file.
     """
@@ -91,7 +91,7 @@ def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
 
 
 def _search(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
-    """Return the search settings and the tables of the free parameters without them.
+    """Return the search settings, and the tables of the free parameters without these settings.
 
     The settings can be in both tables, but must agree.
     """
@@ -115,7 +115,7 @@ def _search(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
 
 
 def _measurements(tables: Mapping[str, Any], folder: Path, circuit: BaseCircuit) -> tuple[list[Measurement], list[str]]:
-    """Return the recordings and their roles."""
+    """Return the recordings, and the role of each (fit or validation)."""
     measurements, roles = [], []
     with ErrorCollector() as errors:
         for name, table in tables.items():

@@ -1,4 +1,4 @@
-"""Findings of a fit: notes with values, and tests that would resolve an ambiguity."""
+"""Findings of a fit, with facts, and proposals for tests that would resolve an ambiguity."""
 
 from __future__ import annotations
 
@@ -40,24 +40,24 @@ SURELY = 3.0
 
 @dataclass(frozen=True)
 class CompletedFit:
-    """Completed fit with its estimates."""
+    """Completed fit with optimum, error model and estimates."""
 
-    experiments: Sequence[Experiment]  # those that were fitted
+    experiments: Sequence[Experiment]  # recordings that were fitted, with their models
     free: tuple[FreeParameter, ...]
     settings: SearchSettings
     optimum: Optimum
-    spread: ErrorModel  # what moves the numbers
-    channels: Sequence[ChannelFit]  # every channel with its model, in the order of the residual
+    spread: ErrorModel  # error model of the estimates
+    channels: Sequence[ChannelFit]  # all channels with their models, in the order of the residuals
     estimates: Mapping[str, Estimate]
 
     @property
     def values(self) -> dict[str, float]:
-        """Fitted values by name."""
+        """Mapping from the name of each free parameter to its fitted value."""
         return by_name(self.free, self.optimum.x)
 
 
 def finding_notes(fit: CompletedFit) -> list[Note]:
-    """Return all findings, the most important first."""
+    """Return all findings of a fit, the most important first."""
     return [*replace_uncertain_findings((note for collect in COLLECTORS for note in collect(fit)), fit.estimates)]
 
 
@@ -65,7 +65,10 @@ def finding_notes(fit: CompletedFit) -> list[Note]:
 
 
 def unexplained_note(channels: Sequence[ChannelFit]) -> Note | None:
-    """Return a note if the model explains no channel, else None."""
+    """Return a note if the model explains none of the channels.
+
+    The result is None if it explains at least one channel.
+    """
 
     def unexplained_fraction(channel_fit: ChannelFit) -> float:
         noise = noise_of(channel_fit.channel.values, channel_fit.channel.time)
@@ -89,7 +92,7 @@ def interruption_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def sampling_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield a note on the limits of confidence intervals for sampled circuits."""
+    """Yield a note on the limited validity of confidence intervals for sampled circuits."""
     names = tuple(e.name for e in fit.experiments if e.samples)
     if names:
         yield Note("finding.sampled", recordings=names)
@@ -99,7 +102,7 @@ def sampling_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def offset_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield a note for each channel with an offset, with its effect on the intervals."""
+    """Yield a note on each channel with a significant offset, with its effect on the intervals."""
     for offset in fit.spread.offsets:
         growth = {}
         for f, pull in zip(fit.free, fit.spread.influences, strict=True):
@@ -125,7 +128,7 @@ def offset_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def local_misfit_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield a note on parameters that depend on samples with a large lack of fit."""
+    """Yield a note on parameters that depend mainly on samples with a large lack of fit."""
     pairs = zip(fit.free, fit.spread.influences, strict=True)
     names = tuple(f.name for f, pull in pairs if fit.spread.is_local(pull, LOCAL))
     if names:
@@ -133,12 +136,18 @@ def local_misfit_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def widening_of(residual: FloatArray) -> float:
-    """Return the variance factor of residuals in sigmas, from their size and their correlation time."""
+    """Return the variance factor of residuals, from their mean square and their correlation time.
+
+    The residuals are divided by the noise.
+    """
     return max(1.0, float(np.mean(residual**2))) * (1.0 if is_white(residual) else correlation_time(residual))
 
 
 def residual_findings(name: str, residual: FloatArray, sigma: float, unit: str) -> Iterator[Note]:
-    """Yield notes on residuals of a channel, in sigmas, that are not noise."""
+    """Yield notes on a channel whose residuals are not white noise of the expected size.
+
+    The residuals are divided by the noise `sigma`.
+    """
     spread, samples = float(np.mean(residual**2)), correlation_time(residual)
     if spread > 2.0:
         yield Note("finding.residuals.large", name, times=float(np.sqrt(spread)), noise=sigma, unit=unit)
@@ -153,7 +162,7 @@ def residual_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def error_model_of(experiments: Sequence[Experiment], optimum: Optimum, settings: SearchSettings) -> ErrorModel:
-    """Return the error model of a fit, with the mean variance factor."""
+    """Return the error model of a fit, with the variance factor averaged over all samples."""
     channels = channels_of(experiments)
     residuals_by_channel = [optimum.residual[fitted.rows] for fitted in channels]
     variance_factors = [widening_of(piece) for piece in residuals_by_channel]
@@ -180,7 +189,7 @@ def _sensor_limits(fitted: FittedChannel, residual: FloatArray, sigma: float) ->
 
 
 def parameter_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on parameters at a bound, without change, or not determined."""
+    """Yield notes on parameters that are at a bound, did not change, or are not determined."""
     for f in fit.free:
         e = fit.estimates[f.name]
         is_low = e.value <= f.low + 1e-6 * f.scale
@@ -197,7 +206,7 @@ def parameter_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def choking_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on critical ratios of flow paths that are always or never choked."""
+    """Yield notes on critical ratios of flow paths whose flow is always choked or never choked."""
     for f in fit.free:
         owner, _, local = f.address.rpartition(".")
         if local != "critical_ratio":
@@ -216,10 +225,10 @@ def choking_notes(fit: CompletedFit) -> Iterator[Note]:
 
 
 def gauge_reference_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on gauge pressures that were probably read as absolute.
+    """Yield notes on gauge pressures that were probably read as absolute pressures.
 
-    The sign is a tank that seems to empty to a vacuum while the critical ratio is not determined. Tanks that start
-    evacuated and circuits with an evacuated part are excluded.
+    The criterion is a tank that seems to empty to a vacuum, together with a critical ratio that is not determined.
+    Tanks that are evacuated at the start and circuits with a vacuum are excluded.
     """
     undetermined = [
         f.name for f in fit.free if f.address.endswith(".critical_ratio") and fit.estimates[f.name].verdict in LOST
@@ -248,7 +257,7 @@ def _has_vacuum(e: Experiment) -> bool:
 
 
 def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on the combination of parameters that the data determine least."""
+    """Yield notes on the least determined combination of free parameters."""
     x = fit.optimum.x
     indices = [k for k in range(len(fit.free)) if fit.optimum.active[k] == 0 and x[k] != 0.0]
     if len(indices) < 2:
@@ -296,17 +305,17 @@ def _remedy(names: Mapping[str, float]) -> str:
 
 
 def suspicion_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield the suspicions about the recordings."""
+    """Yield notes on probable errors in the recordings."""
     return (note.within(e.name) for e in fit.experiments for note in e.measurement.findings)
 
 
 def reading_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield the notes on how the recordings were read."""
+    """Yield the notes that the reader of the recordings produced."""
     return (note.within(e.name) for e in fit.experiments for note in e.measurement.notes)
 
 
 def critical_ratio_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on fits with other critical ratios, if the data do not determine one."""
+    """Yield notes on refits with other critical ratios, if the data do not determine a critical ratio."""
 
     def first_rms(x: FloatArray) -> float:
         return channel_fits(fit.experiments[:1], by_name(fit.free, x))[0].summary().rms

@@ -26,7 +26,7 @@ LATEST = 0.2
 
 @dataclass(frozen=True)
 class FitPlan:
-    """Experiments, free parameters and settings of a fit."""
+    """Recordings with their models, free parameters and search settings of a fit."""
 
     experiments: tuple[Experiment, ...]  # recordings that are fitted, with their models
     free: tuple[FreeParameter, ...]  # parameters of single recordings last
@@ -46,7 +46,7 @@ def plan_fit(
 ) -> FitPlan:
     """Return the plan of a fit of recordings, each with its circuit and its role.
 
-    Every fit is planned here: from a fit file, from `Circuit.fit` and from a tank test.
+    Fit files, `Circuit.fit` and tank tests use this function.
 
     Raises
     ------
@@ -76,7 +76,7 @@ def plan_fit(
 
 
 def is_same(first: Measurement, second: Measurement) -> bool:
-    """Return True if two recordings have the same samples of the same channels."""
+    """Return True if two recordings have the same channels with the same samples."""
     pairs = zip(first.channels, second.channels, strict=False)
     return len(first.channels) == len(second.channels) and all(
         a.address == b.address and np.array_equal(a.values, b.values) and np.array_equal(a.time, b.time)
@@ -85,7 +85,7 @@ def is_same(first: Measurement, second: Measurement) -> bool:
 
 
 def _free_of(measurement: Measurement) -> Iterator[tuple[str, str]]:
-    """Yield the kind and the address of each free start value, lag and delay of a recording."""
+    """Yield kind and address of each free start value, lag and delay of a recording."""
     yield from (("start", address) for address, start in measurement.start.items() if start == "free")
     yield from (("lag", channel.address) for channel in measurement.channels if channel.lag is None)
     yield from (("lag", item.address) for item in measurement.inputs if item.lag is None)
@@ -98,9 +98,9 @@ def recording_parameters(
     roles: Sequence[str],
     limits: Mapping[str, Mapping[str, Any]] | None = None,
 ) -> list[FreeParameter]:
-    """Return the free start values, lags and delays of recordings.
+    """Return the start values, lags and delays of recordings that are free.
 
-    `limits` has the bounds and priors of start values by address.
+    `limits` maps the address of a start value to its bounds and prior.
     """
     parameters: list[FreeParameter] = []
     fitted = [measurement for measurement, role in zip(measurements, roles, strict=True) if role == "fit"]
@@ -129,9 +129,9 @@ def recording_parameters(
 
 
 def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None) -> FreeParameter:
-    """Return the free offset of a sensor, within three standard deviations of its prior.
+    """Return the free offset of a sensor, limited to three standard deviations of its prior.
 
-    Without a prior the offset is within a tenth of the range of the recording.
+    Without a prior, the limits are plus and minus a tenth of the range of the recorded channel.
     """
     mean = 0.0 if prior is None else prior.mean
     largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else SURELY * prior.sd
@@ -141,7 +141,7 @@ def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None
 
 
 def check_effects(plan: FitPlan) -> None:
-    """Raise an error for each free parameter that changes no compared output, whatever its value.
+    """Raise an error for each free parameter that has no effect on the compared outputs.
 
     The check is omitted for sampled circuits: their outputs are piecewise constant in the parameters.
 
@@ -170,7 +170,7 @@ def check_effects(plan: FitPlan) -> None:
 
 
 def _effective_parameters(experiment: Experiment, values: Mapping[str, float]) -> set[str]:
-    """Return the names of the parameters that change an output; runs that share their steps differ by them only."""
+    """Return the names of the parameters that change a compared output."""
     # Not-a-number, from a run that failed at a bound, gives no information.
     slopes = [np.nan_to_num(slope) for slope in experiment.slopes(values)]
     return {parameter.name for k, parameter in enumerate(experiment.free) if any(slope[:, k].any() for slope in slopes)}

@@ -1,4 +1,4 @@
-"""Processing of recorded and modelled series: sensor lag, delays, inputs, first values."""
+"""Processing of recorded and modelled series: sensor lags, delays, inputs and first values."""
 
 from __future__ import annotations
 
@@ -16,6 +16,8 @@ PER_START = 75
 
 def apply_lag(time: Array, values: Array, lag: float) -> Array:
     r"""Return the response of a first-order sensor to piecewise linear series, (..., n_times).
+
+    y is the response, u the series, and tau the time constant `lag`.
 
     .. math:: \tau \dot y + y = u, \quad y(0) = u(0)
 
@@ -55,7 +57,10 @@ def recursion(factor: Array, term: Array) -> Array:
 
 
 def shift_series(time: Array, values: Array, delay: float, *, hold: bool = False) -> tuple[Array, Array]:
-    """Return a series whose values are moved to earlier times by a delay."""
+    """Return a series that is shifted to earlier times by a delay and starts at time 0.
+
+    The value at time 0 is interpolated linearly. With `hold`, it is the last value before time 0.
+    """
     shifted_time = time - delay
     first = float(np.interp(0.0, shifted_time, values))
     if hold:
@@ -67,7 +72,7 @@ def shift_series(time: Array, values: Array, delay: float, *, hold: bool = False
 def driving_signals(
     measurement: Any, delays: Mapping[str, float], lags: Mapping[str, float] | None = None
 ) -> dict[str, Any]:
-    """Return the recorded inputs as signals, corrected for delay and lag of their sensors."""
+    """Return the recorded inputs as signals, corrected for delays and sensor lags."""
     signals: dict[str, Any] = {}
     lags = lags or {}
     for item in measurement.inputs:
@@ -85,9 +90,10 @@ def driving_signals(
 
 
 def first_value(channel: Any) -> float:
-    """Return the first value of a channel.
+    """Return the value of a channel at the start of the recording.
 
-    If there are many samples, the value is that of a line through the first few.
+    If there are many samples, a line is fitted to the first few. If they agree with the line within the noise, the
+    result is the value of this line at time 0. Otherwise it is the first sample.
     """
     from poppet.timeseries.measurements import noise_of
 

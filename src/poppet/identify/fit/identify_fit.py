@@ -1,4 +1,4 @@
-"""Method `identify fit`: from a plan to a result with intervals, verdicts and findings."""
+"""Method `identify fit`, which turns a plan into a result with intervals, verdicts and findings."""
 
 from __future__ import annotations
 
@@ -95,7 +95,7 @@ def run_fit(
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
-    """Return the result of a plan: optimum, intervals and findings."""
+    """Fit the free parameters of a plan and return the result with intervals and findings."""
     if contour:
         contour_indices(plan.free)  # before the work of the fit
     check_effects(plan)
@@ -112,7 +112,7 @@ def run_fit(
 
 
 def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
-    """Return the result of an optimum.
+    """Return the result that belongs to an optimum: estimates, residuals and findings.
 
     `with_trials` adds fits with other critical ratios, which need further searches.
     """
@@ -160,7 +160,10 @@ def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = Tru
 
 
 def _series_table(channel_fit: ChannelFit, band: ConfidenceBand | None) -> dict[str, Any]:
-    """Return the series of a channel for the report; validation data have no band."""
+    """Return measured and modelled series of a channel for the report.
+
+    Validation data have no confidence band.
+    """
     channel, model = channel_fit.channel, channel_fit.model
     table = {"time": channel.time, "measured": channel.values, "model": model, "unit": channel.unit}
     if band is not None:
@@ -193,7 +196,7 @@ def _conditions(plan: FitPlan, optimum: Optimum) -> dict[str, Any]:
 
 
 def compare_results(first: Result, second: Result, name: str) -> Result:
-    """Add the comparison with a second result, by AICc, to the first one."""
+    """Return the first result, extended by a comparison with a second one by AICc."""
     if first.comparison["samples"] != second.comparison["samples"] or set(first.residuals) != set(second.residuals):
         raise InputError("fit.compare", "compare", other=name)
     difference = float(second.comparison["aicc"]) - float(first.comparison["aicc"])

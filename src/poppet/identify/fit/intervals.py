@@ -1,4 +1,4 @@
-"""Intervals without a linear model: profile likelihood and bootstrap."""
+"""Confidence intervals that need no linear model: profile likelihood and bootstrap."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ BETWEEN = 8
 
 
 def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequence[str], stages: Stages) -> Result:
-    """Replace the intervals of some parameters by intervals of the profile likelihood.
+    """Replace the intervals of the parameters `names` by intervals of the profile likelihood.
 
-    All other parameters are refitted at each value.
+    The profile of a parameter is the least cost at each value of this parameter. All other parameters are refitted.
     """
     spread = error_model_of(plan.experiments, optimum, plan.settings)
     estimates, series = dict(result.parameters), dict(result.series)
@@ -65,9 +65,9 @@ def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequenc
 def _compute_profile(
     plan: FitPlan, optimum: Optimum, k: int, variance_factor: float, progress: Callable[[int, int], None]
 ) -> tuple[float, float, dict[str, Any]]:
-    """Return the ends of the 95 % interval of a parameter, and its profile.
+    """Return the ends of the 95 % interval of a parameter, and the points of its profile.
 
-    With equivalent optima, the ends belong to the outermost ones.
+    If there are several equivalent optima, the interval contains all of them.
     """
     from scipy.special import chdtri
 
@@ -114,7 +114,10 @@ def _compute_profile(
 
 
 def _profile_points(equivalent: Sequence[Optimum], k: int, free: FreeParameter, sigma: float) -> set[float]:
-    """Return further points of a profile: near each optimum and between two optima."""
+    """Return additional parameter values of a profile, near each optimum and between optima.
+
+    `k` is the index of the parameter, and `sigma` its standard error in units of white noise.
+    """
     points: list[float] = []
     for o in equivalent:
         error = sigma * float(np.linalg.norm(influences(o)[k]))
@@ -126,7 +129,10 @@ def _profile_points(equivalent: Sequence[Optimum], k: int, free: FreeParameter, 
 
 
 def _find_crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:
-    """Return the value at which a profile crosses the limit, or the bound."""
+    """Return the parameter value at which the cost of a profile reaches `limit`.
+
+    The search starts at `best` with `step`. The result is `bound` if the cost stays below the limit.
+    """
     inner, outer = best, best + step
     for _ in range(FARTHEST):
         is_beyond = outer <= bound if step < 0.0 else outer >= bound
@@ -152,7 +158,7 @@ def _find_crossing(cost: Callable[[float], float], best: float, step: float, bou
 
 
 def add_bootstrap(plan: FitPlan, optimum: Optimum, result: Result, repeats: int, stages: Stages) -> Result:
-    """Add intervals from fits to the model plus resampled residuals."""
+    """Add bootstrap intervals, from fits to the model plus resampled residuals."""
     generator = np.random.default_rng(plan.settings.seed)
     start = with_starts(plan.free, optimum.x)
     models = [e.outputs(by_name(plan.free, optimum.x)) for e in plan.experiments]

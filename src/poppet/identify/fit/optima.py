@@ -1,4 +1,4 @@
-"""Search for all equivalent optima of a fit.
+"""Search for all equivalent optima of a fit, which have practically equal costs.
 
 An adiabatic and an isothermal tank have the same pressure curve if the supply temperature is constant and C differs by
 the factor kappa T_s/T_w. A local analysis cannot detect this. Each fit of a wall conductance from pressures alone
@@ -29,9 +29,9 @@ ISOTHERMAL, NEARLY_ISOTHERMAL, NEARLY_ADIABATIC = 1e4, 10.0, 0.01
 """Transfer units h A tau/(m c_v) of the isothermal limit and of two start points. In each of 78 simulated charges and
 discharges, one of the two start points led to the best optimum; either one alone did so in two thirds of them."""
 TIE = 2
-"""Decimals to which costs are compared; of equal optima, the first is selected: the adiabatic one."""
+"""Number of decimals to which costs are compared. Of equal optima, the first one is selected: the adiabatic optimum."""
 HOPELESS = 4.0
-"""Ratio to the least cost above which an optimum is not searched again: twice the rms of the residuals."""
+"""Ratio of cost to least cost above which a search is not repeated from an optimum: twice the rms of the residuals."""
 SHALLOW = 0.01
 """Relative singular value of the normalised Jacobian below which the linear model can underestimate a valley."""
 DITHERED, STUCK = 0.5, 5
@@ -41,7 +41,7 @@ difference of models below the resolution is not evidence there."""
 
 @dataclass
 class _Searches:
-    """Searches over the same residuals from several start points, with their optima."""
+    """Searches over the same residuals from several start points, and the optima they reached."""
 
     experiments: Sequence[Experiment]
     free: tuple[FreeParameter, ...]
@@ -62,7 +62,7 @@ class _Searches:
         joinable: Sequence[Optimum] = (),
         weights: list[float] | None = None,
     ) -> Optimum:
-        """Return the optimum of one search."""
+        """Run one search from `start_point` and return the optimum."""
         evaluations_before = self.evaluations
 
         def report(evaluations: int, cost: float) -> None:
@@ -86,7 +86,10 @@ class _Searches:
         )
 
     def add(self, name: str, start_point: FloatArray, fixed: Mapping[str, float] | None = None) -> FloatArray:
-        """Add a search with the initial sigmas, unless interrupted; return its end point."""
+        """Run a search with the initial sigmas, store the optimum and return the end point.
+
+        After an interruption by the user, the result is the start point.
+        """
         if self.is_stopped:
             return start_point
         joinable = [] if fixed else self.optima
@@ -94,7 +97,7 @@ class _Searches:
         return self.optima[-1].x
 
     def lowest(self, optima: Sequence[Optimum]) -> Optimum:
-        """Return the first optimum with the least cost."""
+        """Return the optimum of lowest cost; of equal optima, the first one."""
         return min(optima, key=lambda o: round(float(np.sum(costs_of(o.residual, self.settings.loss))), TIE))
 
 
@@ -105,7 +108,7 @@ def find_optima(
     *,
     progress: Callable[[int, float], Any] | None = None,
 ) -> Optimum:
-    """Return the lowest optimum with all equivalent optima."""
+    """Return the optimum of lowest cost, with all equivalent optima."""
     searches = _Searches(experiments, free, settings, initial_sigmas(experiments), progress)
     start = np.array([f.start for f in free])
     if wall_units := thermal_units(experiments, free):
@@ -133,7 +136,10 @@ def find_optima(
 
 
 def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
-    """Return the indices of wall conductances without temperature data, with one transfer unit [W/K]."""
+    """Return the wall conductances of tanks without temperature data.
+
+    The result maps the index of each such free parameter to the wall conductance of one transfer unit [W/K].
+    """
     if any(e.samples for e in experiments):
         return {}
     units = {k: _one_unit(experiments, f) for k, f in enumerate(free) if f.address.endswith(WALL)}
@@ -141,9 +147,9 @@ def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParamete
 
 
 def _one_unit(experiments: Sequence[Experiment], wall: FreeParameter) -> float:
-    """Return the heat capacity of the gas over the duration of its change [W/K].
+    """Return the heat capacity of the gas, divided by the duration of the pressure change [W/K].
 
-    The result is 0 if the temperature of the gas was recorded.
+    This is the wall conductance of one transfer unit. The result is 0 if the temperature of the gas was recorded.
     """
     chamber, unit = wall.address.removesuffix(WALL), 0.0
     for e in experiments:
@@ -167,7 +173,7 @@ def kappa_of(experiment: Experiment) -> float:
 
 
 def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
-    """Search in the adiabatic and the isothermal limit, and from points near them."""
+    """Search at the adiabatic and the isothermal limit, then from points near these limits."""
     free = searches.free
     flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
 
@@ -191,9 +197,9 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
 
 
 def _swapped_points(free: Sequence[FreeParameter], x: FloatArray) -> Iterator[FloatArray]:
-    """Yield points with the parameters of two parts exchanged.
+    """Yield start points in which the parameters of two parts are exchanged.
 
-    Flow paths in series can be equivalent in either order.
+    If two flow paths are in series, the exchanged parameters can fit equally well.
     """
     parts: dict[str, dict[str, int]] = {}
     for k, f in enumerate(free):
@@ -211,9 +217,10 @@ def _swapped_points(free: Sequence[FreeParameter], x: FloatArray) -> Iterator[Fl
 def _points_along_valley(
     free: Sequence[FreeParameter], optimum: Optimum
 ) -> Iterator[tuple[FloatArray, dict[str, float]]]:
-    """Yield points along a weakly determined direction.
+    """Yield start points along the direction that the data determine least, and the fixed parameter.
 
-    The dominant parameter is twice or half its value.
+    The parameter with the largest change is twice or half its value at the optimum. It is fixed at this value in the
+    search.
     """
     indices = np.flatnonzero((optimum.active == 0) & (optimum.x != 0.0))
     slopes = optimum.jacobian[:, indices] * optimum.x[indices]
@@ -238,9 +245,10 @@ def _points_along_valley(
 
 
 def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> Optimum:
-    """Return the lowest optimum with the equivalent ones, each once.
+    """Return the optimum of lowest cost, with all equivalent optima.
 
-    `least` is the least cost with the initial sigmas.
+    `least` is the least cost of the first searches, with the initial sigmas. Optima that agree within their intervals
+    are returned once.
     """
     from scipy.special import chdtri
 
@@ -276,9 +284,10 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
 def evidence(
     experiments: Sequence[Experiment], best: Optimum, rival: Optimum, loss: str = "linear", off: Collection[int] = ()
 ) -> float:
-    """Return the evidence against another optimum: a difference of cost, at least 0.
+    """Return the evidence against another optimum: the difference of costs, at least 0.
 
-    Differences that an offset in the channels `off` explains do not count, nor those below the resolution of a sensor.
+    `off` contains the indices of channels with a possible offset. The difference excludes what such an offset explains,
+    and differences of the models that are below the resolution of a sensor.
     """
     channels = channels_of(experiments)
     is_visible = np.ones(best.residual.size, dtype=bool)
@@ -295,7 +304,7 @@ def evidence(
 
 
 def _residuals_without_offsets(optimum: Optimum, offset_rows: Sequence[slice]) -> FloatArray:
-    """Return the residuals after a fit of offsets and free parameters."""
+    """Return the residuals after a linear fit of channel offsets and free parameters."""
     constants = np.zeros((optimum.residual.size, len(offset_rows)))
     for k, rows in enumerate(offset_rows):
         constants[rows, k] = 1.0
@@ -308,7 +317,12 @@ def _residuals_without_offsets(optimum: Optimum, offset_rows: Sequence[slice]) -
 
 
 def _is_on_step(channel: Channel, sigma: float) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """Return True for each sample at a constant reading of a coarse, quiet sensor."""
+    """Return a mask of the samples in long constant readings of a sensor of coarse resolution.
+
+    The mask contains no sample if the noise is large enough to hide the resolution.
+
+    The mask is empty if the noise is large enough to hide the resolution.
+    """
     result = np.zeros(channel.values.size, dtype=bool)
     if sigma < DITHERED * channel.quantum:
         changes = np.flatnonzero(np.diff(channel.values)) + 1
@@ -318,7 +332,7 @@ def _is_on_step(channel: Channel, sigma: float) -> np.ndarray[Any, np.dtype[np.b
 
 
 def _is_same(searches: _Searches, first: Optimum, second: Optimum) -> bool:
-    """Return True if each parameter of one optimum is in the interval of the other."""
+    """Return True if all parameters of the second optimum are in the intervals of the first."""
     intervals = estimates(searches.free, first, error_model_of(searches.experiments, first, searches.settings))
     return all(
         intervals[f.name].low <= x <= intervals[f.name].high for f, x in zip(searches.free, second.x, strict=True)

@@ -20,7 +20,10 @@ FLAT = 1e-16
 
 
 def costs_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the costs of the residuals: half their squares, or SciPy's rho."""
+    """Return the contribution of each residual to the cost, for a linear or a robust loss.
+
+    For the linear loss it is half the square. For a robust loss it is half of rho in SciPy's notation.
+    """
     squares = residual**2
     if loss == "soft_l1":
         squares = 2.0 * (np.sqrt(1.0 + squares) - 1.0)
@@ -32,7 +35,7 @@ def costs_of(residual: FloatArray, loss: str) -> FloatArray:
 
 
 def weights_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the weight of each residual in the gradient of the cost, rho' in SciPy."""
+    """Return the weight of each residual in the gradient of the cost (rho' in SciPy)."""
     if loss == "soft_l1":
         return np.asarray(1.0 / np.sqrt(1.0 + residual**2))
     if loss == "huber":
@@ -41,7 +44,10 @@ def weights_of(residual: FloatArray, loss: str) -> FloatArray:
 
 
 def curvatures_of(residual: FloatArray, loss: str) -> FloatArray:
-    """Return the weights in the curvature, rho' + 2 r^2 rho'', if positive."""
+    """Return the weight of each residual in the curvature of the cost (rho' + 2 r^2 rho'').
+
+    The weight has a positive lower limit.
+    """
     weights = weights_of(residual, loss)
     if loss == "soft_l1":
         weights = weights**3
@@ -63,7 +69,10 @@ WHITE_SHORT, SHORT = 0.02, 100
 
 
 def runs_probability(residual: FloatArray) -> float:
-    """Return the two-sided probability of the number of runs of one sign (Wald & Wolfowitz)."""
+    """Return the two-sided probability of the number of sign runs (Wald & Wolfowitz).
+
+    A sign run is a sequence of successive residuals on the same side of the median.
+    """
     from scipy.special import erfc
 
     # Use the median: a bias is not a correlation and has a separate test.
@@ -78,9 +87,9 @@ def runs_probability(residual: FloatArray) -> float:
 
 
 def portmanteau_probability(residual: FloatArray) -> float:
-    """Return the probability of the correlations over a few samples (Ljung & Box 1978).
+    """Return the probability of the autocorrelations of residuals at small lags (Ljung & Box 1978).
 
-    It detects a slow lack of fit that is small compared with the noise and does not change the signs.
+    The test detects a slow lack of fit that is too small, compared with the noise, to change the signs of residuals.
     """
     from scipy.special import chdtrc
 
@@ -95,7 +104,7 @@ def portmanteau_probability(residual: FloatArray) -> float:
 
 
 def whiteness(residual: FloatArray) -> float:
-    """Return the lower probability of the runs test and the portmanteau test."""
+    """Return the smaller probability of two tests for white noise: runs test and portmanteau test."""
     return min(runs_probability(residual), portmanteau_probability(residual))
 
 
@@ -105,7 +114,7 @@ def is_white(residual: FloatArray) -> bool:
 
 
 def correlation_time(residual: FloatArray) -> float:
-    """Return the integrated autocorrelation time in samples, at least 1."""
+    """Return the integrated autocorrelation time of residuals, in samples, at least 1."""
     centred = residual - residual.mean()
     variance = float(centred @ centred)
     if variance <= 0.0 or residual.size < 8:
@@ -122,20 +131,21 @@ def correlation_time(residual: FloatArray) -> float:
 # Rounding -------------------------------------------------------------------------------------------------------------
 
 HARMONICS = 24
-"""Number of harmonics of the staircase; the omitted ones have 2 % of its variance."""
+"""Number of harmonics of the rounding error; the omitted harmonics contain 2 % of the variance."""
 QUIET = 1e-3
 """Relative amplitude below which noise suppresses a harmonic."""
 
 
 class Staircase(NamedTuple):
-    r"""Part of the rounding error that noise does not average out.
+    r"""Rounding error of a sensor of coarse resolution that noise does not average out.
 
     .. math:: e(x) = \sum_h a_h \sin\Big(\frac{2 \pi h x}{q} + \varphi_h\Big), \qquad
         a_h = \frac{q}{\pi h} \exp\Big(-\frac{2 \pi^2 h^2 \sigma^2}{q^2}\Big)
 
-    The product of `waves`, (2 n_harmonics, n), and a series of weights gives terms; the sum of their squares is the
-    variance of the weighted sum of e. `square` is the variance of e. Without noise and drift it is q^2/12, and the
-    error is equal in all samples.
+    x is the value before rounding, q the resolution step, sigma the noise, h the order of the harmonic, and phi_h its
+    phase. `waves`, (2 n_harmonics, n), gives the variance of a weighted sum of e: multiply `waves` by the weights and
+    add the squares of the products. `square` is the variance of e. Without noise and drift, this variance is q^2/12,
+    and the error is equal in all samples.
 
     References
     ----------
@@ -146,12 +156,18 @@ class Staircase(NamedTuple):
     square: float
 
     def excess(self, weights: FloatArray) -> float:
-        """Return the variance of a weighted sum minus that of independent errors of equal size."""
+        """Return the additional variance of a weighted sum that the correlation of rounding errors causes.
+
+        The reference is the variance for independent errors of the same size.
+        """
         return float(np.sum((self.waves @ weights) ** 2)) - self.square * float(weights @ weights)
 
 
 def staircase(values: FloatArray, quantum: float, noise: float) -> Staircase | None:
-    """Return the effect of rounding to steps of `quantum`; None if noise hides the steps."""
+    """Return the rounding error of readings with the resolution `quantum`.
+
+    The result is None if the noise hides the steps.
+    """
     order = np.arange(1, HARMONICS + 1)
     smooth = np.exp(-2.0 * (np.pi * order * noise / quantum) ** 2)
     order, smooth = order[smooth > QUIET], smooth[smooth > QUIET]

@@ -1,4 +1,4 @@
-"""Weighted least squares of the free parameters on the integrated equations."""
+"""Weighted least-squares search for the free parameters, in which each evaluation simulates the circuit."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel, noise_of
 
 ROUNDS = 12
-"""Maximum rounds of weighting: unless the noise is stated, each round estimates it from the last residuals."""
+"""Maximum number of rounds of weighting. Each round estimates noise that is not stated from the last residuals."""
 KICKS = 3
 """Default of the maximum number of restart rounds."""
 SUSPICIOUS = 0.05
@@ -38,7 +38,7 @@ Places = NDArray[np.int64] | slice
 
 @dataclass(frozen=True)
 class SearchSettings:
-    """Settings of the search.
+    """Settings of the search for an optimum: loss function, start points and restarts.
 
     Parameters
     ----------
@@ -74,28 +74,32 @@ class SearchSettings:
 
 
 class KnownOptimum(NamedTuple):
-    """Optimum of another search over the same residuals."""
+    """Optimum that another search over the same residuals has reached."""
 
     x: FloatArray
     errors: FloatArray  # standard error of each parameter, infinite if the data are insensitive to it
     cost: float
 
     def holds(self, x: FloatArray, cost: float) -> bool:
-        """Return True if a point belongs to the optimum.
+        """Return True if a point with a given cost belongs to this optimum.
 
-        Each parameter must be within a tenth of a standard error, and the cost within 0.1.
+        The point belongs to the optimum if each parameter differs by at most a tenth of a standard error, and the cost
+        by at most 0.1.
         """
         is_near = np.abs(x - self.x) <= JOINED * np.where(np.isfinite(self.errors), self.errors, np.inf)
         return bool(np.all(is_near)) and abs(cost - self.cost) <= JOINED
 
 
 class _JoinedError(Exception):
-    """Signal that a search has reached a known optimum."""
+    """Signal that a search has reached a known optimum and can end."""
 
 
 @dataclass
 class Optimum:
-    """Result of a search; the priors follow the samples."""
+    """Result of a search.
+
+    In `residual` and `jacobian`, the rows of the priors follow those of the samples.
+    """
 
     x: FloatArray  # values of the free parameters, (n_free,), SI
     cost: float  # half the sum of squares, in sigmas
@@ -103,22 +107,22 @@ class Optimum:
     residual: FloatArray  # weighted residuals, (n_samples,)
     sigmas: list[float]  # noise of each channel, in the order of experiments and channels
     active: NDArray[np.int64]  # -1 at the lower bound, 1 at the upper, 0 between, (n_free,)
-    interrupted: bool = False  # by the user
+    interrupted: bool = False  # True if the user interrupted the search
     evaluations: int = 0  # evaluations of the residuals
     name: str = "given"  # name of the start point
     start_point: FloatArray = field(default_factory=lambda: np.zeros(0))
     fixed: Mapping[str, float] = field(default_factory=dict)  # parameters fixed in this search
-    excess: float = 0.0  # evidence for the lowest optimum: a difference of cost
+    excess: float = 0.0  # evidence against this optimum: cost minus that of the lowest optimum
     limit: float = np.inf  # largest excess within the 95 % confidence region
     others: tuple[Optimum, ...] = ()  # equivalent optima
-    searches: tuple[Optimum, ...] = ()  # searches with the first weights, in their order
+    searches: tuple[Optimum, ...] = ()  # results of all searches with the initial sigmas, in their order
 
 
 @dataclass
 class FitObjective:
     """Weighted residuals of all experiments as a function of the free parameters.
 
-    The priors are the last residuals.
+    The last residuals are those of the priors.
     """
 
     experiments: Sequence[Experiment]
@@ -130,7 +134,7 @@ class FitObjective:
     joinable: Sequence[KnownOptimum] = ()
     # Least cost so far and its point: the result if the user interrupts the search.
     best: tuple[float, FloatArray] = field(default_factory=lambda: (np.inf, np.zeros(0)))
-    # last point, its residuals, half the sum of their squares
+    # Last evaluated point, residuals at this point, half their sum of squares.
     _last_residual: tuple[bytes, FloatArray, float] = (b"", np.zeros(0), np.inf)
     _slopes: tuple[tuple[bytes, float], FloatArray] = ((b"", 0.0), np.zeros((0, 0)))  # point and width, derivatives
 
@@ -142,16 +146,16 @@ class FitObjective:
         self._priors = [(k, f.prior) for k, f in enumerate(self.free) if f.prior]
 
     def searched_indices(self) -> NDArray[np.int64]:
-        """Return the indices of the parameters that are not fixed."""
+        """Return the indices of the free parameters that the search changes."""
         return np.array([k for k, f in enumerate(self.free) if f.name not in self.fixed], dtype=np.int64)
 
     def cost(self, x: FloatArray, loss: str = "linear") -> float:
-        """Return half the sum of squares, or the cost of a robust loss."""
+        """Return the cost at a point: half the sum of squares, or that of a robust loss."""
         residual = self.residual(x)
         return self._last_residual[2] if loss == "linear" else float(np.sum(costs_of(residual, loss)))
 
     def residual(self, x: FloatArray) -> FloatArray:
-        """Return the weighted residuals."""
+        """Return the weighted residuals at a point."""
         key = x.tobytes()
         if self._last_residual[0] != key:
             values = by_name(self.free, x)
@@ -172,15 +176,15 @@ class FitObjective:
         return self._last_residual[1]
 
     def residual_and_jacobian(self, x: FloatArray, width: float = SAMPLED_DIFFERENCE) -> tuple[FloatArray, FloatArray]:
-        """Return the weighted residuals and their derivatives.
+        """Return the weighted residuals at a point, and their derivatives.
 
-        `width` is the relative width of the differences for sampled circuits.
+        `width` is the relative step of the finite differences. Only sampled circuits use it.
         """
         residual = self.residual(x)
         return residual, self._weighted_slopes(x, width)[:, :-1]
 
     def local_model(self, x: FloatArray, width: float, loss: str, indices: Places) -> LocalModel:
-        """Return the local model of the residuals for the searched parameters."""
+        """Return the local model of the residuals for the parameters with the given indices."""
         columns, residual = self._weighted_slopes(x, width), self.residual(x)
         columns[:, -1] = residual
         if loss == "linear":
@@ -219,7 +223,7 @@ class FitObjective:
 
 
 def kick_rounds(settings: SearchSettings, experiments: Sequence[Experiment]) -> int:
-    """Return the maximum number of restart rounds, as set or by the type of circuit."""
+    """Return the maximum number of restart rounds, from the settings or the type of circuit."""
     if settings.kicks is not None:
         return settings.kicks
     return 0 if any(experiment.samples for experiment in experiments) else KICKS
@@ -236,9 +240,10 @@ def optimise(
     start_point: FloatArray | None = None,
     joinable: Sequence[KnownOptimum] = (),
 ) -> Optimum:
-    """Return the optimum of a search from the start values or from `start_point`.
+    """Search for an optimum from the start values, or from `start_point` if given.
 
-    `sigmas` are those of an earlier search. The search ends if it reaches an optimum in `joinable`.
+    `sigmas` is the noise of each channel from an earlier search. `fixed` maps names of parameters to fixed values. The
+    search ends if it reaches a known optimum in `joinable`.
     """
     settings = settings or SearchSettings()
     stated_noise = [fitted.channel.noise for fitted in channels_of(experiments)]
@@ -270,7 +275,12 @@ def optimise(
 
 
 def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator) -> FloatArray:
-    """Return a random point within finite bounds or a factor of ten."""
+    """Return a random start point within the bounds.
+
+    A parameter that is positive or without finite bounds is within a factor of ten of its start value.
+
+    For a parameter without finite bounds, the value is within a factor of ten of the start value.
+    """
     point = []
     for f in free:
         if np.isfinite(f.low) and np.isfinite(f.high) and f.low <= 0.0:
@@ -281,7 +291,7 @@ def random_point(free: tuple[FreeParameter, ...], generator: np.random.Generator
 
 
 def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: SearchSettings) -> FloatArray:
-    """Restart from other points while the residuals are not white; return the best point.
+    """Restart the search from other points while the residuals are not white; return the best point.
 
     Conductance and wall conductance compensate each other. A discharge therefore has a false minimum near the
     isothermal or the adiabatic limit, where the residuals are not white.
@@ -304,7 +314,7 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
 
 
 def _kick_points(objective: FitObjective, x: FloatArray) -> Iterator[FloatArray]:
-    """Yield points with one parameter moved from the end or the start of the search."""
+    """Yield restart points, in each of which one parameter is moved."""
     start = np.array([objective.fixed.get(f.name, f.start) for f in objective.free])
     for k in objective.searched_indices():
         f = objective.free[k]
@@ -341,7 +351,7 @@ def _search_locally(objective: FitObjective, x: FloatArray, settings: SearchSett
 def _search_downhill(
     objective: FitObjective, x: FloatArray, settings: SearchSettings, width: float
 ) -> tuple[FloatArray, float]:
-    """Return the end point and the cost of one search from x."""
+    """Run one local search from `x` and return its end point and cost."""
     indices = objective.searched_indices()
     if indices.size == 0:
         return x, objective.cost(x)
@@ -375,18 +385,18 @@ def _search_downhill(
 
 
 def initial_sigmas(experiments: Sequence[Experiment]) -> list[float]:
-    """Return the noise of each channel, as stated or estimated from the channel."""
+    """Return the noise of each channel, stated or estimated from the samples of the channel."""
     return [fitted.channel.noise or _estimate_noise(fitted.channel) for fitted in channels_of(experiments)]
 
 
 def _estimate_noise(channel: Channel) -> float:
-    """Return the noise of a channel, at least that of its resolution."""
+    """Return an estimate of the noise of a channel, at least the noise that its resolution causes."""
     noise = max(noise_of(channel.values), channel.quantum / np.sqrt(12.0))
     return float(noise) if noise > 0.0 else 1e-6 * max(float(np.ptp(channel.values)), 1e-30)
 
 
 def _refine_sigmas(objective: FitObjective, x: FloatArray, stated_noise: Sequence[float | None]) -> list[float]:
-    """Return the noise of each channel; if not stated, from its residuals."""
+    """Return the noise of each channel: the stated value, or an estimate from the residuals."""
     residual = objective.residual(x)
     # Each free parameter removes one degree of freedom.
     freedom = max(0.1, 1.0 - len(objective.free) / max(1, residual.size))

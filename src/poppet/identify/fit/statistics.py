@@ -1,4 +1,4 @@
-"""Statistics of a fit: effects of noise, lack of fit and offsets; intervals, verdicts, AICc."""
+"""Statistics of a fit: effects of noise, lack of fit and offsets, with intervals, verdicts and AICc."""
 
 from __future__ import annotations
 
@@ -40,7 +40,9 @@ OF_RATIOS = 0.05, 0.15
 
 
 def influences(optimum: Optimum) -> FloatArray:
-    r"""Return the effect of each sample on each parameter, per sigma: one row per parameter.
+    r"""Return the change of each parameter per sigma of each sample, one row per parameter.
+
+    K is this matrix, and J contains the derivatives of the weighted residuals by the parameters.
 
     .. math:: K = (J^T J)^{-1} J^T
     """
@@ -59,9 +61,10 @@ def _scale(optimum: Optimum) -> FloatArray:
 
 
 def _pseudo_inverse(jacobian: FloatArray) -> FloatArray:
-    """Return (J^T J)^-1 J^T of derivatives per relative change.
+    """Return the pseudo-inverse (J^T J)^-1 J^T of derivatives per relative change of the parameters.
 
-    The rows of parameters that are not identifiable are infinite.
+    `jacobian` contains the derivatives of the residuals. The rows of the result that belong to parameters that are not
+    identifiable are infinite.
     """
     scale, felt, u, s, vt = _decompose(jacobian)
     is_visible = s > RANK * np.max(s, initial=0.0)
@@ -73,7 +76,9 @@ def _pseudo_inverse(jacobian: FloatArray) -> FloatArray:
 
 
 def _decompose(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray, FloatArray]:
-    """Return norms, a mask and the SVD of the columns that affect the residuals.
+    """Return the singular value decomposition of the columns of parameters with an effect.
+
+    The result contains the norms of these columns, the mask of the columns, and U, s and V^T.
 
     The columns are divided by their norms.
     """
@@ -87,16 +92,16 @@ def _decompose(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], Flo
 class SensorLimits(NamedTuple):
     """Resolution and largest offset of a sensor, in sigmas of its noise."""
 
-    steps: Staircase | None = None  # where it is coarse
-    largest: float = np.inf  # offset that it may have
+    steps: Staircase | None = None  # rounding error; None for a sensor of fine resolution
+    largest: float = np.inf  # largest possible offset
 
 
 class SensorOffset(NamedTuple):
     """Constant difference between a channel and its model, in sigmas of its noise.
 
-    `bias` is the mean of model - measurement. `size` is the offset of the sensor if it alone has one, and `error` is
-    its standard deviation. Both are limited to the largest possible offset of the sensor. `is_possible` is false if the
-    estimate exceeds this limit; the cause is then different.
+    `bias` is the mean of model - measurement. `size` is the estimated offset if no other sensor has one, and
+    `error` is the standard deviation of this estimate. Both are limited to the largest possible offset of the sensor.
+    `is_possible` is False if the estimate exceeds this limit. An offset then does not explain the difference.
     """
 
     channel: int
@@ -108,7 +113,7 @@ class SensorOffset(NamedTuple):
 
 
 class ErrorModel:
-    r"""Standard deviation of a linear combination of the samples.
+    r"""Standard deviation of a linear combination of the samples, such as a parameter estimate.
 
     .. math:: \sigma^2 = \max\Big(w \sum_i k_i^2,\; \sum_c \sum_{i,j \in c} \beta_{ij} m_i m_j,\;
         s^2 \sum_i k_i^2 + \sum_c e_c\Big)
@@ -122,8 +127,8 @@ class ErrorModel:
 
     Notes
     -----
-    The part of an offset that the free parameters can imitate is not visible. An error that several sensors share is
-    therefore counted as an offset of each sensor.
+    The free parameters can compensate a fraction of an offset, which is then not visible in the residuals. An error
+    that several sensors share is therefore counted as an offset of each sensor.
 
     References
     ----------
@@ -155,7 +160,10 @@ class ErrorModel:
         self._misfit, self._reaches = self._by_leverage(residual)
 
     def deviation(self, pull: FloatArray, *, offsets: Sequence[SensorOffset] | None = None) -> float:
-        """Return the standard deviation of a combination of samples."""
+        """Return the standard deviation of a weighted sum of samples.
+
+        `pull` contains the weights k, per sigma of the noise. By default, all detected offsets are included.
+        """
         if not np.all(np.isfinite(pull)):
             return float("inf")
         spread = max(
@@ -166,14 +174,17 @@ class ErrorModel:
         return float(np.sqrt(spread + shifts))
 
     def factor(self, pull: FloatArray) -> float:
-        """Return the variance of a combination over that of white noise."""
+        """Return the ratio of the variance of a weighted sum to its variance for white noise.
+
+        `pull` contains the weights of the samples.
+        """
         white_deviation = float(np.sqrt(pull @ pull)) if np.all(np.isfinite(pull)) else 0.0
         return (self.deviation(pull) / white_deviation) ** 2 if white_deviation > 0.0 else self.variance_factor
 
     def model_deviation(self) -> FloatArray:
         """Return the standard deviation of the model at each sample, in sigmas of its noise.
 
-        Parameters at a bound are fixed.
+        Parameters at a bound are treated as fixed.
         """
         # The model at a sample is row i of U U'; in these coordinates no direction is worse conditioned than another.
         basis = self._seen
@@ -193,7 +204,11 @@ class ErrorModel:
         return np.asarray(np.sqrt(variance))
 
     def is_local(self, pull: FloatArray, factor: float) -> bool:
-        """Return True if the lack of fit affects a combination more than its mean suggests."""
+        """Return True if the lack of fit of few samples dominates the variance of a weighted sum.
+
+        The variance from the lack of fit of each sample must exceed `factor` squared times that from the mean lack of
+        fit. `pull` contains the weights of the samples.
+        """
         if not np.all(np.isfinite(pull)):
             return False
         return self._local_variance(pull) > factor**2 * self.variance_factor * float(pull @ pull)
@@ -202,7 +217,7 @@ class ErrorModel:
         return _correlated_variance(pull * self._misfit, self.rows, self._reaches)
 
     def _rounding_variance(self, pull: FloatArray) -> float:
-        """Return the variance of a combination with the correlated rounding of coarse sensors."""
+        """Return the variance of a weighted sum, with correlated rounding errors of coarse sensors."""
         pairs = [(gauge.steps, rows) for gauge, rows in zip(self._gauges, self.rows, strict=True) if gauge.steps]
         if not pairs:
             return 0.0
@@ -210,13 +225,16 @@ class ErrorModel:
         return self._square * float(pull @ pull) + excess
 
     def _by_leverage(self, residual: FloatArray) -> tuple[FloatArray, list[int]]:
-        """Return the residuals corrected by leverage, and the correlation length of each channel."""
+        """Return the residuals divided by sqrt(1 - leverage), and the correlation length of each channel."""
         misfit = residual / np.sqrt(1.0 - self._leverage)
         misfit[self._priors] = 1.0
         return misfit, [_correlation_length(residual[rows]) for rows in self.rows]
 
     def _offset(self, channel: int, residual: FloatArray) -> SensorOffset | None:
-        """Return the offset of a channel that noise does not explain, else None."""
+        """Return the significant offset of a channel.
+
+        The result is None if noise explains the offset.
+        """
         from scipy.special import stdtrit
 
         rows = self.rows[channel]
@@ -246,7 +264,10 @@ class ErrorModel:
 
 
 def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: Sequence[int]) -> float:
-    """Return the variance of a sum whose terms are correlated within channels."""
+    """Return the variance of a sum whose terms are correlated within each channel.
+
+    `reaches` contains the correlation length of each channel in samples.
+    """
     independent = float(moves @ moves)
     correlated = independent
     for rows, reach in zip(channels, reaches, strict=True):
@@ -258,7 +279,10 @@ def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: 
 
 
 def _correlation_length(residual: FloatArray) -> int:
-    """Return the number of correlated samples: Bartlett weights, first-order process (Andrews)."""
+    """Return the correlation length of residuals in samples.
+
+    The length applies to Bartlett weights and a first-order process (Andrews).
+    """
     time = correlation_time(residual)
     # 4 a^2/(1 - a^2)^2 (Andrews) for a first-order process with a correlation time of (1 + a)/(1 - a).
     steepness = (time**2 - 1.0) ** 2 / (4.0 * time**2)
@@ -269,7 +293,7 @@ def _correlation_length(residual: FloatArray) -> int:
 
 
 def estimates(free: Sequence[FreeParameter], optimum: Optimum, spread: ErrorModel) -> dict[str, Estimate]:
-    """Return the estimates with 95 % confidence intervals and verdicts."""
+    """Return the estimate of each free parameter, with 95 % confidence interval and verdict."""
     quantile, result = _quantile(optimum), {}
     for f, x, pull, active in zip(free, optimum.x, spread.influences, optimum.active, strict=True):
         value, error = float(x), spread.deviation(pull)
@@ -285,9 +309,10 @@ def _quantile(optimum: Optimum) -> float:
 
 
 def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
-    """Return the verdict on half an interval of a parameter.
+    """Return the verdict on the confidence interval of a parameter.
 
-    The half width is compared with the range for offsets and dimensionless parameters, else with the value.
+    For offsets and dimensionless parameters with finite bounds, the half width `half` is compared with the range
+    between the bounds. For other parameters it is compared with the value.
     """
     span = f.high - f.low
     is_ratio = (f.unit == "1" or f.role == "offset") and np.isfinite(span)
@@ -295,9 +320,9 @@ def verdict(f: FreeParameter, value: float, half: float) -> Verdict:
 
 
 def covariance(optimum: Optimum) -> FloatArray:
-    """Return the covariance of the parameters for white noise.
+    """Return the covariance matrix of the parameters for white noise.
 
-    Parameters at a bound have only their own variance.
+    For a parameter at a bound, the covariances with all other parameters are zero.
     """
     rows = influences(optimum)
     is_unfelt = ~np.all(np.isfinite(rows), axis=1)
@@ -313,13 +338,13 @@ def covariance(optimum: Optimum) -> FloatArray:
 def errors(optimum: Optimum) -> FloatArray:
     """Return the standard error of each parameter for white noise.
 
-    It is infinite if the data are insensitive to the parameter.
+    The standard error is infinite if the data are insensitive to the parameter.
     """
     return np.asarray(np.linalg.norm(influences(optimum), axis=1))
 
 
 def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, dict[str, float]]:
-    """Return the correlations of the estimates within their bounds."""
+    """Return the correlations of the estimates that are within their bounds."""
     matrix = covariance(optimum)
     sd = np.sqrt(np.diag(matrix))
     indices = [k for k in range(len(free)) if np.isfinite(sd[k]) and sd[k] > 0.0 and not optimum.active[k]]
@@ -327,14 +352,14 @@ def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, di
 
 
 class ConfidenceBand(NamedTuple):
-    """Half widths of the 95 % bands of the model and of single samples."""
+    """Half widths of the 95 % bands of a channel: of the model, and of single samples."""
 
     model: FloatArray
     samples: FloatArray
 
 
 def confidence_bands(optimum: Optimum, spread: ErrorModel) -> list[ConfidenceBand]:
-    """Return the confidence bands of all fitted channels."""
+    """Return the 95 % bands of each fitted channel."""
     quantile, result = _quantile(optimum), []
     model = spread.model_deviation()
     for rows, sigma in zip(spread.rows, optimum.sigmas, strict=True):
@@ -345,19 +370,19 @@ def confidence_bands(optimum: Optimum, spread: ErrorModel) -> list[ConfidenceBan
 
 
 class ChannelFit(NamedTuple):
-    """Channel with its model."""
+    """Measured channel and modelled channel at the same times."""
 
     name: str
     channel: Channel
     model: FloatArray
 
     def summary(self) -> ResidualSummary:
-        """Return the summary of the residuals."""
+        """Return the statistics of the residuals of the channel."""
         return ResidualSummary.of(self.model, self.channel.values, self.channel.unit)
 
 
 def channel_fits(experiments: Sequence[Experiment], values: Mapping[str, float]) -> list[ChannelFit]:
-    """Return every channel with its model at some parameter values."""
+    """Return each channel with its model at given parameter values."""
     return [
         ChannelFit(f"{e.name}.{channel.address}", channel, model)
         for e in experiments
@@ -366,7 +391,10 @@ def channel_fits(experiments: Sequence[Experiment], values: Mapping[str, float])
 
 
 def aicc(pieces: Sequence[FloatArray], n_free: int) -> float:
-    """Return the corrected Akaike criterion of a Gaussian likelihood with estimated variances."""
+    """Return the corrected Akaike information criterion (AICc) of residuals in groups.
+
+    Each group in `pieces` has its own variance, which is estimated from the group.
+    """
     # -2 ln L at the variance that makes it largest: the mean square of the residuals.
     squares = ((p.size, max(float(np.mean(p**2)), 1e-300)) for p in pieces)
     likelihood = sum(size * (np.log(2.0 * np.pi * square) + 1.0) for size, square in squares)

@@ -1,1 +1,1 @@
-"""Tests on a flow bench, after ISO 6358-1."""
+"""Identification of flow characteristics from a steady flow bench, after ISO 6358-1."""

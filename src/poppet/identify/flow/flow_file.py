@@ -1,4 +1,4 @@
-"""Reader of flow bench files: columns of flow, pressures and temperature, and their uncertainties."""
+"""Reader of flow bench files: columns of flow, pressures and temperature, with their uncertainties."""
 
 from __future__ import annotations
 

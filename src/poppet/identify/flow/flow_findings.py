@@ -1,4 +1,4 @@
-"""Findings of a flow bench, the most important first."""
+"""Findings on a flow bench and its fit, the most important first."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ NEAR_ONE = 0.99
 UNUSUAL_RATIO = 0.1
 """Critical ratio of a long narrow tube, or of gauge pressures that were read as absolute."""
 ALIKE = 1.1
-"""Ratio of residuals up to which two readings of the pressures fit equally well."""
+"""Ratio of residuals up to which two interpretations of the pressures (gauge, absolute) fit equally well."""
 OUTLYING = 0.01
 """Probability of an outlier in a valid table below which the point is reported."""
 EXACT = 0.01
@@ -41,7 +41,7 @@ def findings(
     influence: Mapping[str, list[float]],
     choked: bool,
 ) -> tuple[Note, ...]:
-    """Return the findings that limit the result."""
+    """Return the findings that limit the use of the result, the most important first."""
     notes = [*(_choked_only(fit, estimates) if choked else _no_choked_point(fit, estimates))]
     notes += [*_bounds(estimates), *_misfit(fit, tests), *_near_one(fit)]
     needed = [(size, effect) for size, effect in fit.model.common_errors(fit.x) if abs(size) > 2.0]
@@ -56,7 +56,7 @@ def findings(
 def suspicions(
     fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any], alternative: tuple[str, FlowFit] | None
 ) -> tuple[Note, ...]:
-    """Return the findings that make all estimates doubtful: wrong units, or a law that does not fit."""
+    """Return the findings that cast doubt on all estimates: wrong units or an unsuitable flow law."""
     notes = [*_gauge(fit, estimates, tests)]
     if alternative:
         name, better = alternative
@@ -76,7 +76,7 @@ def suspicions(
 
 
 def most_informative_ratio(critical_ratio: float, u_pressure_ratio: float = 1e-3, u_flow_ratio: float = 5e-3) -> float:
-    """Return the p2/p1 at which one more point is most informative for b.
+    """Return the p2/p1 at which one more point reduces the uncertainty of b most.
 
     Examples
     --------
@@ -125,7 +125,7 @@ def _bounds(estimates: Mapping[str, Estimate]) -> Iterator[Note]:
 
 
 def _gauge(fit: FlowFit, estimates: Mapping[str, Estimate], tests: Mapping[str, Any]) -> Iterator[Note]:
-    """Yield findings on gauge pressures that were read as absolute, or absolute read as gauge."""
+    """Yield findings on pressures whose reference (gauge or absolute) was probably confused."""
     points = fit.model.points
     lowest = float(np.min(points.pressure_2))
     doubtful = tests["chi_square_probability"] < DOUBT or tests["runs_probability"] < DOUBT
@@ -151,7 +151,10 @@ def _residual(fit: FlowFit) -> float:
 
 
 def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
-    """Return the fit with shifted pressures, or None if these are invalid."""
+    """Return the fit to pressures that are shifted by `shift`.
+
+    The result is None if the shifted pressures are invalid.
+    """
     points = fit.model.points
     if min(float(np.min(points.pressure_1)), float(np.min(points.pressure_2))) + shift < 0.0:
         return None
@@ -191,7 +194,10 @@ def _near_one(fit: FlowFit) -> Iterator[Note]:
 
 
 def _outlier(fit: FlowFit) -> Iterator[Note]:
-    """Yield the point with the largest residual if the scatter of the others does not explain it."""
+    """Yield a finding on the point with the largest residual if it is an outlier.
+
+    A point is an outlier if the scatter of the other points does not explain its residual.
+    """
     from scipy.special import stdtr
 
     points, freedom = fit.model.points, fit.degrees_of_freedom
@@ -226,6 +232,6 @@ def _influential(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator
 
 
 def _point_facts(indices: Any, points: FlowPoints) -> dict[str, Any]:
-    """Return the first points with their p2/p1, and the number of further points."""
+    """Return the first of the given points with their p2/p1, and the number of further points."""
     texts = [f"{k} at {points.pressure_ratio[k]:.4g}" for k in indices[:4]]
     return {"points": texts, "more": max(len(indices) - 4, 0) or None}

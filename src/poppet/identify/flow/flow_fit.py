@@ -1,8 +1,8 @@
 """Direct fit of the flow law to the points of a bench, with errors in all readings.
 
 Independent errors of the points enter as effective variances: the flow law propagates the error of each reading to
-the flow. Common errors (calibration, offset) are parameters of the fit with a known standard deviation and one
-residual each. The covariance of the estimates therefore contains them with all correlations.
+the flow. Errors that all points share (calibration, offset) are parameters of the fit. Each has a known standard
+deviation and one residual. The covariance of the estimates therefore includes these common errors.
 """
 
 from __future__ import annotations
@@ -49,10 +49,11 @@ BETTER = 6.0
 
 @dataclass(frozen=True, eq=False)
 class FlowModel:
-    """Flow law with free and fixed parameters and common errors.
+    """Flow law of ISO 6358, with free and fixed parameters and common errors of the instruments.
 
-    A point x of the search contains the scaled free parameters of the law, then the common errors in standard
-    deviations. Several points, shape (k, p), give several rows.
+    A common error is an error that all points share. The argument `x` of the methods contains the scaled free
+    parameters of the law, then the common errors in standard deviations. If `x` has the shape (k, p), the result has
+    one row for each of the k sets.
     """
 
     points: FlowPoints
@@ -60,17 +61,17 @@ class FlowModel:
 
     @cached_property
     def free(self) -> tuple[str, ...]:
-        """Free parameters of the law, in the order of `UNITS`."""
+        """Names of the free parameters of the law, in the order of `UNITS`."""
         return tuple(name for name in UNITS if name not in self.fixed)
 
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
-        """Common errors of the instruments."""
+        """Errors that all points share, of one standard deviation each."""
         return tuple(self.points.effects())
 
     @cached_property
     def scales(self) -> FloatArray:
-        """Scale of each free parameter and common error; scaled values are of order one."""
+        """Typical size of each free parameter and common error; parameters are divided by it."""
         sizes = {
             "sonic_conductance": float(np.max(self.points.effective_conductance)),
             "cracking_pressure": float(np.mean(self.points.pressure_1)),
@@ -79,7 +80,10 @@ class FlowModel:
 
     @cached_property
     def bounds(self) -> tuple[FloatArray, FloatArray]:
-        """Physical bounds of the scaled parameters; common errors are within 8 standard deviations."""
+        """Lower and upper bounds of the scaled free parameters and of the common errors.
+
+        A common error is within 8 standard deviations.
+        """
         drop = float(np.max(self.points.pressure_1 - self.points.pressure_2) / np.mean(self.points.pressure_1))
         limits = {
             "sonic_conductance": (1e-6, 1e3),
@@ -91,16 +95,16 @@ class FlowModel:
         return np.array([low for low, _ in pairs]), np.array([high for _, high in pairs])
 
     def numbers(self, x: FloatArray) -> dict[str, Any]:
-        """Return the parameters of the law in SI units."""
+        """Return all parameters of the law at `x`, by name, in SI units."""
         values = _columns((x * self.scales)[..., : len(self.free)])
         return dict(self.fixed) | dict(zip(self.free, values, strict=True))
 
     def common_errors(self, x: FloatArray) -> list[tuple[Any, Effect]]:
-        """Return the common errors with their sizes in standard deviations."""
+        """Return pairs of the size of each common error at `x`, in standard deviations, and its effect."""
         return list(zip(_columns(x[..., len(self.free) :]), self.effects, strict=True))
 
     def readings(self, x: FloatArray) -> dict[str, FloatArray]:
-        """Return pressures and temperatures corrected for the common errors."""
+        """Return the pressures and temperatures at `x`, corrected for the common errors."""
         shifted = {name: getattr(self.points, name) for name in CHANNELS if name != "mass_flow_rate"}
         for size, effect in self.common_errors(x):
             for channel in shifted.keys() & effect.channels:
@@ -109,7 +113,10 @@ class FlowModel:
         return shifted
 
     def flow(self, x: FloatArray, **shifts: FloatArray) -> FloatArray:
-        """Return the modelled reading of the flow meter; `shifts` adds shifts to single channels."""
+        """Return the flow that the model predicts as reading of the flow meter [kg/s].
+
+        `shifts` adds a value to the readings of a channel.
+        """
         readings = self.readings(x)
         for channel, shift in shifts.items():
             readings[channel] = readings[channel] + shift
@@ -127,7 +134,7 @@ class FlowModel:
         return np.asarray(reading)
 
     def variances(self, x: FloatArray) -> dict[str, FloatArray]:
-        """Return the variance of the flow residual of each point, by instrument [kg^2/s^2]."""
+        """Return the variance of the flow residual of each point that each instrument causes [kg^2/s^2]."""
         meter = self.points.u_mass_flow_rate
         largest = float(np.max(self.points.mass_flow_rate))
         reading = np.maximum(self.flow(x), LEAST_READING * largest)
@@ -144,12 +151,15 @@ class FlowModel:
         return variances
 
     def residuals(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
-        """Return model minus measurement over sigma; common errors last."""
+        """Return the weighted residuals at `x`: those of the points, then those of the common errors.
+
+        The residual of a point is model minus measurement, divided by `sigma`.
+        """
         misfit = (self.flow(x) - self.points.mass_flow_rate) / sigma
         return np.concatenate((misfit, x[..., len(self.free) :]), axis=-1)
 
     def jacobian(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
-        """Return the derivative of the residuals by x, from central differences within the bounds."""
+        """Return the derivatives of the residuals by `x`, from central differences within the bounds."""
         step, (low, high) = 1e-6 * np.eye(x.size), self.bounds
         up, down = np.minimum(x + step, high), np.maximum(x - step, low)
         # All columns in one call: the law spends more time on checking arguments than on a dozen points.
@@ -158,7 +168,7 @@ class FlowModel:
 
 
 def _columns(x: FloatArray) -> list[Any]:
-    """Return the values of one point, or columns that broadcast over several points."""
+    """Return the items of one point, or columns if `x` contains several points."""
     return x.tolist() if x.ndim == 1 else list(x.T[:, :, None])
 
 
@@ -167,16 +177,16 @@ class FlowFit:
     """Least-squares fit of the flow law, with its statistics."""
 
     model: FlowModel
-    x: FloatArray  # optimum, scaled; common errors last
+    x: FloatArray  # scaled free parameters at the optimum; common errors last
     sigma: FloatArray  # standard deviation of each residual of a point [kg/s]
     scatter: dict[str, FloatArray]  # variance of each residual by source; the sum is sigma squared [kg^2/s^2]
-    scatter_is_known: bool  # False if the residuals gave a part of it
+    scatter_is_known: bool  # False if the scatter was estimated from the residuals
     inflation: float  # factor on the stated independent uncertainties, from the residuals
-    stated: float  # probability of the residuals under the stated uncertainties; NaN without these
+    stated: float  # probability of chi-square for the stated uncertainties; NaN if they are not stated
 
     @cached_property
     def values(self) -> dict[str, float]:
-        """Parameters of the law, including fixed parameters."""
+        """All parameters of the law by name, including the fixed parameters."""
         return self.model.numbers(self.x)
 
     @cached_property
@@ -186,22 +196,25 @@ class FlowFit:
 
     @cached_property
     def residuals(self) -> FloatArray:
-        """Model minus measurement over sigma; common errors last."""
+        """Weighted residuals: model minus measurement over `sigma`, then those of the common errors."""
         return self.model.residuals(self.x, self.sigma)
 
     @cached_property
     def chi_square(self) -> float:
-        """Sum of squares of all residuals."""
+        """Chi-square: sum of the squares of all weighted residuals."""
         return float(self.residuals @ self.residuals)
 
     @property
     def degrees_of_freedom(self) -> int:
-        """Number of points minus free parameters; a common error adds one residual and one parameter."""
+        """Number of points minus number of free parameters.
+
+        Common errors do not change this difference: each adds one residual and one parameter.
+        """
         return len(self.model.points) - len(self.model.free)
 
     @property
     def scatter_freedom(self) -> float:
-        """Degrees of freedom of sigma."""
+        """Degrees of freedom of the standard deviations `sigma`."""
         return math.inf if self.scatter_is_known else float(max(self.degrees_of_freedom, 1))
 
     @cached_property
@@ -214,17 +227,20 @@ class FlowFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivative of the residuals by the scaled parameters."""
+        """Derivatives of the weighted residuals by the scaled parameters and common errors."""
         return self.model.jacobian(self.x, self.sigma)
 
     @cached_property
     def gain(self) -> tuple[FloatArray, Any]:
-        """Gain of the estimates, see `poppet.identify.gum.gain`."""
+        """Derivatives of the estimates by the residuals, and mask of determined parameters.
+
+        `poppet.identify.gum.gain` computes them.
+        """
         return gain(self.jacobian)
 
 
 def fit_flow(model: FlowModel) -> FlowFit:
-    """Fit the law, with weights that agree with the fit.
+    """Fit the flow law to the points, with the weights adapted to the fit.
 
     Notes
     -----
@@ -248,13 +264,13 @@ def fit_flow(model: FlowModel) -> FlowFit:
 
 @dataclass(frozen=True)
 class _Weights:
-    """Changes of the stated variances."""
+    """Changes of the stated variances so that they agree with the residuals."""
 
     extra: float  # variance added to every point [kg^2/s^2]
     inflation: float  # factor on the stated standard deviations
 
     def parts(self, model: FlowModel, x: FloatArray) -> dict[str, FloatArray]:
-        """Return the variance of each residual by source."""
+        """Return the variance of the residual of each point that each instrument causes."""
         variances = {name: self.inflation**2 * v for name, v in model.variances(x).items()}
         if self.extra:
             variances["mass_flow_rate"] = variances["mass_flow_rate"] + self.extra
@@ -262,12 +278,12 @@ class _Weights:
 
 
 def _smallest(model: FlowModel) -> float:
-    """Return a variance below that of any flow meter, for exact data [kg^2/s^2]."""
+    """Return a variance smaller than that of any real flow meter, for exact data [kg^2/s^2]."""
     return (1e-6 * float(np.max(model.points.mass_flow_rate))) ** 2
 
 
 def _iterate_weights(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> FlowFit:
-    """Alternate between weights and least squares until both converge."""
+    """Return the fit after alternating updates of weights and parameters until both converge."""
     # Without it, points without residuals would have a sigma of zero.
     floor = (1e-7 * float(np.max(model.points.mass_flow_rate))) ** 2
     for _ in range(30):
@@ -285,7 +301,11 @@ def _iterate_weights(model: FlowModel, x: FloatArray, weights: _Weights, adapt: 
 
 
 def _adapt_weights(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> _Weights:
-    """Return weights for which chi-square with the common errors equals its degrees of freedom."""
+    """Return weights for which chi-square equals its degrees of freedom.
+
+    `adapt` selects the changed weight: a factor (`inflation`), or an added variance. If it is empty, the weights stay
+    unchanged.
+    """
     common, smallest = x[len(model.free) :], _smallest(model)
     freedom = len(model.points) - len(model.free) - float(common @ common)
     if not adapt or freedom <= 0.0:
@@ -302,7 +322,10 @@ def _adapt_weights(model: FlowModel, x: FloatArray, weights: _Weights, adapt: st
 
 
 def start_point(model: FlowModel) -> FloatArray:
-    """Return the best point of a coarse grid; the flow is linear in C, so each node has its best C."""
+    """Return start values of the search: the best point of a coarse grid.
+
+    The flow is proportional to C. Each point of the grid therefore uses its best C.
+    """
     points = model.points
     drops = np.sort(
         (points.pressure_1 - points.pressure_2)[points.mass_flow_rate > 0.02 * np.max(points.mass_flow_rate)]
@@ -333,13 +356,16 @@ def start_point(model: FlowModel) -> FloatArray:
 
 
 def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
-    """Return the flow at the points for C = 1; columns of parameters give rows."""
+    """Return the modelled flow at all points for C = 1.
+
+    If the parameters of the law are columns, the result has one row for each set of parameters.
+    """
     readings = (getattr(points, channel) for channel in CHANNELS if channel != "mass_flow_rate")
     return np.asarray(mass_flow_rate(*readings, sonic_conductance=1.0, **law))
 
 
 def _least_squares(model: FlowModel, x: FloatArray, sigma: FloatArray) -> FloatArray:
-    """Return the optimum for given standard deviations."""
+    """Return the parameters that minimise chi-square for given standard deviations."""
     from scipy.optimize import least_squares
 
     low, high = model.bounds
@@ -356,7 +382,10 @@ def _least_squares(model: FlowModel, x: FloatArray, sigma: FloatArray) -> FloatA
 
 
 def fit_all_choked(fit: FlowFit) -> FlowFit | None:
-    """Return the fit with all points choked, or None if the data reject it."""
+    """Return a fit in which all points are choked.
+
+    The result is None if the data reject this assumption.
+    """
     if np.max(fit.model.points.pressure_ratio) >= LARGEST_RATIO:
         return None
     fixed = dict(fit.model.fixed) | {"critical_ratio": LARGEST_RATIO, "subsonic_index": 0.5, "cracking_pressure": 0.0}
@@ -394,7 +423,10 @@ def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
 
 
 def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
-    """Return the verdict; the reference is 1 for b and m, and at least p1/10 for the cracking pressure."""
+    """Return the verdict on an interval of half width `half`.
+
+    The half width is compared with C itself, with 1 for b and m, and with at least p1/10 for the cracking pressure.
+    """
     if at_bound:
         return "at bound"
     size = {"sonic_conductance": value, "cracking_pressure": max(value, 0.1 * scale)}.get(name, 1.0)
@@ -402,7 +434,10 @@ def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float)
 
 
 def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
-    """Return the estimates if all points may be choked: a range of C and a lower limit of b."""
+    """Return the estimates for data that agree with choked flow at all points.
+
+    C then has a range, and b only a lower limit.
+    """
     points = choked.model.points
     ratios = np.linspace(0.0, 0.99, 199)
     unit = _unit_flow(points, critical_ratio=ratios[:, None], subsonic_index=fit.values["subsonic_index"])
@@ -428,7 +463,10 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
 
 
 def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
-    """Return the fixed parameter whose release improves the fit clearly, and that fit, or None."""
+    """Return the fixed parameter that should be free, and the fit in which it is free.
+
+    The result is None if no fixed parameter improves the fit clearly when it is free.
+    """
     alternatives = []
     for name in ("subsonic_index", "cracking_pressure"):
         fixed = {key: value for key, value in fit.model.fixed.items() if key != name}
@@ -444,7 +482,10 @@ def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
 
 
 def _predict_gain(fit: FlowFit, richer: FlowModel, name: str) -> float:
-    """Return the predicted reduction of -2 ln L by one more free parameter, from the slopes at the optimum."""
+    """Return the predicted decrease of -2 ln L if the parameter `name` becomes free.
+
+    The prediction is linear in the derivatives at the optimum. L is the likelihood.
+    """
     index = richer.free.index(name)
     x = np.insert(fit.x, index, fit.model.fixed[name] / richer.scales[index])
     jacobian = richer.jacobian(x, fit.sigma)
@@ -455,7 +496,7 @@ def _predict_gain(fit: FlowFit, richer: FlowModel, name: str) -> float:
 
 
 def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[str, Estimate]) -> dict[str, Estimate]:
-    """Return estimates with intervals that include those of another law."""
+    """Return estimates whose intervals include those of the fit of another law."""
     widened = {}
     for name, e in estimates.items():
         low, high = min(e.low, other_estimates[name].low), max(e.high, other_estimates[name].high)
@@ -465,7 +506,7 @@ def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[
 
 
 class _Budget(NamedTuple):
-    """Standard uncertainty of a scaled parameter by source, from scatter and from common errors."""
+    """Uncertainty budget of a scaled parameter: contributions of scatter (type A) and common errors (type B)."""
 
     sources: dict[str, float]
     type_a: float
@@ -475,7 +516,7 @@ class _Budget(NamedTuple):
 
 
 def _budget(fit: FlowFit, k: int) -> _Budget:
-    """Return the uncertainty budget of a free parameter."""
+    """Return the uncertainty budget of the free parameter with index `k`."""
     row, n = fit.gain[0][k], len(fit.model.points)
     variance = fit.sigma**2
     scatter = {
@@ -489,7 +530,7 @@ def _budget(fit: FlowFit, k: int) -> _Budget:
 
 
 def budgets(fit: FlowFit) -> dict[str, dict[str, Any]]:
-    """Return the uncertainty budgets of the free parameters."""
+    """Return the uncertainty budget of each free parameter, by name."""
     rows = {}
     for k, name in enumerate(fit.model.free):
         budget, scale = _budget(fit, k), float(fit.model.scales[k])

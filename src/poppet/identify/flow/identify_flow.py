@@ -162,7 +162,7 @@ def _read_fixed(law: Mapping[str, float | Free]) -> dict[str, float]:
 
 
 def _tests(fit: FlowFit) -> dict[str, Any]:
-    """Return chi-square, runs test and information criterion of the residuals."""
+    """Return chi-square, the runs test and the information criterion (AICc) of a fit."""
     n = len(fit.model.points)
     order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
     return {
@@ -179,13 +179,13 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
 
 
 def _alternative(fit: FlowFit, name: str, better: FlowFit) -> dict[str, Any]:
-    """Return a better law in the form of `identify tank`."""
+    """Return the estimates of a better flow law, in the table format of `identify tank`."""
     row = {key: {"value": e.value, "low": e.low, "high": e.high} for key, e in law_estimates(better).items()}
     return {"alternatives": {name: {"aicc_difference": better.aicc - fit.aicc, "free": row}}}
 
 
 def _influence(fit: FlowFit) -> dict[str, list[float]]:
-    """Return the shift of each parameter without each point, in standard errors."""
+    """Return the shift of each parameter if one point is omitted, for each point, in standard errors."""
     shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:, : len(fit.model.points)]
     shifts /= np.maximum(np.linalg.norm(fit.gain[0], axis=1), 1e-300)[:, None]
     # Common errors follow the free parameters and are omitted here.
@@ -193,7 +193,7 @@ def _influence(fit: FlowFit) -> dict[str, list[float]]:
 
 
 def _evaluate_standard(fit: FlowFit, subsonic_index: float | Free, cracking_pressure: float | Free) -> dict[str, Any]:
-    """Return the results of the formulas in the standard."""
+    """Return C, b, m and cracking pressure from the formulas of ISO 6358-1, with uncertainties."""
     points = fit.model.points
     evaluation = evaluate_by_standard(points, subsonic_index, cracking_pressure)
     errors = standard_uncertainties(points, evaluation, subsonic_index, cracking_pressure)
@@ -219,7 +219,7 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
 
 
 def _series(fit: FlowFit) -> dict[str, Any]:
-    """Return the measured and modelled effective conductance versus the pressure ratio."""
+    """Return measured and modelled effective conductance versus the pressure ratio p2/p1."""
     points = fit.model.points
     order = np.argsort(points.pressure_ratio, kind="stable")
     modelled = conductance_of(fit.modelled, points.pressure_1, points.temperature_1)

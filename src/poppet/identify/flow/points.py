@@ -24,18 +24,18 @@ TEMPERATURES = (200.0, 450.0)
 
 @dataclass(frozen=True)
 class Instrument:
-    """Standard uncertainties (one sigma) of the readings of one instrument.
+    """Standard uncertainties of the readings of one instrument.
 
     Parameters
     ----------
     absolute : float, optional
-        Independent at each point (noise, resolution), in the SI unit of the channel.
+        Standard uncertainty of errors that are independent at each point, in the SI unit of the channel.
     relative : float, optional
-        Independent at each point, as a fraction of the reading.
+        Like `absolute`, but as a fraction of the reading.
     offset : float, optional
-        Common to all points (zero error), in the SI unit of the channel.
+        Standard uncertainty of an offset that all points share (zero error), in the SI unit of the channel.
     calibration : float, optional
-        Common to all points (scale error), as a fraction of the reading.
+        Standard uncertainty of a scale error that all points share, as a fraction of the reading.
 
     Notes
     -----
@@ -58,15 +58,15 @@ class Instrument:
 
     @property
     def is_noisy(self) -> bool:
-        """True if an uncertainty that is independent at each point is stated."""
+        """True if `absolute` or `relative`, the uncertainties that are independent at each point, are stated."""
         return self.absolute > 0.0 or self.relative > 0.0
 
 
 @dataclass(frozen=True)
 class Effect:
-    """Common error of all points, of one standard deviation."""
+    """Change in all points that one shared (systematic) error of one standard deviation causes."""
 
-    source: str  # name in the uncertainty budget
+    source: str  # name of the error in the uncertainty budget
     channels: tuple[str, ...]  # readings that the error shifts
     offset: float  # shift of the readings, in the SI unit of the channel
     calibration: float  # shift as a fraction of the reading
@@ -74,12 +74,12 @@ class Effect:
 
 @dataclass(frozen=True, eq=False)
 class FlowPoints:
-    """Steady points of a flow bench.
+    """Steady operating points of a flow path, measured on a flow bench.
 
     Parameters
     ----------
     mass_flow_rate : (n,) array
-        From port 1 to port 2, not negative [kg/s].
+        Mass flow rate from port 1 to port 2, not negative [kg/s].
     pressure_1 : (n,) array
         Absolute upstream stagnation pressure [Pa].
     pressure_2 : (n,) array
@@ -87,7 +87,7 @@ class FlowPoints:
     temperature_1 : (n,) array or float
         Upstream stagnation temperature: one value, or one for each point [K].
     u_mass_flow_rate : Instrument, optional
-        Uncertainty of the flow meter. Without an independent part, the fit estimates the scatter.
+        Uncertainty of the flow meter. If neither `absolute` nor `relative` is stated, the fit estimates the scatter.
     u_pressure_1 : Instrument, optional
         Uncertainty of the upstream sensor.
     u_pressure_2 : Instrument, optional
@@ -97,7 +97,7 @@ class FlowPoints:
     u_ambient_pressure : float, optional
         Standard uncertainty of the ambient pressure if both pressures are gauge: its error is common to both [Pa].
     lines : sequence of int, optional
-        Line of each point in its file, from 1, for findings.
+        Line number of each point in the file of the points, starting at 1. Findings refer to it.
 
     Raises
     ------
@@ -189,11 +189,14 @@ class FlowPoints:
 
     @property
     def effective_conductance(self) -> FloatArray:
-        """Sonic conductance that gives the flow of each point if it is choked, shape (n,) [m^3/(s Pa)]."""
+        """Effective conductance: sonic conductance that gives the flow if the point is choked [m^3/(s Pa)].
+
+        The shape is (n,).
+        """
         return conductance_of(self.mass_flow_rate, self.pressure_1, self.temperature_1)
 
     def instrument(self, channel: str) -> Instrument:
-        """Return the uncertainty of one channel.
+        """Return the stated uncertainties of the instrument of one channel.
 
         Parameters
         ----------
@@ -208,7 +211,7 @@ class FlowPoints:
         return instrument
 
     def effects(self) -> Iterator[Effect]:
-        """Yield the common errors of the instruments."""
+        """Yield the errors that all points share: calibration and offset of each instrument, ambient pressure."""
         for channel in CHANNELS:
             instrument = self.instrument(channel)
             if instrument.calibration:
@@ -220,13 +223,16 @@ class FlowPoints:
 
 
 def conductance_of(flow: FloatArray, pressure_1: FloatArray, temperature_1: FloatArray) -> FloatArray:
-    """Return the effective conductance; a flow slightly below zero is valid here."""
+    """Return the effective conductance of measured points.
+
+    A flow slightly below zero is permitted.
+    """
     choked = mass_flow_rate(pressure_1, 0.0, temperature_1, sonic_conductance=1.0, critical_ratio=0.0)
     return np.asarray(flow / choked)
 
 
 def _value_errors(points: FlowPoints) -> list[InputError]:
-    """Return errors for invalid readings."""
+    """Return one error for each channel with invalid readings."""
     low, high = TEMPERATURES
     flow, p_1, p_2, temperature = (getattr(points, name) for name in CHANNELS)
     is_implausible = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
@@ -246,7 +252,7 @@ def _value_errors(points: FlowPoints) -> list[InputError]:
 
 
 def _direction_errors(points: FlowPoints) -> list[InputError]:
-    """Return errors for flow against the pressure drop that exceeds the noise."""
+    """Return an error if a flow against the pressure drop exceeds the noise."""
     noise = 3.0 * (points.u_mass_flow_rate.absolute + points.u_mass_flow_rate.offset)
     least = np.maximum(noise, 0.01 * np.max(points.mass_flow_rate))
     is_negative = points.mass_flow_rate < -least
@@ -263,7 +269,7 @@ def _direction_errors(points: FlowPoints) -> list[InputError]:
 def _first_error(
     code: str, points: FlowPoints, name: str, is_invalid: NDArray[np.bool_], **facts: Any
 ) -> list[InputError]:
-    """Return an error for the first invalid point, with the number of invalid points."""
+    """Return an error for the first invalid point, with the number of all invalid points."""
     if not is_invalid.any():
         return []
     k, count = int(np.argmax(is_invalid)), int(np.sum(is_invalid))
@@ -272,7 +278,10 @@ def _first_error(
 
 
 def reject_rising_flow(points: FlowPoints) -> None:
-    """Raise if the effective conductance rises with p2/p1, which is impossible for a fixed flow path."""
+    """Raise an error if the effective conductance rises with p2/p1.
+
+    Such a rise is impossible for a flow path that does not change.
+    """
     order = np.argsort(points.pressure_ratio)
     ratio, conductance = points.pressure_ratio[order], points.effective_conductance[order]
     third = max(len(points) // 3, 1)

@@ -1,4 +1,4 @@
-"""Formulas of ISO 6358-1: C from saturated points and b from each subsonic point."""
+"""Formulas of ISO 6358-1: C from the saturated points, and b from each subsonic point."""
 
 from __future__ import annotations
 
@@ -14,13 +14,15 @@ from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of
 from poppet.timeseries.checks import FloatArray
 
 PLATEAU = 0.005
-"""Relative deviation below the mean of the saturated points up to which a point is saturated."""
+"""Largest relative deviation below the mean of the saturated points at which a point is saturated."""
 
 Free = Literal["free"]
 
 
 def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) -> Any:
-    r"""Return the relative standard uncertainty of the sonic conductance from one choked point.
+    r"""Return the relative standard uncertainty of C from the readings of one choked point.
+
+    The arguments u_q, u_p and u_T are relative standard uncertainties of flow, pressure and temperature.
 
     .. math:: \frac{u(C)}{C} = \sqrt{u_q^2 + u_p^2 + (u_T/2)^2}
 
@@ -39,7 +41,9 @@ def conductance_uncertainty(u_flow: Any, u_pressure: Any, u_temperature: Any) ->
 def critical_ratio_uncertainty(
     pressure_ratio: Any, flow_ratio: Any, u_pressure_ratio: Any, u_flow_ratio: Any, subsonic_index: Any = 0.5
 ) -> Any:
-    r"""Return the standard uncertainty of the critical ratio from one subsonic point.
+    r"""Return the standard uncertainty of b from the readings of one subsonic point.
+
+    r is the pressure ratio p2/p1, phi is the flow ratio, and u_r and u_phi are their standard uncertainties.
 
     .. math::
 
@@ -65,7 +69,7 @@ def critical_ratio_uncertainty(
 
 @dataclass(frozen=True)
 class StandardEvaluation:
-    """Results of the formulas in the standard."""
+    """Results of the formulas of ISO 6358-1."""
 
     sonic_conductance: float  # mean over the saturated points [m^3/(s Pa)]
     critical_ratio: float  # weighted mean over the subsonic points; NaN without these
@@ -83,7 +87,7 @@ class StandardEvaluation:
 def evaluate_by_standard(
     points: FlowPoints, subsonic_index: float | Free = 0.5, cracking_pressure: float | Free = 0.0
 ) -> StandardEvaluation:
-    r"""Return C, b, m and cracking pressure from the formulas of the standard.
+    r"""Return C, b, m and cracking pressure from the formulas of ISO 6358-1.
 
     .. math::
 
@@ -92,11 +96,11 @@ def evaluate_by_standard(
 
     Notes
     -----
-    A point counts as saturated while the effective conductance, in the order of p2/p1, stays within 0.5 % (or
-    three times the meter's scatter) of the mean of those before it. A plateau of one point gives a lower bound of C
-    only. b is the mean of the single values weighted by `critical_ratio_uncertainty`, for equal relative errors
-    where none are stated. Noise and the choice of the plateau bias C low by up to half the tolerance, which the
-    direct fit is free of.
+    The points are taken in ascending order of p2/p1. A point is saturated if its effective conductance is at most
+    0.5 % (or three times the scatter of the flow meter) below the mean of all previous points. If only one point is
+    saturated, C is a lower bound. b is the weighted mean of the values b_i of the subsonic points. The weights follow
+    from `critical_ratio_uncertainty`, with equal relative errors if none are stated. Noise and the selection of the
+    saturated points reduce C by up to half the tolerance. The direct fit does not have this bias.
 
     References
     ----------
@@ -127,13 +131,15 @@ def standard_uncertainties(
     subsonic_index: float | Free = 0.5,
     cracking_pressure: float | Free = 0.0,
 ) -> FloatArray:
-    r"""Return the combined standard uncertainties, from a shift of each reading.
+    r"""Return the standard uncertainties of C, b, m and cracking pressure.
+
+    Each reading x_i is shifted by its standard uncertainty u_i, and the results y are computed again.
 
     .. math:: u^2(y) = \sum_i [y(x_i + u_i) - y(x_i)]^2
 
     References
     ----------
-    JCGM 100:2008 (GUM), 5.1.3, note 2: the same numerically.
+    JCGM 100:2008 (GUM), 5.1.3, note 2: numerical evaluation of the combined uncertainty.
     """
     sets = evaluation.saturated, evaluation.subsonic
     warm = (evaluation.critical_ratio, evaluation.subsonic_index, evaluation.cracking_pressure)
@@ -145,7 +151,7 @@ def standard_uncertainties(
 
 
 class StandardReadings(NamedTuple):
-    """Readings that the formulas use."""
+    """Quantities of all points that the formulas of the standard use."""
 
     conductance: FloatArray  # effective conductance
     ratio: FloatArray
@@ -153,13 +159,19 @@ class StandardReadings(NamedTuple):
 
 
 def _shift_readings(points: FlowPoints, shifts: Mapping[str, FloatArray]) -> StandardReadings:
-    """Return shifted readings, without a check: they can be slightly invalid."""
+    """Return the quantities for shifted readings.
+
+    The readings are not checked, because a shift can make them slightly invalid.
+    """
     flow, p_1, p_2, temperature = (getattr(points, c) + shifts.get(c, 0.0) for c in CHANNELS)
     return StandardReadings(conductance_of(flow, p_1, temperature), p_2 / p_1, p_1)
 
 
 def _perturb_readings(points: FlowPoints, evaluation: StandardEvaluation) -> Iterator[StandardReadings]:
-    """Yield readings with one error of one standard deviation: each reading, then each common error."""
+    """Yield the quantities for one error of one standard deviation at a time.
+
+    The errors are first those of each single reading, then those that all points share.
+    """
     indices = (*evaluation.saturated, *evaluation.subsonic)
     for channel in CHANNELS:
         reading = getattr(points, channel)
@@ -182,7 +194,10 @@ def _relative_scatter(points: FlowPoints) -> float:
 
 
 def _plateau(points: FlowPoints) -> NDArray[np.int64]:
-    """Return the points from the lowest p2/p1 up to a fall of the effective conductance."""
+    """Return the indices of the saturated points, in ascending order of p2/p1.
+
+    They end at the first point whose effective conductance is clearly below the mean of those before it.
+    """
     order = np.argsort(points.pressure_ratio, kind="stable")
     conductance = points.effective_conductance[order]
     tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
@@ -232,7 +247,7 @@ def _fit_ratio(
     warm: tuple[float, float, float],
     free: dict[str, bool],
 ) -> tuple[float, float, float]:
-    """Fit b with m, the cracking pressure or both to the flow ratios."""
+    """Fit b, and m or the cracking pressure or both, to the flow ratios of the subsonic points."""
     from scipy.optimize import least_squares
 
     size = float(np.mean(pressure))
