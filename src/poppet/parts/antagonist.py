@@ -1,4 +1,4 @@
-"""Inverse of the force law of a muscle: pressure for a force, and two pressures for a torque."""
+"""Controllers that invert the force law of a muscle: one pressure for a force, or two for a torque."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MIN_SLOPE = 1e-7
 
 @dataclass(frozen=True)
 class _InverseMuscleLaw(MuscleLawPart, Controller):
-    """Static inverse of the force law of a muscle with limits of pressure."""
+    """Static inverse of the force law of a muscle; the output pressures are limited."""
 
     data: Any = reference(doc="library set")
     lowest_pressure: NumberLike = number(
@@ -50,13 +50,16 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
 
     @abstractmethod
     def compute_outputs(self, scope: Scope) -> Quantities:
-        """Return absolute pressures within the limits, and further outputs."""
+        """Return the output pressures and further outputs.
+
+        The pressures are absolute and within the limits.
+        """
 
     def control(self, scope: Scope) -> ControlOutputs:
         return ControlOutputs(self.compute_outputs(scope))
 
     def _limits(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the lowest and the highest gauge pressure."""
+        """Return the lowest and the highest permitted gauge pressure [Pa]."""
         ambient = scope.surroundings.pressure
         return scope["lowest_pressure"] - ambient, scope["highest_pressure"] - ambient
 
@@ -77,7 +80,7 @@ class _InverseMuscleLaw(MuscleLawPart, Controller):
 
 
 def _law_numbers(numbers: Mapping[str, Number]) -> dict[str, Number]:
-    """Return the numbers of the law and the highest permitted pressure of a library set."""
+    """Return the parameters of the force law and the highest permitted pressure of a library set."""
     law = {name: value for name, value in numbers.items() if not name.startswith("limits.")}
     highest = numbers.get("limits.highest_pressure")
     return law if highest is None else law | {"highest_pressure": highest}
@@ -85,7 +88,7 @@ def _law_numbers(numbers: Mapping[str, Number]) -> dict[str, Number]:
 
 @dataclass(frozen=True)
 class InverseMuscle(_InverseMuscleLaw):
-    r"""Pressure at which a muscle exerts a setpoint force.
+    r"""Controller that returns the pressure at which a muscle exerts a setpoint force.
 
     .. math:: p = \operatorname{clip}\left(p_a + \frac{F - f_0(\varepsilon)}{f_1(\varepsilon)},
               p_\mathrm{low}, p_\mathrm{high}\right)
@@ -126,7 +129,7 @@ class InverseMuscle(_InverseMuscleLaw):
 
 @dataclass(frozen=True)
 class Antagonist(_InverseMuscleLaw):
-    r"""Pressures of two equal muscles at a joint for a torque and a mean pressure.
+    r"""Controller of two equal muscles at a joint: pressures for a torque and a mean pressure.
 
     .. math:: M = r \left(F_f - F_e\right), \qquad \tfrac12 (p_f + p_e) = \bar p
 

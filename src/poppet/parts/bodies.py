@@ -38,7 +38,10 @@ MIN_IMPACT_SPEED = 0.01
 
 @dataclass(frozen=True)
 class BodyStop:
-    """End stop of a mass after Hunt and Crossley: force k d^1.5, damped during contact."""
+    """End stop of a mass by the law of Hunt and Crossley.
+
+    The force is k d^1.5 with the depth d of penetration, multiplied by a damping factor.
+    """
 
     position: NumberLike = number("m", doc="position of the stop")
     stiffness: NumberLike = number("N/m^1.5", 1e8, doc="contact stiffness", above=0.0, note="a rubber bumper")
@@ -59,7 +62,7 @@ KINDS = ("none", "viscous", "stribeck", "lugre")
 
 @dataclass(frozen=True)
 class BodyFriction:
-    """Friction of a mass; each law uses a subset of the parameters."""
+    """Parameters of the friction of a mass; each friction law uses a subset of them."""
 
     kind: str = option("viscous", *(k for k in KINDS if k != "viscous"), doc="law of friction")
     coulomb_force: NumberLike = number("N", optional=True, doc="Coulomb friction", low=0.0)
@@ -73,7 +76,7 @@ class BodyFriction:
 
 @dataclass(frozen=True)
 class JointFriction:
-    """Friction of a joint; each law uses a subset of the parameters."""
+    """Parameters of the friction of a joint; each friction law uses a subset of them."""
 
     kind: str = option("viscous", *(k for k in KINDS if k != "viscous"), doc="law of friction")
     coulomb_torque: NumberLike = number("N m", optional=True, doc="Coulomb friction", low=0.0)
@@ -160,7 +163,11 @@ class _MovingBody(Body):
         return {state.name: values[state.name] for state in self.states()}
 
     def _dynamics(self, scope: Scope, effort: Any, added_friction: Any, weight: Any) -> BodyDynamics:
-        """Return rates and outputs; `weight` is a constant effort towards smaller positions."""
+        """Return the rates and outputs of the body for a total effort of the actuators.
+
+        An effort is a force or a torque. `added_friction` is the dry friction of the seals of the actuators. `weight`
+        is a constant effort towards smaller positions.
+        """
         position, velocity, inertia = scope.states["position"], scope.states["velocity"], scope[self.inertia_name]
         rates: dict[str, Any] = {}
         friction_effort = self._friction(scope, added_friction, rates)
@@ -185,7 +192,10 @@ class _MovingBody(Body):
         return BodyDynamics(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
 
     def _friction(self, scope: Scope, added: Any, rates: dict[str, Any]) -> Any:
-        """Return the friction against the motion; add the rate of the bristles."""
+        """Return the friction effort against the motion.
+
+        `added` increases the dry friction. The rate of the bristle deflection is added to `rates`.
+        """
         velocity = scope.states["velocity"]
         if self._law == "none":
             return 0.0
@@ -224,7 +234,10 @@ class _MovingBody(Body):
 
 
 def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]) -> tuple[Note, ...]:
-    """Return a note on the fastest of several impacts."""
+    """Return a note on the fastest of several impacts on end stops.
+
+    Each impact is a pair of time and velocity. Without impacts there is no note.
+    """
     if not impacts:
         return ()
     time, velocity = max(impacts, key=lambda impact: abs(impact[1]))
@@ -234,7 +247,7 @@ def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]
 def find_impacts(
     time: Any, position: Any, velocity: Any, force: Any, stops: Sequence[float]
 ) -> list[tuple[float, float]]:
-    """Return time and velocity of the impacts on end stops in the rows of a run.
+    """Return time and velocity of each impact on an end stop in a recorded run.
 
     Slow impacts are omitted: the body settles. The velocity between the last row before an impact and the stop is
     extrapolated by the parabola of the last three rows, because a body can be decelerated before its stop.
@@ -255,7 +268,11 @@ def find_impacts(
 
 
 def _extrapolate(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
-    """Return the time to cross a gap and the velocity then, on the parabola through three velocities."""
+    """Extrapolate the motion of a body over the distance `gap`; return duration and final velocity.
+
+    The velocity follows a parabola through the `previous` two pairs of time and velocity and the velocity `last` at
+    time zero.
+    """
     (t0, v0), (t1, v1) = previous
     first, second = (v1 - v0) / (t1 - t0), (last - v1) / -t1
     curve = (second - first) / -t0
@@ -372,7 +389,7 @@ class Joint(_MovingBody):
 
 @dataclass(frozen=True)
 class Guide(Body):
-    """Body with a prescribed motion, a test bench for actuators.
+    """Body with a prescribed motion, for tests of actuators.
 
     Only a signal can drive the position: points on straight lines, or a sine.
 

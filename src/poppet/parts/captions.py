@@ -1,4 +1,4 @@
-"""Text of numbers in the captions of a schematic."""
+"""Format of numbers in the captions of a schematic."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ ASSUMED = "*"
 
 
 def format_value(value: float, unit: str) -> str:
-    """Return an SI value in its readable unit.
+    """Format an SI value in a readable unit.
 
     Examples
     --------
@@ -29,7 +29,7 @@ def format_value(value: float, unit: str) -> str:
 
 @dataclass(frozen=True)
 class CaptionNumbers:
-    """Numbers of a part in its circuit, as text.
+    """Formatter of the numbers of a part for the caption in a schematic.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class CaptionNumbers:
     ambient_pressure: float = 1e5
 
     def text(self, number: NumberLike) -> str:
-        """Return a number in its readable unit; assumed numbers have a mark.
+        """Format a number in a readable unit; an asterisk marks an assumed number.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""Chamber of constant volume with a choice of thermal laws."""
+"""Gas chamber of constant volume with a choice of thermal laws."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ class Chamber(Store):
         return (*result, *self._unused(unused, "heat_transfer"))
 
     def _unused(self, names: tuple[str, ...], option: str) -> list[Note]:
-        """Return a note on the specified fields that have no effect with an option."""
+        """Return a note on the specified fields that an option of the part disables."""
         specified = [name for name in names if getattr(self, name) is not None]
         if "wall_conductance" in specified and float(self.wall_conductance) == 0.0:  # type: ignore[arg-type]
             specified.remove("wall_conductance")
@@ -167,7 +167,7 @@ class Chamber(Store):
         return GasState(mass * gas_constant * temperature / scope["volume"], temperature)
 
     def _exponent(self, scope: Scope) -> Any:
-        """Return the exponent n of p ~ m^n in a constant volume."""
+        """Return the exponent n in the law p ~ m^n for the pressure in a constant volume."""
         if self.thermal == "isothermal":
             return 1.0
         return scope["polytropic_exponent"] if self.thermal == "polytropic" else scope.surroundings.isentropic_exponent

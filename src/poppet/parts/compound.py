@@ -1,4 +1,4 @@
-"""Compounds: parts that consist of other parts, which are traced under dotted names."""
+"""Compounds: parts that consist of other parts (members) with dotted names."""
 
 from __future__ import annotations
 
@@ -42,7 +42,10 @@ class Compound(Part):
     """Name of an output outside to the output of a member, in the order of recordings."""
 
     def inherited_fields(self, member: str) -> dict[str, Any]:
-        """Return the fields of a member that the compound sets, such as ports and library set."""
+        """Return the values that the compound sets in the fields of a member.
+
+        Examples are ports and the library set.
+        """
         return {}
 
     def __post_init__(self) -> None:
@@ -96,16 +99,22 @@ class Compound(Part):
 
     @property
     def members(self) -> dict[str, Part]:
-        """Members by name, in the order of declaration, without omitted ones."""
+        """Mapping from the name of each member to the part, in the order of declaration.
+
+        Optional members that the compound omits are not included.
+        """
         parts = {name: getattr(self, attribute(name)) for name, _ in self._member_specs()}
         return {name: part for name, part in parts.items() if part is not None}
 
     def has(self, member: str) -> bool:
-        """Return True if the compound with its options has an optional member."""
+        """Return True if the options and fields of the compound include an optional member."""
         return True
 
     def outside(self) -> dict[str, str]:
-        """Return the names of inputs, then of outputs, outside and inside."""
+        """Return the mapping from outer names of inputs and outputs to names inside the compound.
+
+        Inputs precede outputs.
+        """
         names = {**self.inlets, **self.outlets}
         return {name: inner for name, inner in names.items() if inner.partition(".")[0] in self.members}
 
@@ -138,12 +147,15 @@ class Compound(Part):
         return super().structure(), tuple((name, part.structure()) for name, part in self.members.items())
 
     def states(self) -> tuple[State, ...]:
-        """Return the states of the members under dotted names."""
+        """Return the states of all members; their names begin with the name of the member."""
         states = ((name, state) for name, part in self.members.items() for state in part.states())
         return tuple(dataclasses.replace(state, name=f"{name}.{state.name}") for name, state in states)
 
     def inputs(self) -> tuple[Input, ...]:
-        """Return the inputs that are available outside, under the names of `inlets`."""
+        """Return the inputs that are available outside the compound.
+
+        Their names are the keys of `inlets`.
+        """
         inputs = []
         for outer, inner in self.outside().items():
             if outer not in self.inlets:
@@ -168,7 +180,10 @@ class Compound(Part):
 
 
 def number_spec(part: Part, path: str) -> NumberSpec:
-    """Return the declaration of a number of a part, a group or a member by its dotted name."""
+    """Return the declaration of a number by its dotted name in a part.
+
+    The number is a field of the part, of a group or of a member.
+    """
     kind: Any = type(part)
     *heads, last = path.split(".")
     for head in heads:
@@ -184,7 +199,11 @@ def number_spec(part: Part, path: str) -> NumberSpec:
 def expand_compounds(
     parts: Mapping[str, Part], connections: Mapping[str, str]
 ) -> tuple[dict[str, Part], dict[str, str], dict[str, str]]:
-    """Return the elementary parts of a circuit, their connections, and the names of outputs outside compounds."""
+    """Replace each compound of a circuit by its members.
+
+    Return the elementary parts, all connections between them, and a mapping from inner names of outputs to outer
+    names.
+    """
     flat: dict[str, Part] = {}
     flat_connections: dict[str, str] = {}
     outer: dict[str, str] = {}

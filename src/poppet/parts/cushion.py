@@ -1,4 +1,4 @@
-"""End cushion of a cylinder: a spear closes the port near the end, and air leaves through a throttle."""
+"""End cushion of a cylinder: near the end of the stroke, air leaves only through a throttle."""
 
 from __future__ import annotations
 
@@ -20,18 +20,24 @@ MIN_DEAD_FRACTION = 0.01
 
 
 def cover_distance(side: str, scope: Scope) -> tuple[Any, float]:
-    """Return the distance of the piston from a cover, and the sign of its change with the piston position."""
+    """Return the distance of the piston from a cover, and its derivative, 1 or -1.
+
+    `side` selects the cover. The derivative is with respect to the position of the piston.
+    """
     from_cap = scope["offset"] + scope["direction"] * scope.body.position
     return (from_cap, 1.0) if side == CAP else (scope["stroke_length"] - from_cap, -1.0)
 
 
 def ring_area(outer: Any, inner: Any) -> Any:
-    """Return the area of a ring of two diameters."""
+    """Return the area of a ring between two diameters."""
     return 0.25 * math.pi * (outer**2 - inner**2)
 
 
 def spear_travel(depth: Any, length: Any, closing_length: Any) -> tuple[Any, Any]:
-    r"""Return the travel of a spear in its bore, from the end of the stroke, and the closed fraction of the bore.
+    r"""Return the effective travel of a spear in its bore, and the closed fraction of the bore.
+
+    A spear is a plug on the piston that closes the bore of the port. `depth` is the distance of the piston from the
+    end of the stroke.
 
     For a depth y below the length L the travel is y and the bore is closed. Over the closing length l beyond L the bore
     opens by a cubic of s = (y - L)/l, and the travel is the integral of this cubic. The work of the gas on the spear is

@@ -53,7 +53,7 @@ _INHERITED = ("side", "outer_diameter", "inner_diameter", "stroke_length", "offs
 
 @dataclass(frozen=True)
 class CylinderChamber(MovingGasStore):
-    """Chamber on one side of a piston; a member of `Cylinder`."""
+    """Gas chamber on one side of the piston; a member of `Cylinder`."""
 
     kind: ClassVar[str] = "cylinder_chamber"
     summary: ClassVar[str] = "one side of a cylinder"
@@ -88,7 +88,7 @@ class CylinderChamber(MovingGasStore):
 
 @dataclass(frozen=True)
 class EndStop:
-    """Contact of the piston with the covers after Hunt and Crossley."""
+    """Contact of the piston with the covers by the law of Hunt and Crossley."""
 
     stiffness: NumberLike = number("N/m^1.5", 1e8, doc="contact stiffness", above=0.0, note="elastic rings")
     dissipation: NumberLike = number("s/m", 5.0, doc="contact dissipation", low=0.0, note="half of the energy and more")
@@ -96,7 +96,7 @@ class EndStop:
 
 @dataclass(frozen=True)
 class ReturnSpring:
-    """Spring that retracts a cylinder."""
+    """Spring that retracts the piston of a single-acting cylinder."""
 
     rate: NumberLike = number("N/m", 0.0, doc="spring rate", low=0.0, note="none by default")
     preload: NumberLike = number("m", 0.0, doc="compression with the piston at the cap", low=0.0, note="none")
@@ -104,7 +104,7 @@ class ReturnSpring:
 
 @dataclass(frozen=True)
 class Leakage:
-    """Leakage past the piston as an ISO 6358 flow path."""
+    """Leakage between the chambers past the piston, as an ISO 6358 flow path."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -112,7 +112,7 @@ class Leakage:
 
 @dataclass(frozen=True)
 class Piston(Actuator, Passage):
-    """Piston and rod of a cylinder with force and leakage; a member of `Cylinder`."""
+    """Piston and rod: the force on the body and the leakage; a member of `Cylinder`."""
 
     kind: ClassVar[str] = "piston"
     summary: ClassVar[str] = "piston and rod of a cylinder"

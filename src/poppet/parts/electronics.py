@@ -34,7 +34,7 @@ SENSOR_TOLERANCE = 10.0
 
 @dataclass(frozen=True)
 class Scaling:
-    """Pressures at the ends of the setpoint range."""
+    """Pressures that correspond to the ends of the setpoint range."""
 
     low: NumberLike = number("Pa", "0 bar g", doc="pressure at 0 % of the setpoint", kind="pressure")
     high: NumberLike = number("Pa", doc="pressure at 100 % of the setpoint", kind="pressure")
@@ -50,7 +50,7 @@ class FirstOrderSensor:
 
 @dataclass(frozen=True)
 class Converter:
-    """Analogue-to-digital converter of both sensors."""
+    """Analogue-to-digital converter for the sensors of outlet pressure and pilot pressure."""
 
     bits: NumberLike = number("1", 0.0, doc="bits of the converter", low=0.0, high=32.0, note="no quantisation")
     span: NumberLike = number("Pa", "10 bar", doc="pressure difference at full scale", above=0.0)
@@ -82,7 +82,7 @@ class OuterLoop:
 
 @dataclass(frozen=True)
 class InnerLoop:
-    """Proportional control of the pilot pressure with a hold band."""
+    """Proportional control of the pilot pressure; both solenoids are closed for small errors."""
 
     gain: NumberLike = number("1/Pa", doc="duty per error of the pilot pressure", low=0.0)
     hold_band: NumberLike = number("Pa", 0.0, doc="hold band", low=0.0, note="none")
@@ -100,7 +100,7 @@ _SENSORS = ("outlet", "pilot")
 
 @dataclass(frozen=True)
 class Electronics(Controller):
-    r"""Sampled control of a piloted pressure valve.
+    r"""Sampled controller of a piloted pressure valve with an outer and an inner loop.
 
     .. math:: p_{p,set} = p_a + f (w - p_a) + p_0
               + \operatorname{clip}\left(K e + z \operatorname{clip}(e / e_0, -1, 1) + I, -c, c\right)
@@ -236,7 +236,10 @@ class Electronics(Controller):
     # Scaling and sensing -----------------------------------------------------------------------------------------
 
     def _target(self, scope: Scope) -> Any:
-        """Return the target pressure of the setpoint within the scaling."""
+        """Return the target of the outlet pressure for the setpoint.
+
+        It is limited to the range of the scaling.
+        """
         low, high = scope["scaling.low"], scope["scaling.high"]
         target = scope.inputs["setpoint"]
         if self.setpoint_type != "pressure":
@@ -245,7 +248,7 @@ class Electronics(Controller):
         return clip(target, low, high)
 
     def _read(self, scope: Scope, name: str) -> Any:
-        """Return the value of a sensor behind the converter."""
+        """Return the pressure of a sensor after analogue-to-digital conversion."""
         gauge = scope.states[f"{name}_sensor_pressure"] + scope[f"{name}_sensor.offset"] - scope.surroundings.pressure
         bits, span = scope["converter.bits"], scope["converter.span"]
         step = span * 2.0 ** (-bits)
@@ -290,7 +293,11 @@ class Electronics(Controller):
         }  # fmt: skip
 
     def _integral(self, scope: Scope, error: Any, excess: Any) -> Any:
-        """Return the integral after a sample; it is zero without an integral time."""
+        """Return the integral after a sample, with its limits and anti-windup.
+
+        `excess` is the limited correction minus the correction before the limits. The result is zero without an
+        integral time.
+        """
         integral_time, time = scope["outer.integral_time"], scope["outer.sample_time"]
         band = scope["outer.integral_band"]
         # Parameters are symbols: 0 as "no band", "no limit" and "no integral" is decided at run time, not in Python.

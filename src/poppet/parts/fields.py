@@ -30,7 +30,7 @@ NumberLike = Number | float | str | Mapping[str, Any] | None
 
 
 class Declaration:
-    """Declaration of a field.
+    """Base class of declarations of a field.
 
     The meaning `doc` is a noun phrase. Details can follow it after a semicolon.
     """
@@ -39,7 +39,7 @@ class Declaration:
 
     @property
     def meaning(self) -> str:
-        """Meaning without details, for messages and labels."""
+        """Noun phrase of `doc` without the details after the semicolon, for messages and labels."""
         return self.doc.partition("; ")[0]
 
 
@@ -57,11 +57,11 @@ class NumberSpec(NumberRange, Declaration):
     varies: Callable[[Any], Mapping[str, Any]] | None = None  # changes of the declaration under the choices of a part
 
     def within(self, part: Any) -> NumberSpec:
-        """Return the declaration that is valid for a part with its choices."""
+        """Return the declaration that applies to a part with the present options."""
         return self if self.varies is None else _vary(self, tuple(self.varies(part).items()))
 
     def check(self, name: str, value: float, text: str) -> None:
-        """Raise `OutOfRangeError` if a value is outside the limits."""
+        """Raise `OutOfRangeError` if a value is outside the declared limits."""
         self.check_range(name, value, text, self.meaning)
 
 
@@ -72,7 +72,10 @@ def _vary(spec: NumberSpec, changes: tuple[tuple[str, Any], ...]) -> NumberSpec:
 
 @dataclass(frozen=True)
 class OptionSpec(Declaration):
-    """Declaration of an option; another choice changes the form of the model."""
+    """Declaration of an option.
+
+    Another choice of an option changes the structure of the model.
+    """
 
     choices: tuple[str, ...]
     doc: str
@@ -80,7 +83,7 @@ class OptionSpec(Declaration):
 
 @dataclass(frozen=True)
 class PortSpec(Declaration):
-    """Declaration of a port: the name of the gas node that is connected to it."""
+    """Declaration of a port; its value is the name of the connected gas node."""
 
     doc: str
     optional: bool = False
@@ -88,7 +91,7 @@ class PortSpec(Declaration):
 
 @dataclass(frozen=True)
 class BodySpec(Declaration):
-    """Declaration of the name of the body that an actuator moves."""
+    """Declaration of a field whose value is the name of the body that an actuator moves."""
 
     doc: str
     optional: bool = False
@@ -96,7 +99,10 @@ class BodySpec(Declaration):
 
 @dataclass(frozen=True)
 class GroupSpec(Declaration):
-    """Declaration of a group of numbers; their addresses have one more dot, `lower_spring.rate`."""
+    """Declaration of a group of numbers with a common prefix.
+
+    An example of an address is `lower_spring.rate`.
+    """
 
     group: type
     doc: str
@@ -105,14 +111,17 @@ class GroupSpec(Declaration):
 
 @dataclass(frozen=True)
 class ReferenceSpec(Declaration):
-    """Declaration of the name of a library set, or of a table in its place."""
+    """Declaration of a field whose value is the name of a library set, or a table instead."""
 
     doc: str
 
 
 @dataclass(frozen=True)
 class MemberSpec(Declaration):
-    """Declaration of a part inside a compound, which sets the fields `inherited`."""
+    """Declaration of a member of a compound.
+
+    `inherited` contains the names of the fields of the member that the compound sets.
+    """
 
     part: Any  # class of the part
     doc: str
@@ -128,7 +137,10 @@ def number(
     unit: str, default: str | float | None = None, *, doc: str, source: SourceKind = "assumed", note: str = "",
     **limits: Any,
 ) -> Any:  # fmt: skip
-    """Declare a number; it is required if it has no default and is not `optional`."""
+    """Declare a field with a number and a unit.
+
+    The number is required if it has no default and is not `optional`.
+    """
     assert source in SOURCE_KINDS
     return _field(NumberSpec(unit, doc, default=default, source=source, note=note or "default", **limits))
 
@@ -149,13 +161,13 @@ def subsonic_index_m(source: SourceKind = "standard", note: str = "ISO 6358:1989
 
 
 def laminar_limit() -> Any:
-    """Declare the pressure ratio above which the flow law is regularised."""
+    """Declare the pressure ratio p2/p1 above which the flow law is regularised."""
     doc = "laminar ratio, where the regularisation begins"
     return number("1", 0.999, low=0.5, below=1.0, doc=doc, note="width of the C1 zone")
 
 
 def option(default: str, *choices: str, doc: str) -> Any:
-    """Declare an option; the first argument is the default."""
+    """Declare an option; the default is also one of the choices."""
     return _field(OptionSpec((default, *choices), doc), default)
 
 
@@ -174,7 +186,7 @@ def port(doc: str, *, optional: bool = False) -> Any:
 
 
 def body(doc: str) -> Any:
-    """Declare the body that an actuator moves."""
+    """Declare a field for the name of the body that an actuator moves."""
     return _field(BodySpec(doc))
 
 
@@ -184,12 +196,12 @@ def group(kind: type, *, doc: str, optional: bool = False) -> Any:
 
 
 def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
-    """Declare a part inside a compound, which sets the fields `inherited`."""
+    """Declare a member of a compound, whose `inherited` fields the compound sets."""
     return _field(MemberSpec(kind, doc, tuple(inherited), is_open, optional))
 
 
 def reference(*, doc: str) -> Any:
-    """Declare a reference to the library."""
+    """Declare a field for the name of a library set."""
     return _field(ReferenceSpec(doc))
 
 
@@ -199,7 +211,10 @@ def _field(spec: Spec, default: str | None = None) -> Any:
 
 
 def specs(kind: Any) -> Mapping[str, Spec]:
-    """Return the declared fields of a class by their names in a circuit file (`from`, not `from_`)."""
+    """Return the declarations of all fields of a class by field name.
+
+    The names are those of a circuit file (`from`, not `from_`).
+    """
     # A separate function: type checkers do not accept a class as an argument of a cached function.
     return _specs(kind)
 
@@ -212,18 +227,27 @@ def _specs(kind: Any) -> Mapping[str, Spec]:
 
 @cache
 def declared(kind: Any, *types: type) -> tuple[tuple[str, str, Any], ...]:
-    """Return name, Python attribute and declaration of the fields of a class, optionally of some types only."""
+    """Return name, Python attribute and declaration of each field of a class.
+
+    If `types` are given, only declarations of these types are included.
+    """
     # Cached: a changed number makes its part again, and a run reads every part.
     return tuple((n, attribute(n), spec) for n, spec in _specs(kind).items() if not types or isinstance(spec, types))
 
 
 def attribute(name: str) -> str:
-    """Return the Python attribute of a field: `from` is a keyword and becomes `from_`."""
+    """Return the Python attribute for the name of a field.
+
+    The field `from` is a Python keyword and has the attribute `from_`.
+    """
     return "from_" if name == "from" else name
 
 
 class ParameterDocstring:
-    """Docstring of a class with a section of parameters made from the declared fields, when it is read."""
+    """Docstring of a class with a generated section on parameters.
+
+    The section describes the declared fields. It is generated when the docstring is read.
+    """
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -248,7 +272,7 @@ def _with_parameters(owner: Any, text: str) -> str:
 
 
 def _type_text(spec: Any) -> str:
-    """Return the type of a parameter and its default, as numpydoc has them."""
+    """Return type and default of a parameter in the format of numpydoc."""
     match spec:
         case OptionSpec(choices=choices):
             values = ", ".join(choices if choices == OFF_ON else map(repr, choices))
@@ -264,7 +288,10 @@ def _type_text(spec: Any) -> str:
 
 
 def _meaning_text(spec: Any) -> str:
-    """Return the meaning of a parameter, with its unit or the names of its fields."""
+    """Return the meaning of a parameter.
+
+    The text includes the unit of a number, or the names of the fields of a group.
+    """
     unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
     details = spec.doc.removeprefix(spec.meaning)
     text = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{details}"
@@ -276,7 +303,7 @@ def _meaning_text(spec: Any) -> str:
 
 
 def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
-    """Return an argument as a checked `Number`."""
+    """Convert the argument of a field to a checked `Number`."""
     # A copied part has numbers that were read before.
     is_number = type(argument) is Number and argument.unit == spec.unit and argument.reference != "gauge"
     if is_number and spec.holds(argument.value):  # type: ignore[union-attr]
@@ -313,7 +340,10 @@ def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
 
 
 def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = "") -> None:
-    """Remove the numbers that a copy of a part has from a library set; the current set replaces them."""
+    """Remove from a copied part all numbers that come from the given library sets.
+
+    The current library set then supplies these numbers.
+    """
     if not sets:
         return
     for name, attribute_name, spec in declared(part.__class__, NumberSpec, GroupSpec):
@@ -333,14 +363,17 @@ def forget_library(part: Any, sets: Sequence[Mapping[str, Number]], path: str = 
 # Cached: parts share the default of a number that they do not specify. This also makes `forget_library` fast.
 @cache
 def default_number(name: str, spec: NumberSpec) -> Number | None:
-    """Return the declared default with its source, or None."""
+    """Return the declared default of a number with its source, or None without a default."""
     if spec.default is None:
         return None
     return dataclasses.replace(read_number(name, spec, spec.default), source=Source(spec.source, note=spec.note))
 
 
 def from_table(kind: type[T], table: Any) -> T:
-    """Return an object of a class with declared fields from a table of a file; report all errors together."""
+    """Create an object with declared fields from a table of a file.
+
+    All errors are reported together.
+    """
     if not isinstance(table, Mapping):
         raise InputError("fields.no_table", value=table)
     valid, result = specs(kind), None
@@ -360,7 +393,11 @@ def from_table(kind: type[T], table: Any) -> T:
 
 
 def complete(part: Any, library: Mapping[str, Number]) -> None:
-    """Read all fields of a frozen part in place: argument, else library value, else default, else an error."""
+    """Complete all fields of a frozen part in place.
+
+    The value of a field is its argument; if there is none, the library value; if there is none, the default. A
+    required field without any of them is an error.
+    """
     with ErrorCollector() as errors:
         _complete(part, library, "", errors, part)
 
@@ -426,12 +463,12 @@ def _read_group(
 
 
 def unknown_field(address: str, name: str, valid: Mapping[str, Any]) -> InputError:
-    """Return the error of a field that a part does not have."""
+    """Return the error for the name of a field that does not exist in a part."""
     return InputError("fields.unknown", address, table="", near=NameSuggestion(name, valid))
 
 
 def flatten(part: Any, path: str = "", owner: Any = None) -> list[tuple[str, NumberSpec, Number]]:
-    """Return all numbers of a completed part, or of a group of it, with their dotted names and declarations."""
+    """Return dotted name, declaration and value of each number in a completed part or group."""
     owner = part if owner is None else owner
     numbers: list[tuple[str, NumberSpec, Number]] = []
     for name, attribute_name, spec in declared(part.__class__, NumberSpec, GroupSpec, MemberSpec):

@@ -35,7 +35,7 @@ _FROM_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
 
 
 def read_characteristic(argument: Any, address: str) -> Characteristic:
-    """Return a characteristic by library name, file name (`.toml`) or table."""
+    """Read a flow characteristic by library name, from a TOML file or from a table."""
     if isinstance(argument, Characteristic):
         return argument
     if isinstance(argument, Mapping):
@@ -59,7 +59,9 @@ def _assumed_ratio(size: str) -> Number:
 
 @dataclass(frozen=True)
 class FlowPath(Passage):
-    """Flow path after ISO 6358 with exactly one specification of its flow capacity.
+    """Base class of flow paths after ISO 6358.
+
+    Exactly one field specifies the flow capacity. Subclasses declare the ports.
 
     Subclasses declare the ports.
 
@@ -104,7 +106,7 @@ class FlowPath(Passage):
 
     @property
     def _size(self) -> str:
-        """Field that specifies the flow capacity."""
+        """Name of the field that specifies the flow capacity."""
         return next(name for name in _SIZES if getattr(self, name) is not None)
 
     def notes(self) -> tuple[Note, ...]:
@@ -135,7 +137,10 @@ class FlowPath(Passage):
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
 
     def _size_with_gas(self, values: Mapping[str, float], ambient: Surroundings) -> tuple[float, float]:
-        """Return C and b with the gas of the circuit for a specification other than C or a characteristic."""
+        """Return C and b for the gas of the circuit.
+
+        This applies to all specifications of the flow capacity except C itself and a characteristic.
+        """
         name = self._size
         gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
         if name == "effective_area":
@@ -150,20 +155,26 @@ class FlowPath(Passage):
         return super().structure(), None if self.characteristic is None else self.characteristic.structure()
 
     def size_at(self, scope: Scope, stroke: Any) -> tuple[Any, Any]:
-        """Return sonic conductance and critical ratio; a characteristic needs the stroke."""
+        """Return sonic conductance and critical ratio at a stroke.
+
+        Only a characteristic depends on the stroke.
+        """
         if self.characteristic is None:
             return scope["sonic_conductance"], scope["critical_ratio"]
         return characteristic_at(self.characteristic, scope, "characteristic.", stroke)
 
 
 def characteristic_at(curve: Characteristic, scope: Scope, prefix: str, stroke: Any) -> tuple[Any, Any]:
-    """Return C and b of a characteristic with the parameters of a scope."""
+    """Return C and b of a characteristic at a stroke.
+
+    The parameters of the characteristic are those in `scope` whose names begin with `prefix`.
+    """
     values = _PrefixedParameters(scope, prefix)
     return curve.sonic_conductance_at(stroke, values), curve.critical_ratio_at(stroke, values)
 
 
 class _PrefixedParameters(Mapping[str, Any]):
-    """Parameters of a scope below a prefix."""
+    """Mapping with all parameters of a scope whose names begin with a prefix."""
 
     def __init__(self, scope: Scope, prefix: str) -> None:
         self._scope, self._prefix = scope, prefix
@@ -187,7 +198,7 @@ def iso_flow(
     scope: Scope, name: str, ports: tuple[str, str], gas: tuple[GasState, GasState], size: tuple[Any, Any], *,
     cracking_pressure: Any = 0.0, one_way: bool = False, regime: str = "regime",
 ) -> tuple[Flow, Quantities]:  # fmt: skip
-    """Return an ISO 6358 flow between two ports, and its outputs."""
+    """Return the ISO 6358 flow between two ports, and outputs such as the mass flow rate."""
     conductance, ratio = scope.surroundings.size_with_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
@@ -203,7 +214,7 @@ def iso_flow(
 
 
 def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], **law: Any) -> PassageFlows:
-    """Return the flow of a flow path with the ports `from` and `to`."""
+    """Return the flow of a part with the two ports `from` and `to`."""
     flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
     return PassageFlows((flow,), outputs)
 
@@ -211,7 +222,10 @@ def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any]
 def named_flow(
     scope: Scope, gas: Mapping[str, GasState], name: str, ends: tuple[str, str], size: tuple[Any, Any]
 ) -> tuple[Flow, Quantities]:
-    """Return one of several flows of a part; the names of its outputs begin with its name."""
+    """Return one of several flows of a part.
+
+    The names of its outputs begin with the name of the flow.
+    """
     first, second = ends
     return iso_flow(scope, f"{name}_mass_flow_rate", ends, (gas[first], gas[second]), size, regime=f"{name}_regime")
 

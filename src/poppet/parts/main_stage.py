@@ -33,7 +33,7 @@ On the paper's staircase it saves a quarter of the steps without a larger error 
 
 @dataclass(frozen=True)
 class Spring:
-    """Linear spring with the compression `preload` at stroke zero."""
+    """Linear spring with the compression `preload` at a stroke of zero."""
 
     rate: NumberLike = number("N/m", doc="spring rate", low=0.0)
     preload: NumberLike = number("m", doc="compression at stroke zero", low=0.0)
@@ -41,7 +41,10 @@ class Spring:
 
 @dataclass(frozen=True)
 class Stop:
-    """End stop after Hunt and Crossley: force k d^1.5, damped during contact."""
+    """End stop of the plate by the law of Hunt and Crossley.
+
+    The force is k d^1.5 with the depth d of penetration, multiplied by a damping factor.
+    """
 
     position: NumberLike = number("m", doc="stroke at the stop")
     stiffness: NumberLike = number("N/m^1.5", doc="contact stiffness", above=0.0)
@@ -58,7 +61,7 @@ class Contact:
 
 @dataclass(frozen=True)
 class Exhaust:
-    """Exhaust seat, which opens over the stroke `opening` below the overlap."""
+    """Exhaust seat; below the overlap it opens fully over the stroke `opening`."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the exhaust", low=0.0)
     critical_ratio: NumberLike = number("1", doc="critical ratio b of the exhaust", low=0.0, below=1.0)
@@ -78,7 +81,9 @@ class Friction:
 
 @dataclass(frozen=True)
 class MainStage(Passage):
-    r"""Main stage after eqs (5)-(8), with one coordinate for filling, overlap and emptying.
+    r"""Main stage of a piloted valve by eqs (5)-(8) of the paper.
+
+    One coordinate, the stroke x of the plate, describes filling, overlap and emptying.
 
     A stroke x > 0 lifts the supply poppet against both springs. A stroke x < 0 opens the exhaust seat against the upper
     spring alone. Between 0 and minus the overlap both seats are closed.
@@ -217,7 +222,10 @@ class MainStage(Passage):
         return PassageFlows((supply, exhaust), {name: outputs[name] for name in OUTPUTS}, rates, hidden)
 
     def _springs(self, scope: Scope, gas: Mapping[str, GasState], lifted: Any) -> Any:
-        """Return the force of both springs and of the seat pressure; the poppet acts above stroke zero."""
+        """Return the force of both springs and of the pressure on the supply seat.
+
+        `lifted` is the fraction of the poppet force that acts on the plate; it is 1 for positive strokes.
+        """
         stroke = scope.states["stroke"]
         upper = scope["upper_spring.rate"] * (scope["upper_spring.preload"] + stroke)
         lift = maximum(stroke, 0.0)

@@ -1,4 +1,4 @@
-"""Gas in a volume that a body changes, for cylinder chambers and muscles."""
+"""Gas in a volume that depends on the position of a body, for cylinder chambers and muscles."""
 
 from __future__ import annotations
 
@@ -13,20 +13,23 @@ STATES = (State("energy", "J", 100.0, positive=True), State("mass", "kg", 1e-3, 
 
 
 def initial_states(scope: Scope, volume: Any) -> dict[str, Any]:
-    """Return the states at the initial pressure and temperature."""
+    """Return the states of gas at the initial pressure and temperature in a volume."""
     pressure, gas = scope["initial_pressure"], scope.surroundings
     mass = gas_law.mass(pressure, volume, scope["initial_temperature"], gas.gas_constant)
     return {"energy": pressure * volume / (gas.isentropic_exponent - 1.0), "mass": mass}
 
 
 def gas_state(scope: Scope, volume: Any) -> GasState:
-    """Return the gas state in a volume."""
+    """Return the pressure and the temperature of the gas in a volume."""
     energy, mass, gas = scope.states["energy"], scope.states["mass"], scope.surroundings
     return GasState((gas.isentropic_exponent - 1.0) * energy / volume, energy / (mass * gas.heat_capacity_volume))
 
 
 def balance(scope: Scope, gas: GasState, volume: Any, growth: Any, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-    """Return rates and outputs by U' = sum of enthalpy flows + heat - p V', with `growth` V'."""
+    """Return rates and outputs of gas in a changing volume.
+
+    The energy balance is U' = sum of enthalpy flows + heat - p V'. `growth` is the rate V' of the volume.
+    """
     heat = scope["wall_conductance"] * (scope["wall_temperature"] - gas.temperature)
     work = -gas.pressure * growth
     rates = {"mass": sum(mass for mass, _ in flows), "energy": sum(enthalpy for _, enthalpy in flows) + heat + work}
@@ -48,7 +51,10 @@ class MovingGasStore(Store):
 
     @abstractmethod
     def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the volume and its derivative with respect to the travel in the direction of the part."""
+        """Return the volume and its derivative with respect to the travel of the body.
+
+        The travel is positive in the direction of the part.
+        """
 
     def states(self) -> tuple[State, ...]:
         return STATES

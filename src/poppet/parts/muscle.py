@@ -1,4 +1,4 @@
-"""Pneumatic muscle: gas in a volume that depends on the contraction, and its force."""
+"""Pneumatic muscle: gas in a volume that depends on the contraction, and the force on a body."""
 
 from __future__ import annotations
 
@@ -31,7 +31,10 @@ CONTRACTION_TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Hysteresis:
-    """Force against the motion that remains at rest, with a constant part and a part per pressure."""
+    """Hysteresis of the force: it opposes the motion and remains when the motion stops.
+
+    It is the sum of a constant and a term proportional to the gauge pressure.
+    """
 
     kind: str = option("coulomb", "maxwell", doc="law of hysteresis")
     force: NumberLike = number("N", 0.0, doc="half the width of the loop", low=0.0, note="none by default")
@@ -43,7 +46,7 @@ class Hysteresis:
 
 @dataclass(frozen=True)
 class Limits:
-    """Measured range of the law and limits of the manufacturer."""
+    """Measured range of the force law and limits by the manufacturer."""
 
     lowest_contraction: NumberLike = number("1", optional=True, doc="lowest contraction")
     highest_contraction: NumberLike = number("1", optional=True, doc="highest contraction", below=1.0)
@@ -163,7 +166,10 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
         return ActuatorForce(scope["direction"] * force, outputs, rates)
 
     def _hysteresis(self, scope: Scope, pressure: Any, speed: Any, rates: dict[str, Any]) -> Any:
-        """Return the force against the contraction; add the rates of its elements."""
+        """Return the hysteresis force against the contraction.
+
+        The rates of the elements of the Maxwell slip model are added to `rates`.
+        """
         if self.hysteresis is None:
             return 0.0
         slips = [state.name for state in self.states()[len(super().states()) :]]

@@ -1,4 +1,4 @@
-"""Force law of a muscle and its parameters, for muscles and inverse muscles."""
+"""Force law of a muscle with parameters, for the parts `muscle` and `inverse_muscle`."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ REQUIRED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": 
 
 @dataclass(frozen=True)
 class SarosiNumbers:
-    """Six parameters of Sarosi's law."""
+    """Parameters a1 to a6 of Sarosi's force law."""
 
     a1: NumberLike = number("N/Pa", doc="Sarosi's a1")
     a2: NumberLike = number("N", doc="Sarosi's a2")
@@ -32,7 +32,7 @@ class SarosiNumbers:
 
 @dataclass(frozen=True)
 class MuscleLawPart(Part):
-    """Part with the force law of a muscle."""
+    """Base class of parts that use the force law of a muscle."""
 
     nominal_length: NumberLike = number("m", doc="nominal length; without pressure and load", above=0.0)
     nominal_diameter: NumberLike = number("m", doc="nominal inner diameter; without pressure and load", above=0.0)
@@ -60,7 +60,7 @@ class MuscleLawPart(Part):
         return super().parameters(ambient) | {f"force_table.{name}": value for name, value in table.items()}
 
     def force_law(self, numbers: Mapping[str, Any] | None = None) -> ForceLaw:
-        """Return the force law over gauge pressure and contraction.
+        """Return the force of the muscle as a function of gauge pressure and contraction.
 
         Parameters
         ----------
@@ -85,7 +85,9 @@ class MuscleLawPart(Part):
                 return braid_of(values)
 
     def pressure_for(self, force: Any, contraction: Any) -> Any:
-        """Return the pressure for a force, without hysteresis and damping.
+        """Return the gauge pressure at which the muscle exerts a force.
+
+        Hysteresis and damping are not included.
 
         Parameters
         ----------
@@ -103,5 +105,5 @@ class MuscleLawPart(Part):
 
 
 def braid_of(numbers: Mapping[str, Any]) -> ChouHannaford:
-    """Return the law of a braid with a nominal size."""
+    """Return the law of a braided muscle with the nominal size in the given parameters."""
     return ChouHannaford(numbers["nominal_diameter"], numbers["nominal_length"], numbers["braid_angle"])

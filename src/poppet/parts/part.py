@@ -54,7 +54,7 @@ Quantities = dict[str, tuple[Any, str]]
 
 @dataclass(frozen=True)
 class State:
-    """Element of the state vector with its local name and SI unit."""
+    """Continuous state of a part with its local name and SI unit."""
 
     name: str
     unit: str
@@ -66,7 +66,7 @@ class State:
 
 @dataclass(frozen=True)
 class Input:
-    """Quantity that a signal or a connection can drive, with its local name and SI unit."""
+    """Input of a part, which a signal or a connection can drive."""
 
     name: str
     unit: str
@@ -81,7 +81,7 @@ class Input:
 
 @dataclass(frozen=True)
 class DiscreteState:
-    """Quantity that is constant between sample instants, with its local name and SI unit."""
+    """State of a part that changes at sample instants only."""
 
     name: str
     unit: str
@@ -89,7 +89,10 @@ class DiscreteState:
 
 @dataclass(frozen=True)
 class Timer:
-    """Next sample instant of a part [s]; the part sets a new time, or `NEVER`, at each instant."""
+    """Next sample instant of a part [s].
+
+    At each instant the part sets a new time. It sets `NEVER` to stop the timer.
+    """
 
     name: str
     rank: int = 0  # order at a common instant; equal ranks act in the order of the parts
@@ -97,7 +100,7 @@ class Timer:
 
 @dataclass(frozen=True)
 class GasState:
-    """Pressure [Pa] and temperature [K] of a gas node."""
+    """Pressure [Pa] and temperature [K] of the gas in a gas node."""
 
     pressure: Any
     temperature: Any
@@ -113,7 +116,10 @@ class BodyMotion:
 
 @dataclass(frozen=True)
 class ActuatorForce:
-    """Force on a body towards larger positions [N], and an addition to the friction of the body [N]."""
+    """Force of an actuator on a body [N], and dry friction that it adds to the body [N].
+
+    The force is positive towards larger positions.
+    """
 
     force: Any
     outputs: Quantities = field(default_factory=dict)
@@ -123,7 +129,7 @@ class ActuatorForce:
 
 @dataclass(frozen=True)
 class BodyDynamics:
-    """Outputs, rates and energy [J] of a body.
+    """Outputs, state rates and energy [J] of a body.
 
     `powers` are those of the actuators minus the load, and of friction and stops [W].
     """
@@ -136,7 +142,7 @@ class BodyDynamics:
 
 @dataclass(frozen=True)
 class Flow:
-    """Flow of gas between two ports, positive from source to target."""
+    """Gas flow between two ports; it is positive from `source` to `target`."""
 
     name: str  # output of the mass flow rate
     source: str | None  # a port or `SELF`; None is outside the circuit
@@ -147,7 +153,7 @@ class Flow:
 
 @dataclass(frozen=True)
 class PassageFlows:
-    """Flows between the ports of a flow path, with its outputs and the rates of its states."""
+    """Gas flows of a flow path, with its outputs and state rates."""
 
     flows: tuple[Flow, ...]
     outputs: Quantities
@@ -157,7 +163,7 @@ class PassageFlows:
 
 @dataclass(frozen=True)
 class GasBalance:
-    """Outputs and rates of a gas node for its flows.
+    """Outputs and state rates of a gas node that result from its flows.
 
     `heat` is the heat from the wall and `work` the work on the gas [W]. `energy` is given only if it is linear in the
     states [J].
@@ -173,7 +179,10 @@ class GasBalance:
 
 @dataclass(frozen=True)
 class ControlOutputs:
-    """Outputs of a controller between sample instants, and the rates of its continuous states."""
+    """Outputs of a controller, and the rates of its continuous states.
+
+    They are valid between two sample instants.
+    """
 
     outputs: Quantities
     rates: dict[str, Any] = field(default_factory=dict)
@@ -181,7 +190,10 @@ class ControlOutputs:
 
 @dataclass(frozen=True)
 class Surroundings:
-    """Ambient pressure [Pa], ambient temperature [K] and gas of a circuit, as floats or symbols."""
+    """Ambient pressure [Pa], ambient temperature [K] and gas properties of a circuit.
+
+    The values are floats or symbols.
+    """
 
     pressure: Any
     temperature: Any
@@ -201,17 +213,23 @@ class Surroundings:
         return self.gas_constant / (self.isentropic_exponent - 1.0)
 
     def size_with_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
-        """Return C and b with this gas for C and b of the circuit file."""
+        """Convert C and b from the basis of the circuit file to the gas of the circuit."""
         return conductance * self.conductance_factor, ratio + (1.0 - ratio) * self.ratio_shift
 
     def stated_size(self, conductance: float, ratio: float) -> tuple[float, float]:
-        """Return C and b of the circuit file for C and b with this gas; inverse of `size_with_gas`."""
+        """Convert C and b from the gas of the circuit to the basis of the circuit file.
+
+        This is the inverse of `size_with_gas`.
+        """
         return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 
 
 @dataclass(frozen=True)
 class Scope:
-    """Parameters, states, inputs and discrete states of one part (floats or symbols), surroundings and time [s]."""
+    """Values that the equations of one part can use.
+
+    These are parameters, states, inputs and discrete states (floats or symbols), the surroundings and the time [s].
+    """
 
     numbers: Mapping[str, Any]
     states: Mapping[str, Any]
@@ -223,7 +241,7 @@ class Scope:
 
     @property
     def body(self) -> BodyMotion:
-        """Motion of the body of the part; the part must have one."""
+        """Motion of the body that the part acts on; the part must have a body."""
         assert self.motion is not None
         return self.motion
 
@@ -238,7 +256,7 @@ class Scope:
 
 
 class Part(ABC):
-    """Component of a circuit with a name."""
+    """Base class of all components of a circuit."""
 
     kind: ClassVar[str] = ""
     summary: ClassVar[str]
@@ -265,38 +283,49 @@ class Part(ABC):
         self.check()
 
     def library_sets(self) -> Sequence[Mapping[str, Number]]:
-        """Return all sets from which a copy of the part can have numbers; `library_numbers` replaces these."""
+        """Return all library sets whose numbers a copy of the part can contain.
+
+        The numbers from `library_numbers` replace these numbers in the copy.
+        """
         return library.every_set(self.kind) if hasattr(self, "data") else ()
 
     def library_numbers(self) -> Mapping[str, Number]:
-        """Return the numbers of a library set, for fields without a value."""
+        """Return the numbers of the selected library set, for fields without an argument."""
         data = getattr(self, "data", None)
         return {} if data is None else library.numbers(str(data), self.kind, self.variant())
 
     def variant(self) -> str:
-        """Return the variant of the library set that applies to the part."""
+        """Return the variant of the library set that the options of the part select."""
         return ""
 
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
-        """Raise `InputError` if fields contradict each other."""
+        """Raise `InputError` if the values of several fields contradict each other."""
 
     def check_start(self, travel: float) -> None:  # noqa: B027 - most parts have no body
         """Raise `InputError` if the initial travel of the body [m] is not possible for the part."""
 
     def notes(self) -> tuple[Note, ...]:
-        """Return notes on the fields for the reader of any result, with addresses within the part."""
+        """Return notes on the fields of the part, which accompany every result.
+
+        The addresses in the notes are relative to the part.
+        """
         return ()
 
     def remarks(self, name: str, series: Callable[[str], Any]) -> tuple[Note, ...]:
-        """Return notes on a run; `series` returns the (n_times,) array of an output, or of `time`."""
+        """Return notes on a finished run.
+
+        `series` is a function that returns the (n_times,) array of an output, or of `time`.
+        """
         return ()
 
     def numbers(self) -> dict[str, Number]:
-        """Return all numbers of the part by dotted local name."""
+        """Return the mapping from dotted local names to all numbers of the part."""
         return {name: value for name, _, value in flatten(self)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
-        """Return the run-time parameters: numbers and derived values, in SI and absolute.
+        """Return the run-time parameters of the part by name: numbers and derived values.
+
+        All values are in SI; pressures are absolute.
 
         The names depend on the structure only.
         """
@@ -312,16 +341,22 @@ class Part(ABC):
         return values
 
     def ports(self) -> dict[str, str]:
-        """Return the gas node that is connected to each port."""
+        """Return the mapping from the name of each connected port to the gas node."""
         connected = ((name, getattr(self, attribute)) for name, attribute, _ in declared(type(self), PortSpec))
         return {name: node for name, node in connected if node is not None}
 
     def outer_ports(self) -> dict[str, str]:
-        """Return the ports of other parts that name this part, with the gas node of this part for each."""
+        """Return a mapping from ports of other parts to the gas nodes of this part.
+
+        It contains the ports that a field of this part names.
+        """
         return {}
 
     def stores(self) -> tuple[str, ...]:
-        """Return the local names of the gas nodes to which ports can be connected; empty for the part itself."""
+        """Return the local names of the gas nodes of the part to which ports can be connected.
+
+        An empty name is the part itself.
+        """
         return ()
 
     def body_name(self) -> str | None:
@@ -329,33 +364,42 @@ class Part(ABC):
         return next((getattr(self, attribute) for _, attribute, _ in declared(type(self), BodySpec)), None)
 
     def list_internal_outputs(self) -> tuple[str, ...]:
-        """Return the internal outputs of the part with its options."""
+        """Return the names of the outputs that are internal with the present options."""
         return self.internal_outputs
 
     def caption(self, numbers: CaptionNumbers) -> list[str]:
-        """Return the lines in the box of the part in a schematic."""
+        """Return the lines of text in the box of the part in a schematic."""
         first = list(self.numbers().items())[:3]
         values = (f"{name.replace('_', ' ')} {numbers.text(number)}" for name, number in first)
         return [self.kind.replace("_", " "), *values]
 
     def symbol_for(self, is_driven: bool) -> Symbol | str:
-        """Return the symbol; `is_driven` is True if a signal or a connection drives an input."""
+        """Return the symbol of the part, or the text of its box.
+
+        `is_driven` is True if a signal or a connection drives an input of the part.
+        """
         return self.symbol
 
     def options(self) -> dict[str, str]:
-        """Return the options that determine the form of the model."""
+        """Return the options that determine the structure of the model."""
         return {name: getattr(self, attribute) for name, attribute, _ in declared(type(self), OptionSpec)}
 
     def structure(self) -> Hashable:
-        """Return all that determines the compiled model, without values."""
+        """Return a hashable key of the compiled model.
+
+        It contains all properties on which the model depends, but no values of numbers.
+        """
         return self.kind, tuple(self.options().items()), tuple(sorted(self.ports().items())), self.body_name()
 
     def replaced_fields(self, fields: Iterable[str]) -> tuple[str, ...]:
-        """Return the fields to remove because a file sets `fields`, which contradict them."""
+        """Return the names of fields that contradict the given `fields` and must be removed.
+
+        A file that sets `fields` replaces the previous specification.
+        """
         return ()
 
     def states(self) -> tuple[State, ...]:
-        """Return the states of the part."""
+        """Return the continuous states of the part."""
         return ()
 
     def inputs(self) -> tuple[Input, ...]:
@@ -363,86 +407,105 @@ class Part(ABC):
         return ()
 
     def memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states of the part, without its timers."""
+        """Return the discrete states of the part; timers are not included."""
         return ()
 
     def timers(self) -> tuple[Timer, ...]:
-        """Return the timers at which discrete states change."""
+        """Return the timers that determine the sample instants of the part."""
         return ()
 
     def start(self, scope: Scope) -> dict[str, Any]:
-        """Return initial values of states, discrete states and timers."""
+        """Return the initial values of states, discrete states and timers by name."""
         # The scope has no states yet. Inputs have their initial values.
         return {}
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
-        """Return new values of discrete states and timers, including this timer; others keep their values."""
+        """Return the new values of discrete states and timers at an instant of `timer`.
+
+        The result includes the next time of this timer. Other discrete states keep their values.
+        """
         raise NotImplementedError(f"{self.kind} has no timers")
 
     def can_resume(self, target: str) -> bool:
-        """Return True if the part with its options uses the initial value `target`."""
+        """Return True if the initial value `target` has an effect with the present options."""
         return target != "wall_temperature" or any(state.name == target for state in self.states())
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
-        """Return, for states and inputs, the characteristic with a limited domain and the end stops."""
+        """Return the characteristics whose domain limits a state or an input.
+
+        The keys are names of states and inputs. Each value is a characteristic with the positions of the end stops.
+        """
         return {}
 
 
 class Store(Part):
-    """Gas node: a part that contains gas."""
+    """Base class of gas nodes: parts that contain gas."""
 
     def stores(self) -> tuple[str, ...]:
         return ("",)
 
     @abstractmethod
     def gas(self, scope: Scope) -> GasState:
-        """Return the gas state at the ports."""
+        """Return the gas state at the ports of the node."""
 
     @abstractmethod
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        """Return rates and outputs for all flows, (mass [kg/s], enthalpy [W]), positive into the node."""
+        """Return rates and outputs of the node for all its flows.
+
+        Each flow is a pair of mass flow rate [kg/s] and enthalpy flow rate [W], positive into the node.
+        """
 
 
 class Passage(Part):
-    """Flow path: a part that moves gas between gas nodes."""
+    """Base class of flow paths: parts that move gas between gas nodes."""
 
     @abstractmethod
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
-        """Return flows, rates and outputs for the gas states by port name."""
+        """Return gas flows, rates and outputs of the flow path.
+
+        `gas` maps each port name to the gas state at this port.
+        """
 
 
 class Actuator(Part):
-    """Part that exerts a force on a body."""
+    """Base class of parts that exert a force on a body."""
 
     @abstractmethod
     def actuator_force(self, scope: Scope, gas: Mapping[str, GasState]) -> ActuatorForce:
-        """Return the force for the gas states by port name; `SELF` is the gas of the actuator itself."""
+        """Return the force of the actuator on its body.
+
+        `gas` maps each port name to the gas state at this port; `SELF` is the gas in the actuator.
+        """
 
 
 class Body(Part):
-    """Part that moves."""
+    """Base class of bodies, on which actuators act."""
 
     @abstractmethod
     def initial_travel(self) -> float:
-        """Return the travel at the start without a signal [m]."""
+        """Return the initial travel of the body if no signal drives it [m]."""
 
     @abstractmethod
     def motion(self, scope: Scope) -> BodyMotion:
-        """Return travel and speed of the point where the actuators act."""
+        """Return travel and speed of the body at the point where the actuators act."""
 
     @abstractmethod
     def dynamics(self, scope: Scope, force: Any, friction: Any) -> BodyDynamics:
-        """Return rates and outputs for the sums of the actuators' forces and additions to friction [N]."""
+        """Return rates and outputs of the body.
+
+        `force` is the sum of the forces of all actuators [N], and `friction` the sum of the friction that they add
+        [N].
+        """
 
 
 class Controller(Part):
-    """Part without gas flows that measures, samples and drives inputs of other parts."""
+    """Base class of controllers: parts without gas that drive inputs of other parts."""
 
     measured: ClassVar[tuple[str, ...]] = ()
     """Inputs that the controller needs; a run notes each of them that is not connected."""
 
     def sensors(self) -> dict[str, tuple[str, str]]:
-        """Return the measured input and the parameter group of each sensor, by state.
+        """Return the measured input and the parameter group of each sensor, by state name.
 
         Sensors are not part of an exported controller.
         """
@@ -450,15 +513,21 @@ class Controller(Part):
 
     @abstractmethod
     def control(self, scope: Scope) -> ControlOutputs:
-        """Return outputs, and rates of the continuous states."""
+        """Return the outputs of the controller and the rates of its continuous states."""
 
 
 def is_port(end: str) -> bool:
-    """Return True if the end of a tube is a port of another part, `valve.outlet`, instead of a gas node."""
+    """Return True if the end of a tube is a port of another part.
+
+    An example is `valve.outlet`. Otherwise the end is a gas node.
+    """
     return end.partition(".")[2] in PORTS
 
 
 def advance_clock(scope: Scope, timer: str, period: Any, phase: Any = 0.0) -> dict[str, Any]:
-    """Return the next instant of a clock and its counter; counting from the start avoids accumulated rounding."""
+    """Return the next instant of a periodic timer, and its incremented counter.
+
+    Each instant is computed from the counter, which avoids the accumulation of rounding errors.
+    """
     count = scope.memory[f"{timer}_count"] + 1.0
     return {timer: phase + count * period, f"{timer}_count": count}

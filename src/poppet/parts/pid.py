@@ -167,7 +167,7 @@ class PID(SampledLoop):
         return {name: (scope.memory[name], self.command_unit) for name in ("integral", "derivative")}
 
     def gains_at(self, scope: Scope, measured: Any, setpoint: Any) -> dict[str, Any]:
-        """Return gain, times and vent factor at an operating point.
+        """Return gain, times and vent factor of the controller at an operating point.
 
         Parameters
         ----------
@@ -226,7 +226,10 @@ class PID(SampledLoop):
         return command, clip(-gains["vent_factor"] * command, 0.0, 1.0) if self.is_of_openings else None, discrete
 
     def _integral_increment(self, scope: Scope, gains: dict[str, Any], error: Any, excess: Any) -> Any:
-        """Return the increment of the integral, with back-calculation of the part beyond the limits."""
+        """Return the increment of the integral in one sample, with back-calculation.
+
+        `excess` is the limited command minus the command before the limits. Back-calculation adds a fraction of it.
+        """
         time, integral_time = scope["sample_time"], gains["integral_time"]
         if "integral_dead_band" in scope:
             error = where(error * error > scope["integral_dead_band"] * scope["integral_dead_band"], error, 0.0)

@@ -1,4 +1,4 @@
-"""Pilot stage: a volume below the membrane with two solenoid valves."""
+"""Pilot stage of a pressure valve: a gas volume with a fill and a vent solenoid valve."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ MIN_VOLUME_FRACTION = 0.1
 
 @dataclass(frozen=True)
 class Leak:
-    """Leak as an ISO 6358 flow path."""
+    """Leak of the pilot volume as an ISO 6358 flow path."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", 0.0, doc="sonic conductance C", low=0.0, note="tight")
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -226,7 +226,10 @@ class PilotStage(Store, Passage):
 
 
 def volume_notes(name: str, volume: Any, swept: float) -> list[Note]:
-    """Return a note if the displacement exceeds the permitted fraction of a volume."""
+    """Return a note if the displacement leaves too little of a volume.
+
+    `swept` is the largest reduction of the volume by the displacement [m^3].
+    """
     if swept <= (1.0 - MIN_VOLUME_FRACTION) * float(volume):
         return []
     return [Note("valve.pilot_too_small", name, shown=volume.display(), swept_cm3=swept * 1e6)]

@@ -1,4 +1,4 @@
-"""Pressure controller that inverts the law of a chamber and the flow law of two valves."""
+"""Pressure controller that inverts models of a chamber and of two valves."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop, is_first
 
 @dataclass(frozen=True)
 class ValveModel:
-    """Model of a valve in the controller."""
+    """Flow parameters of a valve in the model that the controller inverts."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", above=0.0)
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -24,7 +24,7 @@ class ValveModel:
 
 @dataclass(frozen=True)
 class PressureController(SampledLoop):
-    r"""Feedback linearisation: the pressure follows its setpoint with a first-order lag.
+    r"""Controller by feedback linearisation: the pressure follows its setpoint with a first-order lag.
 
     .. math:: \dot p_w = \frac{1 - e^{-T/\tau}}{T} (w - p) - \hat d, \qquad
               a = \dot p_w \Big/ \frac{n R T_{up}}{V} q(p_1, p_2)

@@ -139,12 +139,18 @@ class ProportionalValve(Compound):
 
 
 def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
-    """Return a note on the first row of a condition, with the values of series in this row."""
+    """Return a note on the first row in which a condition is true.
+
+    The facts of the note are the values of `series` in this row. Without such a row the list is empty.
+    """
     return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(is_true)[:1]]
 
 
 def _plateau_notes(time: Any, outlet: Any, target: float, tolerance: float, unpowered: bool) -> list[Note]:
-    """Return a note if the outlet oscillates or misses the target on a plateau."""
+    """Return a note if the outlet pressure oscillates or misses the target on a plateau.
+
+    A plateau is a period with a constant target pressure.
+    """
     facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
     # The last 30 %: earlier rows can belong to the step response.
     final_rows = outlet[time >= time[-1] - 0.3 * (time[-1] - time[0])]

@@ -15,7 +15,10 @@ from poppet.core.units import Kind
 
 @dataclass(frozen=True)
 class ControlledQuantity:
-    """SI unit, kind, default, lower limit and nominal size of a quantity."""
+    """Properties of a quantity that a controller measures or commands.
+
+    These are SI unit, kind, default, lower limit and nominal size.
+    """
 
     unit: str
     usual: float
@@ -54,7 +57,7 @@ def command_of(part: Any) -> str:
 
 
 def gain_unit(quantity: str, command: str) -> str:
-    """Return the unit of a gain.
+    """Return the unit of a controller gain, command per measured quantity.
 
     Examples
     --------
@@ -69,7 +72,7 @@ def gain_unit(quantity: str, command: str) -> str:
 
 
 def as_setpoint(part: Any) -> dict[str, Any]:
-    """Return the changes for a value of the measured quantity."""
+    """Return declaration changes for a number that is a value of the measured quantity."""
     name = quantity_of(part)
     if name == "pressure":
         return {}
@@ -79,17 +82,17 @@ def as_setpoint(part: Any) -> dict[str, Any]:
 
 
 def as_difference(part: Any) -> dict[str, Any]:
-    """Return the changes for a difference of the measured quantity."""
+    """Return declaration changes for a number that is a difference of the measured quantity."""
     return {"unit": QUANTITIES[quantity_of(part)].unit}
 
 
 def as_gain(part: Any) -> dict[str, Any]:
-    """Return the changes for a gain, command per error."""
+    """Return declaration changes for a number that is a gain, command per error."""
     return {"unit": gain_unit(quantity_of(part), command_of(part))}
 
 
 def as_command(part: Any) -> dict[str, Any]:
-    """Return the changes for a value of the command."""
+    """Return declaration changes for a number that is a value of the command."""
     name = command_of(part)
     if name == OPENING:
         return {}
@@ -99,15 +102,18 @@ def as_command(part: Any) -> dict[str, Any]:
 
 
 def as_limit(part: Any) -> dict[str, Any]:
-    """Return the changes for a limit of a command other than an opening."""
+    """Return declaration changes for a limit of a command that is not an opening."""
     return {key: value for key, value in as_command(part).items() if key != "default"}
 
 
 def as_command_change(part: Any) -> dict[str, Any]:
-    """Return the changes for a difference of commands."""
+    """Return declaration changes for a number that is a difference of commands."""
     return {"unit": COMMANDS[command_of(part)].unit}
 
 
 def of_openings(part: Any) -> dict[str, Any]:
-    """Return the changes for a number that applies to openings only."""
+    """Return declaration changes for a number that only applies if the command is an opening.
+
+    For other commands the number is optional and has no default.
+    """
     return {} if command_of(part) == OPENING else {"default": None, "optional": True}

@@ -18,7 +18,7 @@ from poppet.parts.quantities import OPENING, QUANTITIES, gain_unit
 
 @dataclass(frozen=True)
 class NumberTable:
-    """Columns of numbers; the first column increases from row to row."""
+    """Table of numbers in named columns; the first column increases from row to row."""
 
     columns: Mapping[str, tuple[Number, ...]]
     form: tuple[str, ...] = ()
@@ -29,12 +29,12 @@ class NumberTable:
 
     @classmethod
     def column_specs(cls, *form: str) -> Mapping[str, NumberSpec]:
-        """Return the declarations of the columns, the increasing one first."""
+        """Return the declaration of each column by name, beginning with the increasing column."""
         raise NotImplementedError
 
     @classmethod
     def read(cls, table: Any, *form: str) -> Self:
-        """Return the checked table for a mapping of column names to lists."""
+        """Read and check a table from a mapping of column names to lists."""
         if isinstance(table, cls):
             if table.form == form:
                 return table
@@ -66,11 +66,14 @@ class NumberTable:
         return cls(columns, form)
 
     def numbers(self) -> dict[str, Number]:
-        """Return all numbers by name: `pressure_1`, `gain_1`, ..."""
+        """Return all numbers by name and row index, such as `pressure_1` and `gain_1`."""
         return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
 
     def parameters(self, ambient_pressure: float) -> dict[str, float]:
-        """Return run-time values by the names of `numbers`."""
+        """Return the run-time values of all numbers, in SI and absolute.
+
+        The names are those of `numbers`.
+        """
         values = {name: number.absolute(ambient_pressure) for name, number in self.numbers().items()}
         first_column = next(iter(self.columns))
         points = self.column(first_column, values)
@@ -79,21 +82,21 @@ class NumberTable:
         return values
 
     def column(self, name: str, values: Mapping[str, Any]) -> list[Any]:
-        """Return a column of run-time values, floats or symbols."""
+        """Return the run-time values of one column, floats or symbols."""
         return [values[f"{name}_{k}"] for k in range(1, len(self.columns[name]) + 1)]
 
     def structure(self) -> Hashable:
-        """Return the names of the columns and the number of rows."""
+        """Return the names of the columns and the count of rows."""
         return tuple(self.columns), len(next(iter(self.columns.values())))
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
-        """Return the table with some numbers replaced."""
+        """Return a copy of the table in which some numbers are replaced."""
         numbers = self.numbers() | dict(changes)
         return self.read({name: self.column(name, numbers) for name in self.columns}, *self.form)
 
 
 def as_numbers(values: Sequence[float], unit: str, source: Source) -> tuple[Number, ...]:
-    """Return values as numbers with a source."""
+    """Convert values to numbers with a unit and a source."""
     return tuple(Number(float(value), unit, source) for value in values)
 
 
@@ -106,7 +109,9 @@ _COLUMNS = {
 
 @dataclass(frozen=True)
 class ForceRows(NumberTable):
-    """Force per gauge pressure and passive force by contraction, with linear interpolation.
+    """Table of a muscle force: force per gauge pressure and passive force for each contraction.
+
+    Values between the rows are interpolated linearly.
 
     Parameters
     ----------
@@ -128,7 +133,7 @@ class ForceRows(NumberTable):
         return _COLUMNS
 
     def law(self, values: Mapping[str, Any]) -> ForceTable:
-        """Return the law for run-time values, floats or symbols."""
+        """Return the force law for run-time values of the table, floats or symbols."""
         return ForceTable(*(self.column(name, values) for name in _COLUMNS))
 
 
@@ -137,7 +142,9 @@ _DEFAULTS = {"derivative_time": 0.0, "vent_factor": 1.0}
 
 @dataclass(frozen=True)
 class GainSchedule(NumberTable):
-    """Gains at operating points, with linear interpolation and constant extrapolation.
+    """Table of controller gains for operating points.
+
+    The gains are interpolated linearly. Beyond the ends of the table they are constant.
 
     Parameters
     ----------
@@ -174,7 +181,7 @@ class GainSchedule(NumberTable):
         return super().read(table, *(form or ("pressure", OPENING)))
 
     def at(self, point: Any, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return the gains at an operating point."""
+        """Return the interpolated gains at an operating point by name."""
         point_column = self.form[0]
         gaps = range(1, len(self.columns[point_column]))
         steps = {name: [values[f"{name}_{k + 1}"] - values[f"{name}_{k}"] for k in gaps] for name in self.columns}

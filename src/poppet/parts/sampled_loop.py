@@ -36,7 +36,9 @@ AT_ONCE, NEXT_SAMPLE = "at_once", "next_sample"
 
 @dataclass(frozen=True)
 class SampledLoop(Controller):
-    """Controller that samples a quantity and commands a fill and a vent valve, or an inner loop.
+    """Base class of sampled controllers of one measured quantity.
+
+    The command opens a fill and a vent valve, or it is the setpoint of an inner loop.
 
     With `acts = "next_sample"` a command acts one sample after its measurement.
     """
@@ -82,7 +84,7 @@ class SampledLoop(Controller):
 
     @property
     def _sensor_state(self) -> str:
-        """Name of the state of the sensor, which is an output too."""
+        """Name of the state of the sensor; the state is also an output."""
         return f"sensor_{self.controls}"
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
@@ -92,15 +94,24 @@ class SampledLoop(Controller):
 
     @abstractmethod
     def compute_command(self, scope: Scope, measured: Any) -> tuple[Any, Any, dict[str, Any]]:
-        """Return the command (positive fills), the opening of the vent valve 0..1, and new discrete states."""
+        """Return command, opening of the vent valve and new discrete states after a sample.
+
+        A positive command fills. The opening is 0..1.
+        """
 
     @abstractmethod
     def law_memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states other than the commands and the clock."""
+        """Return the discrete states of the control law.
+
+        Commands and clock are not included.
+        """
 
     @abstractmethod
     def law_outputs(self, scope: Scope) -> Quantities:
-        """Return the outputs other than the commands and the sensor."""
+        """Return the outputs of the control law.
+
+        Commands and sensor are not included.
+        """
 
     def states(self) -> tuple[State, ...]:
         measured = QUANTITIES[self.controls]
@@ -141,7 +152,7 @@ class SampledLoop(Controller):
         return ControlOutputs(outputs, {self._sensor_state: rate})
 
     def _sensed(self, scope: Scope) -> Any:
-        """Return the value of the sensor without its offset."""
+        """Return the lagged value of the sensor; the sensor offset is not included."""
         return where(scope["sensor.lag"] > 0.0, scope.states[self._sensor_state], scope.inputs["measurement"])
 
     def update(self, timer: str, scope: Scope) -> dict[str, Any]:
@@ -155,5 +166,5 @@ class SampledLoop(Controller):
 
 
 def is_first(scope: Scope) -> Any:
-    """Return True at the first sample of a run."""
+    """Return True if the present sample is the first one of a run."""
     return scope.memory["sample_count"] < 0.5

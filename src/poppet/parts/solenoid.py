@@ -1,4 +1,4 @@
-"""Solenoid valve, 2/2, with pulse-width modulation: switched or averaged over a period."""
+"""Solenoid valve (2/2) with pulse-width modulation, either switched or averaged over a period."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ SLEW_WIDTH = 1e-3
 
 @dataclass(frozen=True)
 class Solenoid:
-    """Solenoid valve, 2/2, with pulse-width modulation."""
+    """Parameters of a 2/2 solenoid valve with pulse-width modulation."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", low=0.0)
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)
@@ -32,7 +32,7 @@ class Solenoid:
 
 
 def check(name: str, valve: Solenoid) -> None:
-    """Raise `OutOfRangeError` if the delays are not shorter than a period."""
+    """Raise `OutOfRangeError` if the sum of both delays is not shorter than a period."""
     fraction = (float(valve.opening_delay) + float(valve.closing_delay)) * float(valve.frequency)  # type: ignore[arg-type]
     if fraction >= 1.0:
         text = valve.frequency.display()  # type: ignore[union-attr]
@@ -40,7 +40,9 @@ def check(name: str, valve: Solenoid) -> None:
 
 
 def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_delay: Any) -> Any:
-    r"""Return the fraction of a period in which the valve is open.
+    r"""Return the fraction of a modulation period in which the valve is open.
+
+    It depends on the duty d, the modulation frequency f, the opening delay t_o and the closing delay t_c.
 
     .. math:: a(d) = d + (t_c - t_o) f \quad (t_o f < d < 1 - t_c f), \qquad 0 \text{ below}, \qquad 1 \text{ above}
 
@@ -56,19 +58,22 @@ def averaged_opening(duty: Any, frequency: Any, opening_delay: Any, closing_dela
 
 
 def slew_rate(opening: Any, target: Any, rate_limit: Any) -> Any:
-    """Return the rate of an opening that follows its target with a rate limit [1/s]."""
+    """Return the rate of change of an opening that follows a target with limited speed [1/s]."""
     return rate_limit * clip((target - opening) / SLEW_WIDTH, -1.0, 1.0)
 
 
 def initial_states() -> dict[str, float]:
-    """Return discrete states and timers of a closed valve with the first period at time zero."""
+    """Return initial discrete states and timers of a closed valve.
+
+    The first period starts at time zero.
+    """
     return {"period": 0.0, "release": NEVER, "change": NEVER, "period_count": 0.0, "command": 0.0, "open": 0.0}
 
 
 def update(
     timer: str, time: Any, states: Mapping[str, Any], duty: Any, frequency: Any, opening_delay: Any, closing_delay: Any
 ) -> dict[str, Any]:
-    """Return the changed discrete states of a switched valve at an instant.
+    """Return the changed discrete states of a switched valve at an instant of one timer.
 
     The armature moves only if a command persists for its delay.
     """

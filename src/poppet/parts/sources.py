@@ -15,7 +15,7 @@ from poppet.parts.part import Flow, GasBalance, GasState, Input, Passage, Passag
 
 @dataclass(frozen=True)
 class Reservoir(Store):
-    """Gas at a prescribed state, such as a supply line or the ambient.
+    """Gas node with prescribed pressure and temperature, such as a supply line or the ambient.
 
     Notes
     -----
@@ -54,7 +54,9 @@ class Reservoir(Store):
 
 @dataclass(frozen=True)
 class FlowSource(Passage):
-    """Prescribed mass flow rate into a gas node; negative: out of it.
+    """Source with a prescribed mass flow rate into a gas node.
+
+    A negative flow rate removes gas from the node.
 
     Gas that leaves the node has the temperature of the node. Volumetric flow needs its reference: `10 l/min ANR`.
 

@@ -1,4 +1,4 @@
-"""Tube: a row of cells with pressure losses between them, optionally with the inertia of the gas."""
+"""Tube: a series of gas cells with pressure losses between them, optionally with gas inertia."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ _START = {
 
 @dataclass(frozen=True)
 class TubeSegment(Passage):
-    """Gas between two cells of a tube; a member of `Tube`."""
+    """Flow path between two neighbouring cells of a tube; a member of `Tube`."""
 
     kind: ClassVar[str] = "tube_segment"
     summary: ClassVar[str] = "a piece of a tube"
@@ -99,7 +99,7 @@ class TubeSegment(Passage):
         return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
 
     def _temperature_and_loss(self, scope: Scope, mass: Any, first: GasState, second: GasState) -> tuple[Any, Any]:
-        """Return the temperature of the flow and the pressure loss."""
+        """Return the stagnation temperature of the flow and the pressure loss."""
         pressures, surroundings = (first.pressure, second.pressure), scope.surroundings
         conductance, ratio = surroundings.size_with_gas(scope["sonic_conductance"], scope["critical_ratio"])
         # Times the square root of the temperature, which follows.
@@ -123,17 +123,20 @@ class TubeSegment(Passage):
 
 @dataclass(frozen=True)
 class Profile:
-    """Initial states of single cells, with those of the whole tube as defaults."""
+    """Initial states of the cells and flow paths of a tube.
+
+    A state that is not set has the initial value of the whole tube.
+    """
 
     specified: Mapping[str, Number]
     defaults: Mapping[str, Number]
 
     def numbers(self) -> dict[str, Number]:
-        """Return the numbers of all states by name and index, `pressure_3`."""
+        """Return the initial states as numbers by name and index, such as `pressure_3`."""
         return {**self.defaults, **self.specified}
 
     def with_numbers(self, values: Mapping[str, Number]) -> Profile:
-        """Return the profile with some states replaced."""
+        """Return a copy of the profile in which some initial states are replaced."""
         return Profile({**self.specified, **values}, self.defaults)
 
 
@@ -223,7 +226,7 @@ class Tube(Compound):
 
     @property
     def _ends(self) -> tuple[str, str]:
-        """Types of the first and the second end."""
+        """Connection types of the first and the second end: at a port, at a node, or closed."""
         first, second = (
             CLOSED if end is None else AT_PORT if is_port(end) else AT_NODE for end in (self.from_, self.to)
         )
@@ -237,12 +240,18 @@ class Tube(Compound):
 
     @property
     def _spacing(self) -> float:
-        """Distance of two cells per length; a cell at a port is a half cell."""
+        """Distance of neighbouring cells as a fraction of the length of the tube.
+
+        A cell at a port has half the length of the others.
+        """
         return 1.0 / (self._count - sum(0.5 for end in self._ends if end == AT_PORT))
 
     @cached_property
     def _passages(self) -> dict[str, tuple[str, str, float]]:
-        """Both ends and length, in spacings, of each flow path by name; a closed end has half a spacing too."""
+        """Both ends and the length of each flow path, by name.
+
+        The length is in units of the cell spacing. A closed end is included with a length of half a spacing.
+        """
         names = [str(k) for k in range(1, self._count + 1)]
         paths = {} if self._ends[0] == AT_PORT else {"inlet": (str(self.from_), f".{names[0]}", 0.5)}
         for first, second in pairwise(names):
@@ -251,11 +260,11 @@ class Tube(Compound):
 
     @property
     def _open_passages(self) -> list[str]:
-        """Names of the flow paths that are not closed."""
+        """Names of all flow paths except the one at a closed end."""
         return [name for name in self._passages if name != "outlet" or self._ends[1] != CLOSED]
 
     def _cell_index(self, passage: str) -> str:
-        """Return the index of the cell in front of a flow path; 0 at the first end."""
+        """Return the index of the cell upstream of a flow path, which is 0 for the inlet."""
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
     def _value(self, name: str) -> float:
@@ -263,7 +272,7 @@ class Tube(Compound):
 
     @cached_property
     def members(self) -> dict[str, Part]:
-        """Cells by index, then the flow paths between them."""
+        """Mapping from names to members: first the cells by index, then the flow paths."""
         start, conductance = self.profile.numbers(), self._value("wall_conductance")
         volume = 0.25 * math.pi * self._value("bore") ** 2 * self._value("length")
         cells: dict[str, Part] = {}
@@ -293,7 +302,7 @@ class Tube(Compound):
 
     @property
     def _size(self) -> tuple[float, float]:
-        """C [m^3/(s Pa)] and b of the tube, by the tube formula if they are not specified."""
+        """C [m^3/(s Pa)] and b of the whole tube; unspecified values result from the tube formula."""
         conductance, ratio = iso6358.tube(self._value("length"), self._value("bore"))
         return (
             conductance if self.sonic_conductance is None else self._value("sonic_conductance"),
@@ -316,7 +325,10 @@ class Tube(Compound):
 
     @property
     def resume(self) -> dict[str, str]:  # type: ignore[override]
-        """States of all cells, and of flow paths with inertia."""
+        """Mapping from outputs of cells and of flow paths with inertia to initial values.
+
+        A run can continue from these outputs.
+        """
         targets = {}
         for key in self.profile.numbers():
             name, _, index = key.rpartition("_")

@@ -20,7 +20,7 @@ SPOOL_GAIN = 50.0
 
 @dataclass(frozen=True)
 class CheckValve(FlowPath):
-    """Flow path for one direction with a cracking pressure.
+    """Check valve: flow path in one direction, which opens above a cracking pressure.
 
     Notes
     -----
@@ -47,7 +47,7 @@ class CheckValve(FlowPath):
 
 @dataclass(frozen=True)
 class ReliefValve(FlowPath):
-    """Flow path that opens if the inlet pressure exceeds the set pressure.
+    """Relief valve: flow path that opens if the inlet pressure exceeds the set pressure.
 
     Notes
     -----
@@ -78,7 +78,9 @@ class ReliefValve(FlowPath):
 
 @dataclass(frozen=True)
 class DirectionalValve(FlowPath):
-    """Directional on/off valve, 2/2 or (with an exhaust port) 3/2, with delay and switching time.
+    """Directional on/off valve (2/2 or 3/2) with delay and switching time.
+
+    A valve with an exhaust port is a 3/2 valve.
 
     Notes
     -----
@@ -158,7 +160,7 @@ class DirectionalValve(FlowPath):
 
 @dataclass(frozen=True)
 class Silencer(FlowPath):
-    """Silencer at an exhaust, with clogging."""
+    """Silencer at an exhaust; clogging reduces its flow capacity."""
 
     kind: ClassVar[str] = "silencer"
     symbol: ClassVar[symbols.Symbol | str] = symbols.SILENCER
