@@ -331,7 +331,7 @@ def _pressure_curve(analysis: FrictionFits, friction_along_motion: Any) -> dict[
 
 
 def _reversal_curve(analysis: FrictionFits) -> dict[str, Any]:
-    """Return friction versus the distance after a reversal, divided by the mean sliding friction."""
+    """Return friction versus the distance after a reversal, scaled to the mean sliding level."""
     bristles = analysis.bristles
     assert bristles is not None
     turns = [
