@@ -43,7 +43,7 @@ def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
 
 
 def _unknown_owner(address: str, owners: Mapping[str, Any]) -> InputError:
-    """Return the error for an address that does not begin with the name of a part or section."""
+    """Return the error for an address that begins with no name of a part or section."""
     addresses = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
     # Similar addresses first, then addresses that contain the single word.
     suggestions = get_close_matches(address, addresses, n=3) or [

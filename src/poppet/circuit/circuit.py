@@ -232,7 +232,7 @@ class BaseCircuit(HtmlMixin):
                 yield from real_gas_notes(name, series(f"{name}.pressure"), series(f"{name}.temperature"), gas)
 
     def _other_gas_notes(self) -> Iterator[Note]:
-        """Yield notes on values that are valid only for air if the circuit has another gas.
+        """Yield notes on values of air in a circuit with another gas.
 
         Such values are volume flows at ANR and heat transfer laws.
         """

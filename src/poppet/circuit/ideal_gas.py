@@ -30,7 +30,7 @@ STATE_CODES = ("gas.not_ideal", "gas.no_gas")
 
 
 def real_gas_notes(name: str, pressures: Array, temperatures: Array, gas: Gas) -> Iterator[Note]:
-    """Yield a note if the gas of a node deviates too much from an ideal gas.
+    """Yield a note if the gas of a node is too far from ideal.
 
     The pressures and temperatures of the gas node are arrays over time, (n_times,). The note reports the largest
     deviation.

@@ -99,7 +99,7 @@ class _LinearisationPoint:
         self._function = ArrayFunction(self.model.linear_function)
 
     def linear(self, x: Array) -> list[Array]:
-        """Return rates f, outputs y and the matrices A, B, C and D at a state."""
+        """Return rates f, outputs y and the matrices A to D at a state."""
         f, y, *matrices = self._function(0.0, self.padded(x), self.u, self.p)
         return [f.ravel(), y.ravel(), *matrices]
 
@@ -108,7 +108,7 @@ class _LinearisationPoint:
         return np.concatenate([x, np.zeros(self.model.n_quadratures)])
 
     def scaled(self, x: Array) -> tuple[Array, Array]:
-        """Return the rates of the states and their Jacobian, with each state in units of its size."""
+        """Return the rates of the states and their Jacobian."""
         f, _, jacobian, *_ = self.linear(x)
         return f / self.size, jacobian * self.size[None, :] / self.size[:, None]
 

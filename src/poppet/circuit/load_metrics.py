@@ -184,11 +184,11 @@ class LoadData:
         return np.full(self.raw.time.size, getattr(self.surroundings, quantity))
 
     def unit(self, address: str) -> str:
-        """Return the unit of an output; the text is empty if there is no such output."""
+        """Return the unit of an output, or an empty text for an unknown output."""
         return dict(self.outputs).get(address, "")
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
-        """Yield each output with the force or torque of end stops, its owner, and a prefix.
+        """Yield each output with an end-stop force, its owner, and a prefix.
 
         The prefix is `piston_` if the motion of the owner has the outputs `piston_position` and `piston_velocity`.
         Otherwise it is empty.
@@ -243,9 +243,9 @@ def _strokes(run: LoadData, body: str) -> Iterator[BodyStroke]:
 
 
 def _crossing_time(time: Array, values: Array, k: int, level: float) -> float:
-    """Return the time at which a series crosses a level between samples k and k + 1.
+    """Return the time at which a series crosses a level after sample k.
 
-    The interpolation is linear.
+    The crossing is between samples k and k + 1; the interpolation is linear.
     """
     step = values[k + 1] - values[k]
     return float(time[k] + (time[k + 1] - time[k]) * (level - values[k]) / step)
@@ -317,7 +317,7 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...]) -> BodyWork:
 
 
 def _load_work(load: Array, position: Array) -> float:
-    """Return the work of a load over a motion: the integral of the load over the position.
+    """Return the work of a load: its integral over the position.
 
     A load that changes at less than 10 % of the output times counts as piecewise constant.
     """

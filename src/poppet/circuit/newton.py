@@ -36,7 +36,7 @@ Both are in units of the sizes of the variables."""
 
 
 def scaled_residual(scaled: ScaledRates, v: Array, size: Array) -> tuple[Array, Array]:
-    """Return the absolute rate of each variable per size, and its limit for a steady state [1/s]."""
+    """Return the rate of each variable and its limit for a steady state [1/s]."""
     f, jacobian = scaled(v)
     return np.abs(f), STEADY_RATE + ROUNDING * np.abs(jacobian) @ (np.abs(v) / size)
 
@@ -49,9 +49,6 @@ def refine_steady_state(
     The Newton steps keep positive variables positive. If `conserves` is True, conserved quantities such as the gas in
     a closed network keep their values: they are the left null space of the Jacobian. If it is False, each Newton step
     has minimum length, so neutral variables such as an integral within its band can change.
-
-    With `conserves`, the left null space of the Jacobian keeps its value, for example the gas of a closed network.
-    Without it, the shortest step is taken: neutral variables, for example an integral within its band, can change.
     """
     f, jacobian = _limit(scaled(v))
     # Weights [s] convert rates of fast and slow equations to changes; conserved quantities need unweighted rates.

@@ -144,7 +144,7 @@ class GasChoice(_OptionSection):
         return constant, exponent, *factors_from_air(exponent, constant)
 
     def notes(self) -> tuple[Note, ...]:
-        """Return notes on a gas that is not air, or whose values differ from the library."""
+        """Return notes on a gas that differs from air or from the library."""
         factor = self.values()[2]
         library_values = {} if self.name is None else _gas_numbers(str(self.name))
         unknown = () if self.of_library() else (Note("gas.unknown", "gas"),)

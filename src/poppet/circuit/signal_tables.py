@@ -41,7 +41,7 @@ def _missing(field: str, kind: str) -> InputError:
 
 
 def check_signal_table(table: Any) -> Mapping[str, Any]:
-    """Check that a signal table has a valid kind and valid field names, and return it.
+    """Check kind and field names of a signal table, and return it.
 
     The values of the fields are not read.
     """

@@ -140,7 +140,7 @@ def _check_tube_end(errors: ErrorCollector, wiring: Wiring, tube: str, side: str
 
 
 def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
-    """Return the parts with ports at tube ends joined to the end cells of the tubes."""
+    """Return parts whose ports at tube ends are joined to the end cells."""
     result = dict(parts)
     for name, part in parts.items():
         for end, cell in part.outer_ports().items():

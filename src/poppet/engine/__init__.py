@@ -1,1 +1,1 @@
-"""A traced model becomes machine code, and a problem in plain arrays a run."""
+"""Compilation of symbolic models to machine code, and solution of problems in plain arrays."""

@@ -1,4 +1,7 @@
-"""Balances of a run: the change of a store must equal the sum of the integrals of its flows."""
+"""Balances of mass and energy over a run.
+
+The change of the content of a gas node or body must equal the sum of the integrals of its flows.
+"""
 
 from __future__ import annotations
 
@@ -10,18 +13,21 @@ from poppet.engine.model import InventoryBalance
 from poppet.engine.problem import Array, Problem, RawRun
 
 ALLOWED = {"mass": 1e-9, "energy": 1e-7, "motion": 1e-4}
-"""Relative limits of the error of a balance, per throughput: rounding errors for mass and energy of gas.
+"""Limits of the error of a balance, relative to the throughput.
 
-The energy of a body is not linear in the states, so its error depends on the tolerance."""
+Errors of mass and energy of gas are rounding errors. The energy of a body is not linear in the
+states, so the error of its balance depends on the tolerance."""
 FLOOR = {"mass": 0.0, "energy": 0.0, "motion": 1e-7}
-"""Absolute limits, which are added: the speed of a slow body is accurate to its absolute tolerance [SI]."""
+"""Absolute limits of the error of a balance, added to the relative ones [SI].
+
+The speed of a slow body is accurate only to its absolute tolerance."""
 STORED = 1e-12
-"""Relative limit per inventory, which is added."""
+"""Limit of the error relative to the inventory, added to the others."""
 UNITS = {"mass": "kg", "energy": "J", "motion": "J"}
 
 
 class Residual(NamedTuple):
-    """Residual of one balance over a run."""
+    """Error of one balance over a run, with the values that determine its limit."""
 
     store: str
     quantity: str  # mass, energy or motion
@@ -32,7 +38,7 @@ class Residual(NamedTuple):
 
     @property
     def name(self) -> str:
-        """Store and quantity, for example `tank mass`."""
+        """Name of the gas node or body and of the quantity, for example `tank mass`."""
         return f"{self.store} {self.quantity}"
 
     @property
@@ -46,20 +52,23 @@ class Residual(NamedTuple):
 
     @property
     def is_kept(self) -> bool:
-        """True if the error is within the limit."""
+        """True if the error of the balance is within the limit."""
         return self.error <= self.allowed
 
 
 def allowed(quantity: str, through: Any, inventory: Any) -> Any:
-    """Return `Residual.allowed` for numbers or arrays."""
+    """Return the limit of the error of a balance; see `Residual.allowed`.
+
+    `through` is the integral of the absolute flows, and `inventory` the content. Both can be numbers or arrays.
+    """
     return ALLOWED[quantity] * through + FLOOR[quantity] + STORED * inventory
 
 
 def imbalance(balance: InventoryBalance, start: Any, end: Any, x: Any, through: Any) -> tuple[Any, Any]:
-    """Return the error and the throughput of a balance.
+    """Return the error and the throughput of one balance.
 
-    Arguments are the inventories at start and end, and for each state its final value and its sum of |change|. Elements
-    can be numbers, or arrays with one element per run.
+    `start` and `end` contain the inventories at the start and end of the run. `x` is the final state, and `through`
+    the sum of |change| of each state. Elements can be numbers, or arrays with one element per run.
     """
     net: Any = 0.0
     gross: Any = 0.0
@@ -70,7 +79,7 @@ def imbalance(balance: InventoryBalance, start: Any, end: Any, x: Any, through: 
 
 
 def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
-    """Return the residuals of all balances of a run."""
+    """Return the errors of all balances of a run."""
     # Python floats: access to single array elements is ten times slower.
     x, through = run.x.tolist(), run.through.tolist()
     masses, initial_energies, final_energies = problem.x0.tolist(), *energies(problem, problem.x0, run.x)
@@ -84,7 +93,10 @@ def residuals(problem: Problem, run: RawRun) -> tuple[Residual, ...]:
 
 
 def energies(problem: Problem, *states: Array) -> list[list[float]]:
-    """Return the energies of all stores and bodies with an energy balance, for each state."""
+    """Return the energies of gas nodes and bodies at each of the given states [J].
+
+    Only gas nodes and bodies with an energy balance are included.
+    """
     model = problem.kernel.model
     energy, x = np.empty(model.n_energies), np.empty(model.size)
     if not energy.size:

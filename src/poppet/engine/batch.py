@@ -37,9 +37,9 @@ _OUTCOMES = tuple(Outcome)
 
 
 class BatchRows(NamedTuple):
-    """Rows of a slice of the runs, in memory that is reused."""
+    """Output rows of some runs of a batch, in memory that is reused."""
 
-    runs: Integers  # (m,) indices of the runs
+    runs: Integers  # (m,) indices of the runs in the batch
     time: Array  # (n_times,) the grid [s]
     values: Array  # (m, n_outputs, n_times) outputs; NaN after the last row of a run
     counts: Integers  # (m,) number of rows of each run
@@ -55,7 +55,7 @@ repeated with another solver is passed twice; the second result is valid."""
 
 @dataclass(frozen=True)
 class BatchRun:
-    """Result of a batch."""
+    """Results of all runs of a batch."""
 
     batch: Batch
     ends: RunEnds
@@ -65,9 +65,10 @@ class BatchRun:
     threads: int
 
     def residuals(self) -> dict[str, Array]:
-        """Return the balances of all runs: `tank mass` to error divided by its limit, (n_runs,).
+        """Return a mapping from balances to relative errors, (n_runs,).
 
-        A balance is correct up to 1, as in `poppet.engine.balances`.
+        A key is, for example, `tank mass`. A relative error is the error of the balance divided by its limit. A
+        balance is correct up to 1, as in `poppet.engine.balances`.
         """
         e = self.ends
         result: dict[str, Array] = {}
@@ -80,19 +81,22 @@ class BatchRun:
 
 
 class Worker(Protocol):
-    """Object that runs slices of a batch in one thread."""
+    """Interface of an object that computes slices of a batch in one thread."""
 
     max_runs: int  # of a slice
 
     def run(self, first: int, last: int, table: Array | None) -> None:
-        """Run `first` to `last` - 1 and write rows into a table, (last - first, n_outputs, n_times)."""
+        """Compute the runs `first` to `last` - 1, and write their rows into a table.
+
+        The table has the shape (last - first, n_outputs, n_times); if it is None, no rows are written.
+        """
 
     def halt(self) -> None:
-        """Request the end of the current run, from another thread."""
+        """Request the end of the current run; another thread calls this method."""
 
 
 class ScalarWorker:
-    """Worker that runs one run after the other with the scalar kernel."""
+    """Worker that computes runs one after the other with the scalar kernel."""
 
     max_runs = 16
 
@@ -104,7 +108,7 @@ class ScalarWorker:
         self._start = kernel.caller("start", copy.p, copy.x0, copy.p[len(kernel.model.parameters) :])
 
     def run(self, first: int, last: int, table: Array | None) -> None:
-        """Run `first` to `last` - 1, one after the other."""
+        """Compute the runs `first` to `last` - 1, one after the other."""
         problem = self._call.problem
         for run in range(first, last):
             if self._is_halted:
@@ -116,7 +120,7 @@ class ScalarWorker:
                 table[run - first] = self._call.table
 
     def halt(self) -> None:
-        """Request the end of the current run, from another thread."""
+        """Request the end of the current run; another thread calls this method."""
         self._is_halted = True
         self._call.halt()
 
@@ -129,7 +133,7 @@ def run_batch(
     lanes: int | None = None,
     progress: Callable[[int], Any] | None = None,
 ) -> BatchRun:
-    """Run a batch.
+    """Compute all runs of a batch on several threads.
 
     Parameters
     ----------
@@ -182,7 +186,10 @@ def usable_cores() -> int:
 
 
 class _Pool:
-    """Workers on threads; each takes the next slice after it has completed one."""
+    """Pool of threads, each with one worker.
+
+    Each worker takes the next slice of runs after it has completed one.
+    """
 
     def __init__(self, batch: Batch, ends: RunEnds, reduce: Reduce | None, workers: Sequence[Worker]) -> None:
         self.batch, self.ends, self.reduce, self.workers = batch, ends, reduce, workers
@@ -195,7 +202,7 @@ class _Pool:
         self.n_completed = 0
 
     def run(self, progress: Callable[[int], Any] | None) -> None:
-        """Run all slices."""
+        """Compute all slices; `progress` receives the number of completed runs."""
         if len(self.workers) == 1 and progress is None and current_thread() is not main_thread():
             # Only the main thread can be interrupted: no second thread is necessary.
             self._run_slices(self.workers[0])
@@ -240,7 +247,7 @@ class _Pool:
         self.reduced[runs] = results
 
     def repeat_stalled(self, run: int) -> tuple[Note, ...]:
-        """Repeat a stalled run with other solvers."""
+        """Repeat a stalled run with other solvers, and return the notes on it."""
         problem = self.batch.member(run)
         raw = solve(problem)
         self.ends.write(run, problem, raw)

@@ -1,4 +1,4 @@
-"""Single and repeated calls of the compiled integrator, with little overhead."""
+"""Calls of the compiled integrator with little overhead."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ NOTHING = np.zeros(0)
 
 
 class Call:
-    """Call of the integrator: its result arrays, and the addresses of all its arguments.
+    """Prepared call of the compiled integrator, which owns the result arrays.
 
-    The arrays of the problem are not copied: the next `repeat` uses values that their owner writes into them.
-    `script` receives the lengths of the accepted steps, up to its size. With `replay`, a run uses these steps without
-    error control, and its result is a smooth function of p.
+    The arrays of the problem are not copied: if their owner changes values, the next `repeat` uses the new values. The
+    integrator writes the lengths of the accepted steps into `script`, up to its size. If `replay` is True, the
+    integrator takes these steps without error control. The result is then a smooth function of p.
     """
 
     def __init__(self, problem: Problem, script: Array = NOTHING, *, replay: bool = False) -> None:
@@ -62,14 +62,17 @@ class Call:
             self._p[:] = self.problem.p
 
     def repeat(self) -> Outcome:
-        """Integrate from the initial state of the problem into the same arrays; missing rows are NaN."""
+        """Integrate from the initial state of the problem, and write into the same arrays.
+
+        Rows that the run does not reach are NaN.
+        """
         self._reset()
         outcome: Outcome = _OUTCOMES[integrator()(self._address)]
         self.table[:, self.counts[2] :] = np.nan
         return outcome
 
     def halt(self) -> None:
-        """Request the end of the run, from another thread."""
+        """Request the end of the run; another thread calls this method."""
         self.watch[1] = 1.0
 
     @property
@@ -78,14 +81,17 @@ class Call:
         return self._p[len(self.problem.kernel.model.parameters) :]
 
     def run(self, progress: Callable[[float], Any] | None = None) -> RawRun:
-        """Integrate and return the result; call this method only once."""
+        """Integrate once and return the result.
+
+        Use `repeat` for several runs. `progress` is called with the time reached [s].
+        """
         function = integrator()
         # Without `progress`, no thread: its start takes longer than a short run.
         status = function(self._address) if progress is None else self._run_in_thread(function, progress)
         return self.result(_OUTCOMES[status])
 
     def result(self, outcome: Outcome) -> RawRun:
-        """Return the arrays of the last run, which had this outcome."""
+        """Return the result of the last run, which ended with the given outcome."""
         n, (accepted, attempts, rows, stop, _) = self.x.size, self.counts.tolist()
         time = self.problem.grid[:rows]
         # The last row of a stopped run is at the stop time, which is not in the grid.
@@ -97,7 +103,10 @@ class Call:
         )
 
     def _run_in_thread(self, integrate: Any, progress: Callable[[float], Any]) -> int:
-        """Integrate in another thread, while this one reports progress and handles Ctrl-C."""
+        """Run the integrator in another thread.
+
+        Meanwhile the calling thread reports progress and handles Ctrl-C.
+        """
         import threading
 
         result: list[int] = []
@@ -132,7 +141,9 @@ class Call:
 
 
 class RepeatedCall:
-    """Repeated runs of a problem in constant arrays, whose addresses are determined once.
+    """Repeated runs of a problem with little overhead.
+
+    Their arrays remain in place, so their addresses are determined once.
 
     Write values into `p` and `coefficients`, then call `run`, or `replay` to use the steps of the last run. The initial
     state is computed from `p`. Each method returns its own table, which its next call overwrites.
@@ -150,14 +161,17 @@ class RepeatedCall:
         self.is_scripted = False
 
     def run(self) -> Array:
-        """Return the outputs at the times of the grid."""
+        """Integrate with error control, and return the outputs at the output times."""
         self._start()
         outcome = self._run.repeat()
         self.is_scripted = outcome.is_success and 0 < int(self._run.counts[0]) <= self.script.size
         return self._run.table
 
     def replay(self) -> Array:
-        """Return the outputs for the steps of the script, without error control: a smooth function of p."""
+        """Repeat the steps of the last run, and return the outputs at the output times.
+
+        There is no error control, so the outputs are a smooth function of p.
+        """
         self._start()
         self._replay.repeat()
         return self._replay.table

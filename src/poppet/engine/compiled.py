@@ -1,4 +1,4 @@
-"""Compilation of printed functions with LLVM."""
+"""Compilation of LLVM IR to machine code, and the compiled integrators."""
 
 from __future__ import annotations
 
@@ -15,14 +15,20 @@ from poppet.engine.printers.llvm import PRELUDE, print_function
 
 
 class CompiledFunctions(NamedTuple):
-    """Machine code: function addresses by name, and the LLVM engine that owns the code."""
+    """Machine code of some functions: their addresses by name, and the owner of the code.
+
+    The owner is the LLVM engine, which must exist while the functions are used.
+    """
 
     addresses: Mapping[str, int]
     owner: Any
 
 
 class LaneFunctions(NamedTuple):
-    """Machine code for lanes: addresses, owner of the code, and number of elements that `derived` appends to p."""
+    """Machine code of functions for lanes (runs that are computed simultaneously).
+
+    `derived` is a function that appends `n_derived` elements to the parameter vector p.
+    """
 
     addresses: Mapping[str, int]
     owner: Any
@@ -41,9 +47,10 @@ def _target_machine() -> Any:
 
 
 def compile_functions(functions: Mapping[str, Any], *, further_text: str = "", fuses: bool = True) -> CompiledFunctions:
-    """Compile traced functions, and the text `further_text` of functions that can call them.
+    """Compile traced functions to machine code.
 
-    With `fuses`, the processor can use fused multiply-add operations, which round once instead of twice.
+    `further_text` is LLVM IR of additional functions, which can call the traced functions. If `fuses` is True, the
+    processor can use fused multiply-add operations, which round once instead of twice.
     """
     text = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + further_text
     if not fuses:
@@ -59,7 +66,7 @@ def compile_functions(functions: Mapping[str, Any], *, further_text: str = "", f
 
 
 def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
-    """Load object code into this process."""
+    """Load object code into this process, and return the addresses of the named functions."""
     import llvmlite.binding as llvm
 
     # An empty module: MCJIT only links the object code.
@@ -70,7 +77,7 @@ def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
 
 
 def optimised_object(text: str) -> bytes:
-    """Return the object code of LLVM IR."""
+    """Compile LLVM IR with optimisation, and return the object code."""
     import llvmlite.binding as llvm
 
     machine = _target_machine()
@@ -86,7 +93,10 @@ def optimised_object(text: str) -> bytes:
 
 
 class PrebuiltIntegrator(NamedTuple):
-    """Integrator as LLVM IR with its sources, from `tools/make_integrator.py`."""
+    """Integrator as a stored file of LLVM IR, which `tools/make_integrator.py` writes.
+
+    The file is valid only if its first line identifies the present source files.
+    """
 
     text: str  # file
     sources: tuple[str, ...]
@@ -94,18 +104,21 @@ class PrebuiltIntegrator(NamedTuple):
     entry: str
 
     def mark(self) -> str:
-        """Return the first line of the text, which identifies the sources."""
+        """Return the first line of the file, with names and hash of the source files."""
         source = b"".join(Path(__file__).with_name(name).read_bytes().replace(b"\r\n", b"\n") for name in self.sources)
         return f"made from {', '.join(self.sources)}, sha256 {hashlib.sha256(source).hexdigest()}"
 
     def printed(self) -> str:
-        """Return LLVM IR of the present sources, from Numba."""
+        """Generate LLVM IR from the present source files with Numba."""
         module, name = self.maker.rsplit(".", 1)
         text: str = getattr(import_module(module), name)()
         return text
 
     def read(self) -> str:
-        """Return LLVM IR of the integrator."""
+        """Return LLVM IR of the integrator.
+
+        It is that of the file if the sources are unchanged; otherwise it is generated.
+        """
         path = Path(__file__).with_name(self.text)
         if path.exists():
             first, _, text = path.read_text(encoding="utf-8").partition("\n")
@@ -115,7 +128,7 @@ class PrebuiltIntegrator(NamedTuple):
         return self.printed()
 
     def compiled(self) -> Any:
-        """Return the integrator, a function of the address of its `Job`."""
+        """Return the integrator as a function of the address of its `Job` or `LaneJob`."""
         return as_function(load(object_code(self.read(), optimised_object), [self.entry]))
 
 
@@ -126,18 +139,24 @@ LANES = PrebuiltIntegrator("lanes.ll", ("lanes.py", *_SOURCES), "poppet.engine.l
 
 @lru_cache(maxsize=1)
 def integrator() -> Any:
-    """Return `poppet.engine.integrator.integrate`, a function of the address of a `Job`."""
+    """Return the compiled integrator of single runs.
+
+    It is `poppet.engine.integrator.integrate`, a function of the address of a `Job`.
+    """
     return INTEGRATOR.compiled()
 
 
 @lru_cache(maxsize=1)
 def lane_integrator() -> Any:
-    """Return `poppet.engine.lanes.integrate_lanes`, a function of the address of a `LaneJob`."""
+    """Return the compiled integrator of lanes.
+
+    It is `poppet.engine.lanes.integrate_lanes`, a function of the address of a `LaneJob`.
+    """
     return LANES.compiled()
 
 
 def as_function(compiled: CompiledFunctions) -> Any:
-    """Return a compiled integrator as a Python function."""
+    """Return the first compiled function as a Python function of one address."""
     import ctypes
 
     # CFUNCTYPE releases the interpreter lock, unlike PYFUNCTYPE: `Call` runs it in another thread.

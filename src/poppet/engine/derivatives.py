@@ -15,31 +15,43 @@ from typing import Any, NamedTuple
 
 
 class Edge(NamedTuple):
-    """Derivative that applies always, or only if a condition is true."""
+    """Edge of the graph: a derivative that can be limited to a condition.
+
+    If the condition is false, the derivative is zero. If it is None, the derivative always applies.
+    """
 
     value: Any
     condition: Any = None
 
     def expression(self) -> Any:
-        """Return the derivative; it is zero if the condition is false, even if the value is infinite."""
+        """Return the derivative as one expression.
+
+        The expression is zero if the condition is false, even if `value` is infinite.
+        """
         return self.value if self.condition is None else _binary("OP_IF_ELSE_ZERO", self.condition, self.value)
 
     def multiply(self, factor: Edge) -> Edge:
-        """Return the product with the next edge."""
+        """Return the edge that is the product of this edge and the next one."""
         if self.condition is None:
             return Edge(_binary("OP_MUL", self.value, factor.value), factor.condition)
         return Edge(_binary("OP_MUL", self.value, factor.expression()), self.condition)
 
 
 def _binary(operation: str, first: Any, second: Any) -> Any:
-    """Return an operation on scalars; the operators of CasADi take twenty times longer."""
+    """Return a CasADi operation on two scalars.
+
+    It is twenty times faster than the operators of CasADi.
+    """
     import casadi as ca
 
     return ca.SX.binary(getattr(ca, operation), first, second)
 
 
 class DerivativeGraph:
-    """Edges by source and target."""
+    """Graph of derivatives between operations.
+
+    `into` contains the incoming edges of each vertex by source, `out` the outgoing edges by target.
+    """
 
     def __init__(self) -> None:
         self.into: list[dict[int, Edge]] = []
@@ -52,13 +64,19 @@ class DerivativeGraph:
         return len(self.into) - 1
 
     def join(self, source: int, target: int, edge: Edge) -> None:
-        """Add an edge, or add its value to an existing edge."""
+        """Add an edge from source to target.
+
+        If the edge exists, its derivative becomes the sum of both.
+        """
         existing = self.out[source].get(target)
         total = edge if existing is None else Edge(_binary("OP_ADD", existing.expression(), edge.expression()))
         self.out[source][target] = self.into[target][source] = total
 
     def eliminate(self, vertex: int) -> tuple[dict[int, Edge], dict[int, Edge]]:
-        """Connect the sources of a vertex with its targets, and return its incoming and outgoing edges."""
+        """Remove a vertex, and connect its sources directly with its targets.
+
+        The result contains the removed incoming and outgoing edges.
+        """
         into, out = self.into[vertex], self.out[vertex]
         self.into[vertex], self.out[vertex] = {}, {}
         for source in into:
@@ -71,7 +89,7 @@ class DerivativeGraph:
         return into, out
 
     def eliminate_all(self, vertices: set[int]) -> None:
-        """Eliminate vertices, the cheapest first."""
+        """Eliminate the given vertices; the next vertex is always that with the fewest products."""
 
         def cost(vertex: int) -> tuple[int, int]:
             return len(self.into[vertex]) * len(self.out[vertex]), vertex
@@ -90,7 +108,10 @@ class DerivativeGraph:
 
 @cache
 def _partials(operation: int, count: int) -> Any:
-    """Return the derivatives of an operation by its arguments, as a CasADi function."""
+    """Return a CasADi function with the partial derivatives of an operation.
+
+    `count` is the number of arguments of the operation.
+    """
     import casadi as ca
 
     symbols = [ca.SX.sym(name) for name in "ab"[:count]]
@@ -99,7 +120,7 @@ def _partials(operation: int, count: int) -> Any:
 
 
 def _edges(operation: int, arguments: list[Any]) -> list[Edge]:
-    """Return the edge from each argument of an operation."""
+    """Return an edge for each argument of an operation: the partial derivative by it."""
     import casadi as ca
 
     if operation == ca.OP_MUL:
@@ -117,7 +138,10 @@ def _edges(operation: int, arguments: list[Any]) -> list[Edge]:
 
 
 class _OperationGraph:
-    """Graph of the operations of a function of t, x, u, p; its first vertices are the states, then time."""
+    """Graph of the operations of an expression of t, x, u and p.
+
+    The first vertices are the states, followed by time.
+    """
 
     def __init__(self, expression: Any, symbols: tuple[Any, ...], slopes: Any) -> None:
         import casadi as ca
@@ -156,7 +180,10 @@ class _OperationGraph:
             slots[written[0]] = value, vertex
 
     def _add_vertex(self, edges: list[tuple[int, Edge]]) -> int | None:
-        """Add a vertex with incoming edges and return its index, None without edges."""
+        """Add a vertex with the given incoming edges, and return its index.
+
+        The result is None if there are no edges.
+        """
         if not edges:
             return None
         vertex = self.graph.vertex()
@@ -167,7 +194,9 @@ class _OperationGraph:
 
 
 def differentiate_rates(rates: Any, symbols: tuple[Any, Any, Any, Any], slopes: Any) -> tuple[Any, Any, Any]:
-    """Return the rates, their sparse Jacobian by x, and their time derivative for constant x and `slopes` of u.
+    """Return the rates, their sparse Jacobian by x, and their drift.
+
+    The drift is the time derivative of the rates for constant x, with `slopes` as the time derivatives of u.
 
     The symbols are t, x, u, p. The rates are unchanged and share operations with the derivatives.
     """

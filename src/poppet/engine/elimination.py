@@ -1,9 +1,10 @@
-"""Sparse elimination of the matrix of the integrator, planned once per circuit.
+"""Sparse LU factorisation of the matrix of the integrator, planned once per circuit.
 
 The matrix of a Rosenbrock step is ``W = I/(h gamma) - J``. Its pattern is constant, so the elimination order and the
-fill are determined once (Markowitz, on the diagonal). The arithmetic becomes a sequence of multiplications, which is
-printed like other traced functions. Factorisation and solution are separate functions, because all six stages use one
-factorisation. Quadratures (states on which no rate depends) are eliminated first and cause no fill.
+additional nonzeros (fill) are determined once, by the Markowitz rule for diagonal pivots. The arithmetic becomes a
+sequence of multiplications, which is printed like other traced functions. Factorisation and solution are separate
+functions, because all six stages use one factorisation. Quadratures (states on which no rate depends) are eliminated
+first and cause no fill.
 
 There is no pivoting at run time. For small steps, W is diagonally dominant. A pivot of zero gives a result that is not
 finite; the step is then rejected and repeated with a smaller length.
@@ -15,7 +16,7 @@ from typing import Any, NamedTuple
 
 
 class Elimination(NamedTuple):
-    """Order of the pivots and the pattern of the factors."""
+    """Order of the pivots, and positions of the nonzeros of the factors."""
 
     order: tuple[int, ...]
     rows: dict[int, tuple[int, ...]]  # pivot to the rows below it with an entry in its column
@@ -23,7 +24,10 @@ class Elimination(NamedTuple):
 
 
 def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
-    """Return a pivot order with little fill and the resulting pattern."""
+    """Return a pivot order with few additional nonzeros, for a pattern of nonzeros.
+
+    `pattern` contains pairs of row and column. `size` is the number of rows.
+    """
     in_row: list[set[int]] = [set() for _ in range(size)]
     in_column: list[set[int]] = [set() for _ in range(size)]
     for row, column in pattern:
@@ -51,7 +55,10 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
 
 
 def solver_functions(sparsity: Any) -> tuple[Any, Any]:
-    """Return CasADi functions for the factorisation and the solution of ``(I*s - J) x = b``."""
+    """Return CasADi functions that factorise and solve ``(I*s - J) x = b``.
+
+    `sparsity` is the pattern of nonzeros of J.
+    """
     import casadi as ca
 
     size = sparsity.size1()
@@ -78,7 +85,10 @@ def solver_functions(sparsity: Any) -> tuple[Any, Any]:
 
 
 def _substitute(plan: Elimination, lu: dict[tuple[int, int], Any], values: list[Any]) -> list[Any]:
-    """Return the solution by forward and backward substitution of symbols."""
+    """Return the solution of the factorised system for a right-hand side `values`.
+
+    The elements of the factors `lu` and of `values` are symbols.
+    """
     for pivot in plan.order:
         for row in plan.rows[pivot]:
             values[row] = values[row] - lu[row, pivot] * values[pivot]

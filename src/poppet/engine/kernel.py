@@ -1,4 +1,4 @@
-"""Kernel of a model: machine code of the functions that the integrator calls."""
+"""Compiled model: machine code of the functions that the integrator calls."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ A changed parameter needs no compilation. Code is freed with the last kernel tha
 
 @dataclass(frozen=True, eq=False)
 class Kernel:
-    """Compiled model."""
+    """Compiled model of circuits with the same structure, with sizes for the integrator."""
 
     model: Model
     functions: CompiledFunctions
@@ -41,7 +41,7 @@ class Kernel:
 
     @cached_property
     def job(self) -> dict[str, int]:
-        """Fields of the integrator's `Job` that are equal for all runs."""
+        """Fields of the integrator's argument `Job` that are equal for all runs."""
         m, functions = self.model, self.functions.addresses
         # 0 for missing functions: `step` without states, `update` without discrete states.
         fields = {name: functions.get(name, 0) for name in ("jacobian", "step", "dense", "outputs", "update")}
@@ -57,7 +57,7 @@ class Kernel:
 
     @cached_property
     def memory_size(self) -> int:
-        """Size of the scratch memory of the integrator in doubles."""
+        """Number of doubles in the scratch memory of the integrator."""
         j = self.job
         # In the order of `_run_of` of the integrator: 12 vectors of states, tolerances, inputs with their slopes,
         # outputs, discrete states; then time and step, J, and the scratch memory of the printed step.
@@ -73,7 +73,10 @@ class Kernel:
 
     @cached_property
     def scales(self) -> Array:
-        """Factor on the relative tolerance, floor and nominal size of each controlled state, (3, n)."""
+        """Error scales of the controlled states, (3, n).
+
+        The rows are the factor on the relative tolerance, the floor (see `StateInfo`), and the nominal size.
+        """
         states = self.model.states
         return np.array([[s.tolerance for s in states], [s.floor for s in states], [s.nominal for s in states]])
 
@@ -84,7 +87,7 @@ class Kernel:
 
     @cached_property
     def acting(self) -> NDArray[np.bool_]:
-        """True for each discrete state on which the rates depend."""
+        """True for each discrete state that affects the rates."""
         return np.array(self.model.acting, dtype=np.bool_)
 
     @cached_property
@@ -99,7 +102,10 @@ class Kernel:
         return callables
 
     def observing(self, outputs: Sequence[int]) -> Kernel:
-        """Return a kernel that computes only some outputs, with the same machine code: fits need few outputs."""
+        """Return a kernel that computes only the outputs with the given indices.
+
+        The kernels share all other machine code. Fits need few outputs.
+        """
         return KERNELS.get((self, tuple(outputs)), lambda: self._select_outputs(outputs))
 
     def _select_outputs(self, indices: Sequence[int]) -> Kernel:
@@ -118,27 +124,39 @@ class Kernel:
         return replace(self, model=model, functions=functions, lanes={})
 
     def call(self, name: str, *arrays: Array) -> None:
-        """Call a compiled function with contiguous arrays; its results are the last arrays."""
+        """Call a compiled function by its name, with contiguous arrays as arguments.
+
+        The last arrays receive the results.
+        """
         self.caller(name, *arrays)()
 
     def caller(self, name: str, *arrays: Array) -> Callable[[], None]:
-        """Return a function for repeated calls with the same arrays, which the caller must keep."""
+        """Return a function that calls a compiled function, always with the same arrays.
+
+        The caller must keep references to the arrays.
+        """
         return partial(self._callables[name], *map(address, arrays))
 
     def start(self, p: Array) -> Array:
-        """Return the initial state for the parameters in p, and write the initial discrete state into p."""
+        """Return the initial state for the parameter vector p.
+
+        The initial discrete state is written into p.
+        """
         x, memory = np.empty(self.model.size), np.empty(len(self.model.memory))
         self.call("start", p, x, memory)
         p[len(self.model.parameters) :] = memory
         return x
 
     def with_memory(self, numbers: Array) -> Array:
-        """Return p: parameters, then zeros for the discrete state."""
+        """Return the vector p: parameter values, then zeros for the discrete state."""
         return np.concatenate([numbers, np.zeros(len(self.model.memory))])
 
 
 def compile_kernel(model: Model, *, fuses: bool = True) -> Kernel:
-    """Compile a model; this takes milliseconds for a small circuit, and increases linearly with its size."""
+    """Compile a symbolic model to machine code.
+
+    This takes milliseconds for a small circuit. The time increases linearly with the size of the model.
+    """
     functions = trace_functions(model)
     rows, columns = functions["jacobian"].sparsity_out(1).get_triplet()
     step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""

@@ -1,4 +1,7 @@
-"""Lanes of a kernel: width, machine code, and the worker of a batch that runs them."""
+"""Computation of several runs simultaneously, one per lane of the vector registers.
+
+The module determines the number of lanes, compiles their machine code, and contains the worker of a batch.
+"""
 
 from __future__ import annotations
 
@@ -31,11 +34,15 @@ from poppet.engine.problem import Array, Problem
 WIDTHS = 1, 2, 4, 8
 _OF_SLICE = [LaneJob._fields.index(name) for name in ("first", "last", "base", "table")]
 _LINE = 8
-"""Alignment of the arrays in doubles: the size of the widest element."""
+"""Alignment of the arrays, in doubles; equal to the largest number of lanes."""
 
 
 def usual_width() -> int:
-    """Return the number of lanes: that of `POPPET_LANES`, or the width of the registers of this processor."""
+    """Return the number of lanes.
+
+    The environment variable `POPPET_LANES` sets it. The default is the width of the registers of this processor in
+    doubles.
+    """
     variable = os.environ.get("POPPET_LANES")
     return int(variable) if variable else _register_width()
 
@@ -50,14 +57,20 @@ def _register_width() -> int:
 
 
 def kernel_of_this_machine() -> str:
-    """Return the processor and the number of lanes, which affect the last digits of a batch."""
+    """Return a text with the processor and the number of lanes.
+
+    Both affect the last digits of the results of a batch.
+    """
     import llvmlite.binding as llvm
 
     return f"{llvm.get_host_cpu_name()}, {usual_width()} lanes"
 
 
 def lane_functions(kernel: Kernel, width: int) -> LaneFunctions:
-    """Return the machine code of a kernel for lanes; kernels with other outputs share all functions except rows."""
+    """Return the machine code of a kernel for a number of lanes.
+
+    Kernels of one model with different outputs share all functions except those that write rows.
+    """
     if width not in kernel.lanes:
         kind, shared = Kind(width), kernel.shared_lanes
         if width not in shared:
@@ -94,7 +107,11 @@ def _compile(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFun
 
 
 class Lanes:
-    """Worker of a batch that runs several runs simultaneously; see `poppet.engine.batch.Worker`."""
+    """Worker of a batch that computes several runs simultaneously.
+
+    `width` is the number of lanes. If `leads` is True, all runs take the steps of the first run. See
+    `poppet.engine.batch.Worker`.
+    """
 
     def __init__(
         self, batch: Batch, ends: RunEnds, functions: LaneFunctions, width: int, *, leads: bool = False
@@ -141,7 +158,7 @@ class Lanes:
         self._job = np.array(job, dtype=np.int64)
 
     def _memory(self, kernel: Kernel, width: int, n_derived: int) -> dict[str, int]:
-        """Return the addresses of the arrays of the lanes, which are contiguous."""
+        """Return the addresses of the arrays of the lanes, which share one block of memory."""
         j = kernel.job
         n, n_c, n_u, n_p = j["n_states"], j["n_controlled"], j["n_inputs"], j["n_numbers"] + j["n_memory"]
         sizes = {
@@ -160,22 +177,24 @@ class Lanes:
         return addresses | {"one": position}
 
     def run(self, first: int, last: int, table: Array | None) -> None:
-        """Run `first` to `last` - 1, one run per lane."""
+        """Compute the runs `first` to `last` - 1, one per lane."""
         if table is None:
             table = np.empty((last - first, *self._shape))
         self._job[_OF_SLICE] = first, last, first, address(table)
         lane_integrator()(address(self._job))
 
     def halt(self) -> None:
-        """Request the end of the current runs, from another thread."""
+        """Request the end of the current runs; another thread calls this method."""
         self._watch[1] = 1.0
 
 
 class LockstepLanes:
-    """Runs with the steps of the first run, without error control: their results are smooth functions of p.
+    """Runs that all take the steps of the first run, without error control.
+
+    Their results are therefore smooth functions of p.
 
     Write parameters into `values`, those of the first run into the first row, then call `run`. All runs end with the
-    first; missing rows are NaN. Problems with discrete states, stop conditions or no states are not supported.
+    first; rows after that are NaN. Problems with discrete states, stop conditions or no states are not supported.
     """
 
     def __init__(
@@ -198,12 +217,12 @@ class LockstepLanes:
 
     @staticmethod
     def takes(problem: Problem) -> bool:
-        """Return True if the problem is supported and this processor has more than two lanes."""
+        """Return True if a problem is supported and this processor has more than two lanes."""
         model = problem.kernel.model
         return bool(model.size and not model.memory and not problem.stop_conditions and usual_width() > 2)
 
     def run(self) -> Array:
-        """Return the outputs of all runs at the times of the grid, (n_runs, n_outputs, n_times)."""
+        """Return the outputs of all runs at the output times, (n_runs, n_outputs, n_times)."""
         np.take(self.values, self._run_of_lane, axis=0, out=self._batch.values)
         for first in range(0, self._run_of_lane.size, self._width):
             self._lanes.run(first, first + self._width, self._table[first : first + self._width])

@@ -11,7 +11,7 @@ ValueT = TypeVar("ValueT")
 
 
 class LruCache(Generic[ValueT]):
-    """Cache that drops the least recently used entry."""
+    """Cache that removes the least recently used entry if it is full."""
 
     def __init__(self, max_entries: int) -> None:
         self.max_entries = max_entries
@@ -19,7 +19,10 @@ class LruCache(Generic[ValueT]):
         self._lock = Lock()
 
     def get(self, key: Hashable, make: Callable[[], ValueT]) -> ValueT:
-        """Return the value of a key; `make` computes it if it is not in the cache."""
+        """Return the value of a key.
+
+        If the cache does not contain the key, `make` computes the value.
+        """
         with self._lock:
             if key in self._values:
                 self._values.move_to_end(key)

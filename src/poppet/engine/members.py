@@ -1,4 +1,4 @@
-"""Arrays of a batch: parameter values and results of runs that differ in parameters."""
+"""Parameter values and results of the runs of a batch."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _OUTCOMES = tuple(Outcome)
 
 @dataclass(frozen=True)
 class Batch:
-    """Runs of a problem with different parameters.
+    """Runs of one problem that differ only in parameters.
 
     The runs share segments of the inputs, grid, tolerance and stop conditions. The caller must handle two kinds of
     parameters: delays, which move breakpoints, need one batch per value; tied parameters need columns for all dependent
@@ -35,13 +35,16 @@ class Batch:
         return len(self.values)
 
     def write(self, run: int, p: Array, coefficients: Array) -> None:
-        """Write the values of a run into copies of the arrays of the problem."""
+        """Write the parameter values of a run into p and the input coefficients.
+
+        Both arrays must be copies of those of the problem.
+        """
         p[self.places] = self.values[run]
         for k, index in self.held:
             coefficients[:, k, 0] = p[index]
 
     def member(self, run: int) -> Problem:
-        """Return the problem of one run."""
+        """Return the complete problem of the run with index `run`."""
         p, coefficients = self.problem.p.copy(), self.problem.coefficients.copy()
         self.write(run, p, coefficients)
         return replace(self.problem, p=p, x0=self.problem.kernel.start(p), coefficients=coefficients)
@@ -49,7 +52,7 @@ class Batch:
 
 @dataclass(frozen=True)
 class RunEnds:
-    """Results of runs; row k of each array belongs to run k."""
+    """Results of a batch; row k of each array belongs to run k."""
 
     # Written by compiled code. `record` contains the arrays below; `counts` contains accepted steps, attempts, rows,
     # stop condition, scratch, index of the outcome in `Outcome`.
@@ -67,7 +70,7 @@ class RunEnds:
 
     @staticmethod
     def of(batch: Batch) -> RunEnds:
-        """Return arrays for the results of a batch that has not been run."""
+        """Allocate arrays for the results of a batch."""
         n, model = batch.problem.x0.size, batch.problem.kernel.model
         offsets = list(accumulate([n, n, n, n, n, model.n_energies, model.n_energies, len(model.outputs), 1]))
         record, counts = np.full((batch.size, offsets[-1]), np.nan), np.zeros((batch.size, 6), dtype=np.int64)
@@ -75,7 +78,7 @@ class RunEnds:
         return RunEnds(record, counts, *np.split(record, offsets[:-1], axis=1))
 
     def write(self, run: int, problem: Problem, raw: RawRun) -> None:
-        """Write the result of a solver."""
+        """Write the result of a run that another solver computed."""
         rows = raw.time.size
         self.counts[run] = raw.accepted, raw.attempts, rows, raw.stop, 0, _OUTCOMES.index(raw.outcome)
         last = raw.values[:, -1] if rows else np.full(len(raw.values), np.nan)

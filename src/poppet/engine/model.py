@@ -1,4 +1,4 @@
-"""Flat model of a circuit: named states, inputs, parameters and outputs with symbolic expressions.
+"""Symbolic model of a circuit: states, inputs, parameters and outputs with their expressions.
 
 ``x' = f(t, x, u, p)``, ``y = g(t, x, u, p)``, ``x(0) = x0(p)``; the order of arguments is always (t, x, u, p). Vector x
 contains the states with error control, then quadratures: integrals of flows and heats. The integrator applies the same
@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 
 class StateInfo(NamedTuple):
-    """State with error control."""
+    """State with error control: its address, unit, size and tolerances."""
 
     name: str  # address
     unit: str
@@ -29,7 +29,10 @@ class StateInfo(NamedTuple):
 
 
 class InputInfo(NamedTuple):
-    """Input; a text in place of a number is the address of a parameter."""
+    """Input of the model.
+
+    A default value or limit is a number, or the address of a parameter with this value.
+    """
 
     name: str  # address
     unit: str
@@ -42,7 +45,10 @@ class InputInfo(NamedTuple):
 
 
 class FlowInfo(NamedTuple):
-    """Flow between gas nodes (None is outside the circuit), with the indices of its integrals in x."""
+    """Flow between two gas nodes, with the indices of its integrals in x.
+
+    A gas node is None if it is outside the circuit.
+    """
 
     name: str
     source: str | None
@@ -52,7 +58,10 @@ class FlowInfo(NamedTuple):
 
 
 class StoreInfo(NamedTuple):
-    """Gas node with a balance, with the indices of its mass and of the integral of its heat in x."""
+    """Gas node with a balance.
+
+    It contains the indices of the mass, and of the integral of the heat, in the vector x.
+    """
 
     name: str
     mass: int
@@ -62,7 +71,7 @@ class StoreInfo(NamedTuple):
 
 
 class InventoryBalance(NamedTuple):
-    """Balance: the change of an inventory equals a sum of integrals."""
+    """Balance of a mass or energy: its change equals a signed sum of integrals."""
 
     store: str
     quantity: str  # mass, energy or motion
@@ -72,7 +81,7 @@ class InventoryBalance(NamedTuple):
 
 @dataclass(frozen=True)
 class Model:
-    """Traced circuit."""
+    """Symbolic model of a circuit with CasADi symbols and expressions."""
 
     states: tuple[StateInfo, ...]  # controlled states, in the order of x; quadratures follow them
     n_quadratures: int
@@ -94,17 +103,17 @@ class Model:
 
     @property
     def size(self) -> int:
-        """Length of x, including quadratures."""
+        """Length of the vector x, including quadratures."""
         return len(self.states) + self.n_quadratures
 
     @property
     def n_energies(self) -> int:
-        """Number of energies in balances."""
+        """Number of energies of gas nodes and bodies that occur in balances."""
         return sum(store.has_energy for store in self.stores) + len(self.bodies)
 
     @cached_property
     def acting(self) -> tuple[bool, ...]:
-        """True for each element of z on which the rates depend."""
+        """True for each element of the discrete state z that affects the rates."""
         if not self.memory:
             return ()
         import casadi as ca
@@ -117,7 +126,10 @@ class Model:
 
     @cached_property
     def counting(self) -> tuple[bool, ...]:
-        """True for each element of z that is a clock or counter: it depends only on z, parameters and time."""
+        """True for each element of z that is a clock or counter.
+
+        Such an element depends only on z, parameters and time.
+        """
         if not self.memory:
             return ()
         import casadi as ca
@@ -136,12 +148,15 @@ class Model:
 
     @cached_property
     def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Addresses and SI units of the outputs."""
+        """Addresses of the outputs, and their SI units."""
         return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
 
     @cached_property
     def balances(self) -> tuple[InventoryBalance, ...]:
-        """Balances of all runs: mass of each gas node, and each energy that is linear in the states."""
+        """Balances that apply to all runs.
+
+        They are the mass of each gas node, and each energy that is linear in the states.
+        """
         balances, energies = [], count()
         for store in self.stores:
             signs = [
@@ -163,7 +178,7 @@ class Model:
 
     @cached_property
     def linear_function(self) -> Any:
-        """CasADi function (t, x, u, p) -> (f, y, A, B, C, D) of the states without quadratures."""
+        """CasADi function (t, x, u, p) -> (f, y, A, B, C, D) without quadratures."""
         import casadi as ca
 
         s, n = self.symbols, len(self.states)
@@ -175,7 +190,7 @@ class Model:
 
     @cached_property
     def sampled_functions(self) -> tuple[Any, Any]:
-        """CasADi functions of a sampled model with exact derivatives by states and discrete states (x, z).
+        """CasADi functions of a sampled model with exact derivatives by x and z.
 
         Between instants: (t, x, u, p) -> (f, y, df/d(x, z), df/du, dy/d(x, z), dy/du). At an instant:
         (t, x, u, p, fired) -> (z+, dz+/d(x, z), dz+/du).

@@ -1,4 +1,4 @@
-"""CasADi functions of NumPy arrays."""
+"""Evaluation of CasADi functions with NumPy arrays."""
 
 from __future__ import annotations
 
@@ -11,7 +11,9 @@ Array = NDArray[np.float64]
 
 
 class ArrayFunction:
-    """CasADi function with dense arguments and results in its own memory; not thread-safe.
+    """CasADi function that is called with NumPy arrays.
+
+    It has its own memory for dense arguments and results, so it is not thread-safe.
 
     A call with CasADi matrices takes ten times longer than its arithmetic.
     """
@@ -28,7 +30,7 @@ class ArrayFunction:
                     set_address(k, array.data)
 
     def __call__(self, *arguments: float | Array) -> list[Array]:
-        """Return the results for vectors or numbers."""
+        """Evaluate the function for vectors or numbers, and return its results as arrays."""
         for array, value in zip(self._arguments, arguments, strict=True):
             array[:] = value
         self._evaluate()

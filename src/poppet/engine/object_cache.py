@@ -1,4 +1,4 @@
-"""Cache of object code on disk.
+"""Cache of machine code (object code) on disk.
 
 The name of an entry is a hash of the source, the LLVM version and the processor. A new entry is written to a temporary
 file, which is then renamed, so other processes never read an incomplete entry. An unreadable entry is compiled again.
@@ -28,7 +28,10 @@ _MARK = b"poppet1\n"
 
 
 def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
-    """Return object code from the cache, or compile and store it."""
+    """Return object code from the cache.
+
+    If the cache does not contain it, `compile_it` compiles the source, and the result is stored.
+    """
     path = cache_folder() / f"{_key(source)}.o"
     with contextlib.suppress(OSError):
         entry = _read(path)
@@ -44,7 +47,7 @@ def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
 
 
 def cache_folder() -> Path:
-    """Return the folder of the entries."""
+    """Return the folder of the cache on disk."""
     folder = os.environ.get("POPPET_CACHE_DIR")
     if folder:
         return Path(folder)
@@ -78,7 +81,10 @@ def _read(path: Path) -> bytes:
 
 
 def _check(status: os.stat_result) -> None:
-    """Raise PermissionError if another user owns or can write a file; Windows protects the user's folder."""
+    """Raise PermissionError if another user owns a file or can write to it.
+
+    Windows protects the folder of the user itself.
+    """
     if os.name == "posix" and (status.st_uid != os.geteuid() or status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
         raise PermissionError("other users have write permission")
 

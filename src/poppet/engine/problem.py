@@ -1,4 +1,4 @@
-"""Problem and result of a run as plain arrays, and the outcomes of a run."""
+"""Arrays that describe a run and its result, and the possible outcomes of a run."""
 
 from __future__ import annotations
 
@@ -20,7 +20,10 @@ EMPTY = 1e-6
 
 
 class Outcome(enum.Enum):
-    """Outcome of a run; the value is its code, and `ending` returns a note with facts."""
+    """Outcome of a run.
+
+    The value is a message code. `ending` returns the message as a note with facts.
+    """
 
     # In the order of the status values of the integrator.
     DONE = "run.done"
@@ -32,12 +35,15 @@ class Outcome(enum.Enum):
 
     @property
     def is_success(self) -> bool:
-        """True if the run reached its end or a stop condition."""
+        """True if the run reached its end time or a stop condition."""
         return self in (Outcome.DONE, Outcome.STOPPED)
 
 
 class StopCondition(NamedTuple):
-    """Condition that stops a run if ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` is positive."""
+    """Condition on two outputs that stops a run.
+
+    The run stops if ``weights[0]*y[places[0]] + weights[1]*y[places[1]] + weights[2]`` is positive.
+    """
 
     reason: Note  # `run.condition_met` or `run.left_domain`; `ending` adds the time to its facts
     places: tuple[int, int]  # indices of outputs, -1 for none
@@ -45,13 +51,19 @@ class StopCondition(NamedTuple):
 
     @property
     def is_failure(self) -> bool:
-        """True if the run left the domain of a characteristic; False for conditions of the user."""
+        """True if the condition is the end of the domain of a characteristic.
+
+        It is False for conditions of the user.
+        """
         return self.reason.code == "run.left_domain"
 
 
 @dataclass(frozen=True)
 class Problem:
-    """Problem of one run as plain arrays, which solvers do not change."""
+    """Model, parameters, inputs and options of one run as arrays.
+
+    Solvers do not change the arrays.
+    """
 
     kernel: Kernel
     p: Array  # (n_parameters + n_memory,) parameters, then the discrete state at the start
@@ -68,13 +80,19 @@ class Problem:
 
 
 def constant_input_problem(kernel: Kernel, p: Array, x0: Array, u: Array, grid: Array, **fields: float) -> Problem:
-    """Return the problem of a run from t = 0 with constant inputs u, (n_inputs,); `fields` are fields of `Problem`."""
+    """Return a problem from t = 0 with constant inputs u, (n_inputs,).
+
+    `grid` contains the output times. `fields` are further fields of `Problem`.
+    """
     start, course, jump = np.zeros(1), np.zeros(1, dtype=np.int64), np.zeros(1, dtype=np.bool_)
     return Problem(kernel, p, x0, start, course, constant_coefficients(u), jump, grid, **fields)  # type: ignore[arg-type]
 
 
 def constant_coefficients(u: Array, begin: float = 0.0) -> Array:
-    """Return the coefficients of one segment from `begin` with constant inputs; without inputs, one column remains."""
+    """Return the input coefficients of one segment with constant inputs u.
+
+    The segment begins at the time `begin` [s]. Without inputs, the array has one column.
+    """
     coefficients = np.zeros((1, max(1, u.size), 7))
     coefficients[0, : u.size, 0], coefficients[:, :, 6] = u, begin
     return coefficients
@@ -82,7 +100,7 @@ def constant_coefficients(u: Array, begin: float = 0.0) -> Array:
 
 @dataclass(frozen=True)
 class RawRun:
-    """Result of a solver run, as plain arrays."""
+    """Result of a solver run as arrays."""
 
     outcome: Outcome
     time: Array  # (n_times,) output times reached [s]
@@ -97,22 +115,25 @@ class RawRun:
 
     @property
     def attempts(self) -> int:
-        """Accepted and rejected steps."""
+        """Number of accepted and rejected steps."""
         return self.accepted + self.rejected
 
     @property
     def reached(self) -> float:
-        """Time of the last row, 0 without rows [s]."""
+        """Time of the last row [s]; 0 if there are no rows."""
         return float(self.time[-1]) if self.time.size else 0.0
 
 
 def is_failure(problem: Problem, run: RawRun) -> bool:
-    """Return True if a run ended early, except by a stop condition of the user."""
+    """Return True if a run failed.
+
+    A run that reaches its end or a stop condition of the user has not failed.
+    """
     return not run.outcome.is_success or (run.stop >= 0 and problem.stop_conditions[run.stop].is_failure)
 
 
 def ending(problem: Problem, run: RawRun) -> Note:
-    """Return a note on the outcome of a run."""
+    """Return a note on the outcome of a run, with the time and the cause."""
     if run.outcome is Outcome.STOPPED:
         reason = problem.stop_conditions[run.stop].reason
         return Note(reason.code, reason.address, **reason.facts, time=run.reached)

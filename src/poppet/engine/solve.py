@@ -1,4 +1,7 @@
-"""Solution of a problem with the kernel and, if it stalls, with tighter tolerances and other solvers."""
+"""Solution of a problem with the Rosenbrock kernel or another solver.
+
+If the kernel stalls, the run is repeated with tighter tolerances, then with other solvers.
+"""
 
 from __future__ import annotations
 
@@ -27,7 +30,11 @@ def solve(
     *,
     repeats_stalled: bool = True,
 ) -> RawRun:
-    """Run a problem; a stalled run is repeated with other tolerances and solvers."""
+    """Run a problem with the selected solver.
+
+    If the Rosenbrock kernel stalls and `repeats_stalled` is True, the run is repeated with tighter tolerances, then
+    with other solvers.
+    """
     if solver == "rosenbrock":
         run = run_kernel(problem, progress)
         if run.outcome is Outcome.STALLED and repeats_stalled:
@@ -47,12 +54,15 @@ def solve(
 
 
 def run_kernel(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
-    """Run a problem with the Rosenbrock kernel only."""
+    """Run a problem with the Rosenbrock kernel, without a repetition if it stalls."""
     return Call(problem).run(progress)
 
 
 def _repeat_stalled(problem: Problem, stalled: RawRun, progress: Callable[[float], Any] | None) -> RawRun:
-    """Repeat a stalled run with tighter tolerances, then with other solvers, and add a note."""
+    """Repeat a stalled run with tighter tolerances, then with other solvers.
+
+    The result contains a note on the repetition.
+    """
     from poppet.engine.reference_solvers.solvers import solve_with_reference
 
     # From the initial state, because the end of the stalled run can be inaccurate.

@@ -163,7 +163,7 @@ def stairs(setpoint: FloatArray) -> list[slice]:
     cuts = np.flatnonzero(np.abs(np.diff(setpoint)) > limit) + 1
     ends = np.concatenate(([0], cuts, [setpoint.size])).tolist()
     holds = [slice(a, b) for a, b in pairwise(ends) if b - a >= 3]
-    # A noisy ramp also splits into pieces, but their levels rise.
+    # A noisy ramp is also divided into sections, but the values rise within them.
     change_within = sum(abs(float(_end_mean(setpoint[part]) - _end_mean(setpoint[part][::-1]))) for part in holds)
     extent = sum(abs(float(np.mean(setpoint[b]) - np.mean(setpoint[a]))) for a, b in pairwise(holds))
     return holds if change_within <= _FLAT * extent or len(holds) == 1 else []

@@ -102,7 +102,7 @@ def _ticks(
 
 
 def _common_period(periods: dict[int, float], names: list[str]) -> tuple[float, dict[int, int]]:
-    """Return the common period of all clocks [s], and the number of ticks of each clock in it.
+    """Return the common period of all clocks [s], and the ticks of each clock in it.
 
     `periods` maps the index of each clock to its period [s].
     """

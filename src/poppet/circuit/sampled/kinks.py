@@ -21,7 +21,7 @@ BISECTIONS = 10
 
 
 def kink_notes(point: SampledPoint, v: Array) -> tuple[Note, ...]:
-    """Return notes on the kinks closest to a steady state v, at most one per equation."""
+    """Return notes on the closest kinks to a steady state, at most one per equation."""
     search = _KinkSearch(point, v)
     # The linear model changes all states, and the discrete states that are not constant.
     _, by_v, by_u = point.instant(v, point.every_clock)

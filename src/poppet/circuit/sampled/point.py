@@ -41,8 +41,6 @@ class SampledPoint:
     """Equations of a sampled circuit with constant inputs u.
 
     The variables are v = (x, w): x contains the states, w the discrete states except clocks.
-
-    The variables are v = (x, w): the states, and the discrete states except clocks.
     """
 
     def __init__(self, instance: Instance, u: Array) -> None:
@@ -89,7 +87,7 @@ class SampledPoint:
         return self._padded(self.start), np.concatenate([self.numbers, self.memory_start])
 
     def remembered(self, v: Array) -> Array:
-        """Return the vector of all discrete states: those in v, and clocks at the start of a run."""
+        """Return all discrete states: those in v, and clocks at the start of a run."""
         memory = self.memory_start.copy()
         memory[self.places] = v[self.n :]
         return memory
@@ -107,7 +105,7 @@ class SampledPoint:
         return IntersampleModel(f[:, 0], y[:, 0], fv[:, self._columns], fu, yv[:, self._columns], yu)
 
     def instant(self, v: Array, fired: Array) -> tuple[Array, Array, Array]:
-        """Return the discrete states w after a sample instant, and their derivatives by v and u.
+        """Return the discrete states w after a sample instant, with their derivatives.
 
         `fired` is 1 for each timer that is due at the instant.
         """
@@ -115,7 +113,7 @@ class SampledPoint:
         return z[self.places, 0], zv[np.ix_(self.places, self._columns)], zu[self.places]
 
     def scaled(self, v: Array) -> tuple[Array, Array]:
-        """Return the rates of the variables v and their Jacobian, with each variable in units of its size [1/s].
+        """Return the rates of the variables v and their Jacobian [1/s].
 
         The rate of a discrete state is its change over a sample, divided by the sample time.
         """

@@ -73,7 +73,7 @@ def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array
 
 
 def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, Array]:
-    """Return the matrices A and B over one sample, with variables in units of their sizes."""
+    """Return the matrices A and B over one sample."""
     a, b = np.eye(point.size.size), np.zeros((point.size.size, point.u.size))
     for phase in phases:
         a, b = phase.at_v @ a, phase.at_v @ b + phase.at_u

@@ -1,1 +1,1 @@
-"""Readers of the traced functions' instruction list."""
+"""Printers (code generators) for the instruction lists of traced functions."""

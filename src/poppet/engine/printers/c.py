@@ -1,4 +1,4 @@
-"""Printer of traced functions as C that is valid C90, C99 and C++.
+"""Printer (code generator) of traced functions as C that is valid C90, C99 and C++.
 
 A printed function has one pointer per input and output, and no state:
 ``void rates(const double *t, const double *x, const double *u, const double *p, double *f)``. It allocates no memory
@@ -51,13 +51,13 @@ LARGEST_SINGLE = 3e38
 
 
 class Precision(NamedTuple):
-    """Type of numbers, with the suffix of its constants and of its functions in `math.h`."""
+    """Floating-point type in C, with the suffixes of constants and of functions in `math.h`."""
 
     real: str = "double"
     ending: str = ""
 
     def literal(self, value: float) -> str:
-        """Return a constant with all its digits."""
+        """Return the C text of a constant with all significant digits."""
         if math.isnan(value):
             return "(0.0 / 0.0)"
         if math.isinf(value) or (self.ending and abs(value) > LARGEST_SINGLE):
@@ -71,7 +71,7 @@ DOUBLE, SINGLE = Precision(), Precision("float", "f")
 
 
 def prelude(precision: Precision = DOUBLE) -> str:
-    """Return the helper functions of printed functions."""
+    """Return the C text of all helper functions that printed functions can call."""
     real, e = precision
     unity, zero = precision.literal(1.0), precision.literal(0.0)
     return f"""/* The exponent of the flow law is a number like others, and nearly always 1/2. */
@@ -89,7 +89,10 @@ static {real} with_sign({real} x, {real} s) {{
 
 
 def used_prelude(text: str, precision: Precision = DOUBLE) -> str:
-    """Return the helper functions that a text calls: compilers warn about unused functions."""
+    """Return the C text of the helper functions that a text calls.
+
+    The others are omitted, because compilers warn about unused functions.
+    """
     first, second = prelude(precision).split("\n\n", 1)
     return "\n\n".join(
         f for f, name in ((first, "power("), (second.rstrip(), "with_sign(")) if name in text
@@ -108,7 +111,7 @@ def print_function(
     wide: Mapping[str, Collection[int]] | None = None,
     shares_inverses: bool = False,
 ) -> str:
-    """Return the C code of one traced function.
+    """Return the C text of one traced function.
 
     `signature` contains the names of its arguments, as in `SIGNATURES`; `labels` contains comments for the elements of
     each argument. In single precision, the vectors of `wide` are double precision. Values that are computed from the
@@ -148,7 +151,7 @@ class _Style(NamedTuple):
 
 
 class _Operand(NamedTuple):
-    """Value in a block: a name or a constant.
+    """Operand of an expression: the name of a variable, or a constant.
 
     `is_wide` is True for a double in a function of single precision. `double_name` is the name in double precision.
     """
@@ -164,7 +167,11 @@ class _Operand(NamedTuple):
 
 
 def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style, passed: str = "") -> list[str]:
-    """Return the lines of one block: a constant per value, then the stores; `passed` is the array of live values."""
+    """Return the lines of C for one block of instructions.
+
+    Each value becomes a constant; the lines that store results follow. `passed` is the name of the array that passes
+    values between blocks.
+    """
     live, precision, is_single = _live_instructions(block), style.precision, bool(style.precision.ending)
     lines: list[str] = []
     stores: list[str] = []
@@ -234,7 +241,10 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
 
 
 def _divisors(block: Block, live: Collection[int]) -> dict[int, int]:
-    """Return the index of each division with a shared divisor, and the index of the instruction of the divisor."""
+    """Return a mapping from divisions with a shared divisor to their divisor.
+
+    Keys are indices of instructions. A value identifies the instruction that computes the divisor.
+    """
     origin: dict[int, int] = {}
     divisors: dict[int, int] = {}
     for k, instruction in enumerate(block.instructions):
@@ -246,7 +256,10 @@ def _divisors(block: Block, live: Collection[int]) -> dict[int, int]:
 
 
 def _live_instructions(block: Block) -> set[int]:
-    """Return the indices of instructions with used results: compilers warn about unused variables."""
+    """Return the indices of instructions whose results are used.
+
+    The others are omitted, because compilers warn about unused variables.
+    """
     needed, live = set(block.live_out), set()
     for k in reversed(range(len(block.instructions))):
         instruction = block.instructions[k]
@@ -274,17 +287,20 @@ def _expression(instruction: Instruction, arguments: Sequence[_Operand], precisi
 
 
 def _weighted(weights: Sequence[float]) -> str:
-    """Return the sum of weights times stages at one state."""
+    """Return a C expression for a weighted sum of stages at one state."""
     return " + ".join(f"{DOUBLE.literal(weight)} * k{j}[s]" for j, weight in enumerate(weights))
 
 
 def _with_drift(i: int, rates: str) -> str:
-    """Return rates plus the drift of stage i times the step."""
+    """Return a C expression for rates plus the drift term of stage i."""
     return rates if STAGE_DRIFT[i] == 0.0 else f"{rates} + {DOUBLE.literal(STAGE_DRIFT[i])} * h * drift[s]"
 
 
 def print_step(n_states: int, n_inputs: int, head: str = "void", prefix: str = "") -> str:
-    """Return the C code of `step` and `dense` (see `poppet.engine.printers.llvm_step`): one step of RODAS."""
+    """Return the C text of `step` and `dense`: one step of the Rosenbrock method RODAS.
+
+    `dense` computes the interpolant of the step. See `poppet.engine.printers.llvm_step`.
+    """
     n = n_states
     stages = [f"  double *k{i} = k + {i * n};" for i in range(6)]
     text = [

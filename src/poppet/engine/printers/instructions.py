@@ -1,4 +1,4 @@
-"""Traced functions of a model as lists of instructions in blocks, for all printers.
+"""Traced functions of a model as lists of instructions, for all printers (code generators).
 
 A traced function uses a vector w of doubles: an instruction reads some slots and writes one. The arguments of a
 function are vectors; sparse arguments contain their nonzeros in column order. A printer converts the instructions to
@@ -44,7 +44,10 @@ SIGNATURES = {
 
 
 def trace_functions(model: Model) -> dict[str, Any]:
-    """Return the CasADi functions of `SIGNATURES` for a model; `update` only with discrete states."""
+    """Return the CasADi functions of a model by their names in `SIGNATURES`.
+
+    `update` is included only if the model has discrete states.
+    """
     import casadi as ca
 
     s, e = model.symbols, model.expressions
@@ -71,7 +74,7 @@ def trace_functions(model: Model) -> dict[str, Any]:
 
 
 def outputs_function(model: Model) -> Any:
-    """Return the CasADi function `outputs` of a model."""
+    """Return the CasADi function that computes the outputs y of a model."""
     import casadi as ca
 
     arguments = [model.symbols[name] for name in ("t", "x", "u", "p")]
@@ -79,7 +82,7 @@ def outputs_function(model: Model) -> Any:
 
 
 class Instruction(NamedTuple):
-    """Operation ``w[result] = operation(w[arguments])``."""
+    """One instruction of a traced function: ``w[result] = operation(w[arguments])``."""
 
     operation: str  # `input`, `const`, `output`, or a CasADi operation in lower case: `add`, `sqrt`, `if_else_zero`
     result: int  # written slot of w; -1 for an output
@@ -89,7 +92,7 @@ class Instruction(NamedTuple):
 
 
 class InstructionList(NamedTuple):
-    """Instructions of a function, with its number of arguments and results."""
+    """Instructions of a function, and the numbers of its arguments and results."""
 
     instructions: Sequence[Instruction]
     n_in: int
@@ -97,17 +100,20 @@ class InstructionList(NamedTuple):
 
     @classmethod
     def of(cls, function: Any) -> InstructionList:
-        """Return the instructions of a traced function."""
+        """Return the instruction list of a CasADi function."""
         return cls(instructions(function), function.n_in(), function.n_out())
 
     @property
     def size(self) -> int:
-        """Length of w."""
+        """Length of the vector w of intermediate values."""
         return 1 + max((instruction.result for instruction in self.instructions), default=-1)
 
 
 class Block(NamedTuple):
-    """Sequence of instructions, with its written slots that later blocks read."""
+    """Sequence of instructions that is printed as one function.
+
+    `live_out` contains the slots of w that the block writes and later blocks read.
+    """
 
     instructions: Sequence[Instruction]
     live_out: frozenset[int]
@@ -115,7 +121,7 @@ class Block(NamedTuple):
 
 @cache
 def _operations() -> dict[int, str]:
-    """Return the names of CasADi operations by their codes."""
+    """Return a mapping from CasADi operation codes to operation names."""
     import casadi
 
     names = {getattr(casadi, name): name.removeprefix("OP_").lower() for name in dir(casadi) if name.startswith("OP_")}
@@ -123,7 +129,7 @@ def _operations() -> dict[int, str]:
 
 
 def instructions(function: Any) -> list[Instruction]:
-    """Return the instructions of a traced function."""
+    """Return the instructions of a CasADi function in order."""
     names = _operations()
     result = []
     for k in range(function.n_instructions()):
@@ -141,7 +147,10 @@ def instructions(function: Any) -> list[Instruction]:
 
 
 def blocks(function: Sequence[Instruction], size: int) -> list[Block]:
-    """Return the instructions in blocks of at most `size`: the time of compilers increases faster than linearly."""
+    """Divide instructions into blocks of at most `size` instructions.
+
+    Blocks limit the compilation time, which increases faster than linearly with the length of a function.
+    """
     result: list[Block] = []
     live: set[int] = set()
     # In reverse order, to find the slots that later blocks read.

@@ -1,4 +1,4 @@
-"""Traced functions for lanes: parameter expressions are computed once per run, and divisions are shared.
+"""Simplification of traced functions for lanes (runs that are computed simultaneously).
 
 Divisions of vectors are expensive: eight divisions take the time of a hundred multiplications. Therefore
 
@@ -23,14 +23,17 @@ _Key = tuple[Any, ...]
 
 
 class LaneListings(NamedTuple):
-    """Functions by name, and the number of elements that `derived` appends to p."""
+    """Simplified functions by name, and the number of elements that `derived` appends to p."""
 
     functions: dict[str, InstructionList]
     n_derived: int
 
 
 def lane_listings(functions: Mapping[str, Any], model: Model) -> LaneListings:
-    """Return `rates`, `jacobian`, and `jacobian_held` for constant inputs, with the appended elements of p."""
+    """Return the simplified functions `rates`, `jacobian` and `jacobian_held`.
+
+    `jacobian_held` is valid for constant inputs. The function `derived` computes the elements that are appended to p.
+    """
     values, n_p = _Values(len(model.parameters)), len(model.parameters) + len(model.memory)
     results_of = {
         "rates": values.read(functions["rates"], "rates"),
@@ -48,7 +51,10 @@ def lane_listings(functions: Mapping[str, Any], model: Model) -> LaneListings:
 
 
 class _Values:
-    """Unique values of several functions; each value is an index."""
+    """Table of the distinct values (results of operations) of several functions.
+
+    A value is represented by its index in the table.
+    """
 
     def __init__(self, n_numbers: int) -> None:
         self.n_numbers = n_numbers
@@ -57,7 +63,10 @@ class _Values:
         self._indices: dict[_Key, int] = {}
 
     def read(self, function: Any, name: str, zero: Sequence[str] = ()) -> list[tuple[tuple[int, int], int]]:
-        """Add a function of `SIGNATURES`, and return vector, element and value of its results."""
+        """Add the instructions of a function, and return the values of its results.
+
+        Each result is a pair of (vector, element) and value. Arguments in `zero` are replaced by zero.
+        """
         vectors = SIGNATURES[name].partition("->")[0].split()
         slots: dict[int, int] = {}
         results = []
@@ -78,11 +87,11 @@ class _Values:
         return results
 
     def constant(self, value: float) -> int:
-        """Add a constant; -0.0 and 0.0 differ."""
+        """Add a constant, and return its value; -0.0 and 0.0 are different."""
         return self._index("const", value, str(value))
 
     def put(self, operation: str, *arguments: int) -> int:
-        """Add an operation in its simplest form."""
+        """Add an operation in its simplest form, and return the index of its value."""
         rule = _RULES.get(operation)
         value = rule(self, *arguments) if rule else None
         return self._index(operation, *arguments) if value is None else value
@@ -103,12 +112,15 @@ class _Values:
         return bool(self.keys[value][0] == operation)
 
     def is_number(self, value: int, number: float) -> bool:
-        """Return True if a value is this constant."""
+        """Return True if a value is the constant `number`."""
         key = self.keys[value]
         return bool(key[0] == "const" and key[1] == number)
 
     def list_function(self, results: Any, name: str, n_p: int, derived: dict[int, int]) -> InstructionList:
-        """Return a function of its results, and add its parameter expressions to `derived`: value to element."""
+        """Return the instruction list of a function with the given results.
+
+        Parameter expressions are added to `derived`, which maps a value to the index of its additional element in p.
+        """
         arguments, _, outputs = SIGNATURES[name].partition("->")
         vectors = {vector: k for k, vector in enumerate(arguments.split())}
         for value in self._needed([value for _, value in results], stops=True):
@@ -120,7 +132,10 @@ class _Values:
         return self.is_fixed[value] and self.keys[value][0] not in ("input", "const")
 
     def _needed(self, results: Sequence[int], *, stops: bool) -> list[int]:
-        """Return all values for the results, in order; with `stops`, without the operands of parameter expressions."""
+        """Return the values on which some results depend, in order of computation.
+
+        If `stops` is True, operands of parameter expressions are omitted.
+        """
         needed, values = set(results), []
         for value in reversed(range(max(results, default=-1) + 1)):
             if value not in needed:
@@ -134,7 +149,10 @@ class _Values:
     def order(
         self, results: Any, vectors: Mapping[str, int], n_p: int, derived: Mapping[int, int]
     ) -> list[Instruction]:
-        """Return the instructions of some results, which read the values of `derived` from p."""
+        """Return the instructions that compute some results.
+
+        The values in `derived` are read from p instead of being computed.
+        """
         needed = self._needed([value for _, value in results], stops=bool(derived))
         last: dict[int, int] = {}
         for value in needed:

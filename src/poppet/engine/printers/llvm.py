@@ -1,4 +1,4 @@
-"""Printer of traced functions as LLVM IR.
+"""Printer (code generator) of traced functions as LLVM IR.
 
 A printed function has one pointer to doubles per input and output, `void name(in0, in1, ..., out0, out1, ...)`, and no
 state. Long functions are divided into blocks, which pass live values in memory, so the compilation time increases
@@ -58,7 +58,7 @@ for _name, _callee in (("copysign", "llvm.copysign.{v}"), ("atan2", "atan2{o}"),
 
 
 class Kind:
-    """Type of numbers in a text: a double, or a vector of lanes.
+    """Type of the numbers in LLVM IR: a double, or a vector of lanes.
 
     Text for lanes reads and writes elements of `width` doubles, aligned to their size. It calls other functions
     (`poppet.engine.printers.llvm_lanes`). Divisions are products with an inverse, which divisions by the same value
@@ -79,7 +79,7 @@ class Kind:
         return constant if self.width == 1 else f"<{', '.join([f'double {constant}'] * self.width)}>"
 
     def constant(self, value: float) -> str:
-        """Return a constant with all its digits, equal in all lanes."""
+        """Return the text of a constant with all significant digits, equal in all lanes."""
         return self._alike(literal(value))
 
 
@@ -125,12 +125,15 @@ general:
 
 
 def literal(value: float) -> str:
-    """Return a constant with all its digits."""
+    """Return the text of a constant with all significant digits."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
 
 
 class Text:
-    """Lines of LLVM IR with unique names."""
+    """Lines of LLVM IR with unique names of values.
+
+    Most methods add lines and return the name of their result.
+    """
 
     def __init__(self, kind: Kind = SCALAR) -> None:
         self.kind = kind
@@ -139,46 +142,49 @@ class Text:
         self._inverses: dict[str, str] = {}
 
     def emit(self, text: str) -> str:
-        """Add a line and return the name of its result."""
+        """Add a line, and return the name of its result."""
         self.count += 1
         name = f"%v{self.count}"
         self.lines.append(f"  {name} = {text}")
         return name
 
     def at(self, pointer: str, offset: int | str) -> str:
-        """Add the address of an element and return its name."""
+        """Add the computation of an element's address, and return its name."""
         return self.emit(f"getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def load(self, pointer: str, offset: int | str) -> str:
-        """Load an element and return its name."""
+        """Add a load of an element, and return the name of the loaded value."""
         return self.emit(f"load {self.kind.number}, ptr {self.at(pointer, offset)}")
 
     def store(self, value: str, pointer: str, offset: int | str) -> None:
-        """Store an element."""
+        """Add a store of a value into an element."""
         self.lines.append(f"  store {self.kind.number} {value}, ptr {self.at(pointer, offset)}")
 
     def name(self, name: str, pointer: str, offset: int) -> None:
-        """Add the address of an element under a given name."""
+        """Add the computation of an element's address, with a given name."""
         self.lines.append(f"  {name} = getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def times(self, factor: float, value: str) -> str:
-        """Add the product of a constant and a value."""
+        """Add the product of a constant and a value, and return its name."""
         return self.emit(f"fmul contract {self.kind.number} {self.kind.constant(factor)}, {value}")
 
     def multiply_add(self, a: str | float, b: str, c: str) -> str:
-        """Add a b + c."""
+        """Add the expression a b + c, and return its name."""
         d, factor = self.kind.number, a if isinstance(a, str) else self.kind.constant(a)
         return self.emit(f"call {d} @llvm.fmuladd.{self.kind.suffix}({d} {factor}, {d} {b}, {d} {c})")
 
     def inverse(self, value: str) -> str:
-        """Add the inverse of a value, once per value, in text for lanes without branches."""
+        """Add the inverse of a value, and return its name.
+
+        Each inverse is computed once. The method is valid only in text for lanes without branches.
+        """
         if value not in self._inverses:
             self._inverses[value] = self.emit(f"call {self.kind.number} @inverse.v({self.kind.number} {value})")
         return self._inverses[value]
 
     @contextmanager
     def loop(self, n: int) -> Iterator[str]:
-        """Add a loop of n > 0 iterations and yield its index."""
+        """Add a loop of n > 0 iterations, and yield the name of its index."""
         self.loops += 1
         k, index = self.loops, f"%n{self.loops}"
         self.lines += [f"  br label %before{k}", f"before{k}:", f"  br label %loop{k}", f"loop{k}:"]
@@ -193,7 +199,7 @@ class Text:
 
 
 def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
-    """Return LLVM IR of a traced function or an `InstructionList`."""
+    """Return LLVM IR of a CasADi function or an instruction list."""
     listing = function if isinstance(function, InstructionList) else InstructionList.of(function)
     inputs = [f"%i{k}" for k in range(listing.n_in)]
     outputs = [f"%o{k}" for k in range(listing.n_out)]
@@ -215,7 +221,10 @@ def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
 
 
 def _print_block(block: Block, inputs: Sequence[str], outputs: Sequence[str], kind: Kind) -> list[str]:
-    """Return the lines of one block, which loads slots at first use and stores live slots at its end."""
+    """Return the lines of LLVM IR for one block of instructions.
+
+    The block loads slots at first use, and stores the slots that later blocks read at its end.
+    """
     text = Text(kind)
     names: dict[int, str] = {}
 

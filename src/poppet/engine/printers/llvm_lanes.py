@@ -1,4 +1,4 @@
-"""Printer of the functions of lanes other than model and step: library functions, error control, rows.
+"""Printer (code generator) of library functions, error control and output rows for lanes.
 
 An element consists of `width` doubles, one per lane. Lanes do not affect each other.
 """
@@ -45,7 +45,10 @@ _VECTOR_NAMES = {
 
 @cache
 def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
-    """Return the functions of the vector library of this machine: name to symbol and address."""
+    """Return a mapping from function names to symbol and address in the vector library.
+
+    The mapping is empty if this machine has no vector library.
+    """
     import ctypes
     import platform
 
@@ -69,7 +72,7 @@ def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
 
 
 def lanes_prelude(kind: Kind) -> str:
-    """Return the declarations and functions that printed functions of lanes call, including `PRELUDE`."""
+    """Return LLVM IR of all declarations and helper functions for lanes, including `PRELUDE`."""
     d, v = kind.number, kind.suffix
     declared = [f"declare {d} @llvm.{name}.{v}({d})" for name in ("sqrt", "fabs", "floor", "ceil")]
     declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
@@ -79,7 +82,10 @@ def lanes_prelude(kind: Kind) -> str:
 
 
 def _library_function(kind: Kind, name: str, symbol: str) -> str:
-    """Return a function of the mathematics library for lanes: from a vector library, or per element."""
+    """Return LLVM IR of a mathematical function for lanes.
+
+    It calls a vector library, or the scalar function for each lane.
+    """
     d, arguments = kind.number, ("%a", "%b") if name in OF_TWO else ("%a",)
     formal = ", ".join(f"{d} {a}" for a in arguments)
     text, result = Text(kind), "undef"
@@ -97,13 +103,15 @@ _PURE = "nounwind willreturn memory(none)"
 
 
 def _function(kind: Kind, name: str, formal: str, text: Text, result: str, attributes: str = "") -> str:
-    """Return the definition of a function of lanes."""
+    """Return LLVM IR of the definition of a function for lanes."""
     head = f"define internal {kind.number} @{name}({formal}) {attributes}{_PURE} {{"
     return "\n".join([head, *text.lines, f"  ret {kind.number} {result}", "}", ""])
 
 
 def _inverse(kind: Kind) -> str:
-    """Return the function `inverse`: with AVX-512 two Newton steps from an estimate of 14 bits, else a division.
+    """Return LLVM IR of the function `inverse`.
+
+    With AVX-512, it takes two Newton steps from an estimate of 14 bits; otherwise it divides.
 
     The error is at most 1 ulp, instead of half an ulp for a division, which takes three times longer. Infinite values
     and NaN are handled as in a division.
@@ -124,7 +132,10 @@ def _inverse(kind: Kind) -> str:
 
 
 def _inverse_root(kind: Kind) -> str:
-    """Return the function `inverse_root`; as `inverse`, it does not use the divider, which computes other roots."""
+    """Return LLVM IR of the function `inverse_root`, the inverse of a square root.
+
+    Like `inverse`, it does not use the divider of the processor, which computes other roots.
+    """
     d = kind.number
     if not _has_estimates(kind):
         text = Text(kind)
@@ -144,33 +155,39 @@ def _inverse_root(kind: Kind) -> str:
 
 
 def _has_estimates(kind: Kind) -> bool:
-    """Return True if the processor has estimates of inverses for doubles."""
+    """Return True if the processor has instructions that estimate inverses of doubles."""
     import llvmlite.binding as llvm
 
     return kind.width == 8 and bool(llvm.get_host_cpu_features().get("avx512f", False))
 
 
 def _estimate(kind: Kind, name: str) -> tuple[Text, str]:
-    """Return a text that begins with an estimate for %x, and the name of the estimate."""
+    """Return a text that begins with an estimate for the argument %x, and its name."""
     text, d, zero = Text(kind), kind.number, kind.words["zero"]
     return text, text.emit(f"call {d} @llvm.x86.avx512.{name}.pd.512({d} %x, {d} {zero}, i8 -1)")
 
 
 def _fused(text: Text, a: str, b: str, c: str) -> str:
-    """Add a b + c with one rounding."""
+    """Add the expression a b + c with one rounding, and return its name."""
     d = text.kind.number
     return text.emit(f"call {d} @llvm.fma.{text.kind.suffix}({d} {a}, {d} {b}, {d} {c})")
 
 
 def _keep_estimate(text: Text, error: str, first: str, refined: str) -> str:
-    """Add a choice: the estimate if its error is NaN (for zero, infinite values and NaN), else the refined value."""
+    """Add a choice between an estimate and its refined value, and return its name.
+
+    The estimate is used if the error is NaN, that is for zero, infinite values and NaN.
+    """
     d = text.kind.number
     is_nan = text.emit(f"fcmp uno {d} {error}, {error}")
     return text.emit(f"select {text.kind.flag} {is_nan}, {d} {first}, {d} {refined}")
 
 
 def _power(kind: Kind) -> str:
-    """Return the function `power`: an exponent of a half is a root in each lane, independent of the other lanes."""
+    """Return LLVM IR of the function `power`.
+
+    An exponent of 1/2 is computed as a root, in each lane independently of the other lanes.
+    """
     d, b, v, n = kind.number, kind.flag, kind.suffix, kind.width
     half, minus = kind.constant(0.5), kind.constant(-0.5)
     return f"""
@@ -202,7 +219,7 @@ general:
 
 
 def print_judge(n_controlled: int, kind: Kind) -> str:
-    """Return LLVM IR of `judge`: errors of a step, and factors for the next step.
+    """Return LLVM IR of `judge`, which computes errors and factors of the step length.
 
     The formulas are those of `error` and `growth` of `poppet.engine.stepping`, with roots in place of powers. Arguments
     are relative and absolute tolerances, lower limits of the states, state, new state, error estimate, time and length.
@@ -256,7 +273,7 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
 
 
 def _store_mask(text: Text, flags: str, number: int) -> None:
-    """Store one bit per lane in an integer of the control."""
+    """Add lines that store one bit per lane in an integer of `control`."""
     n = text.kind.width
     bits = text.emit(f"bitcast {text.kind.flag} {flags} to i{n}")
     wide = text.emit(f"zext i{n} {bits} to i64")
@@ -265,7 +282,10 @@ def _store_mask(text: Text, flags: str, number: int) -> None:
 
 
 def print_choose(kind: Kind) -> str:
-    """Return LLVM IR of `choose`: lengths of the steps, as `length` of `poppet.engine.stepping`, and their ends."""
+    """Return LLVM IR of `choose`, which computes lengths and ends of steps.
+
+    The formula is that of `length` in `poppet.engine.stepping`.
+    """
     text, d, b = Text(kind), kind.number, kind.flag
 
     def choose(relation: str, x: str, y: str, if_true: str, if_false: str) -> str:
@@ -288,7 +308,10 @@ def print_choose(kind: Kind) -> str:
 
 
 def print_settle(kind: Kind) -> str:
-    """Return LLVM IR of `settle`: times and lengths of the next steps, and the lanes that need attention."""
+    """Return LLVM IR of `settle`, which prepares the next steps.
+
+    It computes their times and lengths, and the lanes that need attention by the integrator.
+    """
     text, d, b = Text(kind), kind.number, kind.flag
     unity, zero = kind.words["one"], kind.words["zero"]
 
@@ -329,7 +352,10 @@ def print_settle(kind: Kind) -> str:
 
 
 def print_commit(n_states: int, kind: Kind) -> str:
-    """Return LLVM IR of `commit`: accept the new state of lanes with an accepted step, and update extremes and sums."""
+    """Return LLVM IR of `commit`, which completes accepted steps.
+
+    Lanes with an accepted step get the new state. Extremes and sums of |change| are updated.
+    """
     text, d, b = Text(kind), kind.number, kind.flag
     text.lines.append(f"  %is = fcmp une {d} {text.load('%control', TAKEN)}, {kind.words['zero']}")
     for k, name in enumerate(("%least", "%greatest", "%through")):
@@ -350,7 +376,9 @@ def print_commit(n_states: int, kind: Kind) -> str:
 
 
 def print_rows(outputs: Any, n_states: int, kind: Kind) -> str:
-    """Return LLVM IR of `rows` and `rows_held`, which write `width` rows of one lane simultaneously.
+    """Return LLVM IR of `rows` and `rows_held`, which write output rows of one lane.
+
+    They write `width` rows simultaneously.
 
     Arguments are the grid, which ends with infinities; the table; the next column, which is also written; the number of
     rows; the time limit of the rows; start and length of the step; state, new state and interpolant; inputs and p of

@@ -1,4 +1,4 @@
-"""Printer of a step of the Rosenbrock method and its interpolant as LLVM IR.
+"""Printer (code generator) of a Rosenbrock step and its interpolant as LLVM IR.
 
 A step is printed with the functions of the model instead of being part of the integrator: with a constant number of
 states, each of its loops becomes a few vector instructions.
@@ -13,7 +13,10 @@ from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIM
 
 
 def _weighted(text: Text, index: str, weights: Sequence[float], start: str = "") -> str:
-    """Add the sum of weights times stages at one state and `start`; %k0, %k1 ... are the stages."""
+    """Add a weighted sum of stages at one state, plus `start`, and return its name.
+
+    The pointers to the stages are %k0, %k1, ...
+    """
     total = start
     for j, weight in enumerate(weights):
         stage = text.load(f"%k{j}", index)
@@ -22,14 +25,14 @@ def _weighted(text: Text, index: str, weights: Sequence[float], start: str = "")
 
 
 def _with_drift(text: Text, i: int, index: str, rates: str) -> str:
-    """Add rates plus the drift of stage i times the step."""
+    """Add the sum of rates and the drift term of stage i, and return its name."""
     if STAGE_DRIFT[i] == 0.0:
         return rates
     return text.multiply_add(text.times(STAGE_DRIFT[i], "%h"), text.load("%ft", index), rates)
 
 
 def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCALAR) -> str:
-    """Return LLVM IR of `step` and `dense`.
+    """Return LLVM IR of `step` (one Rosenbrock step) and `dense` (its interpolant).
 
     Arguments of `step` are time and length, state, inputs at `INPUT_TIMES`, p, rates, Jacobian and drift at the start,
     and scratch memory; results are the six stages and the new state. Stage 5 is the error estimate. The rates do not
@@ -63,7 +66,9 @@ def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCA
 
 
 def _print_stage(text: Text, i: int, sizes: tuple[int, int], n_inputs: int) -> None:
-    """Add argument, rates, right-hand side and linear system of stage i > 0.
+    """Add the computation of stage i > 0.
+
+    It consists of the argument of the rates, the rates, the right-hand side and the linear system.
 
     `sizes` are the sizes of system and argument.
     """
@@ -82,7 +87,7 @@ def _print_stage(text: Text, i: int, sizes: tuple[int, int], n_inputs: int) -> N
 
 
 def _print_dense(n_states: int, kind: Kind) -> str:
-    """Return LLVM IR of `dense`: the two coefficients of the interpolant from the stages."""
+    """Return LLVM IR of `dense`, which computes two interpolation coefficients from the stages."""
     text = Text(kind)
     for i in range(5):
         text.name(f"%k{i}", "%k", i * n_states)

@@ -1,4 +1,4 @@
-"""Printer of traced functions as statements of structured text (IEC 61131-3).
+"""Printer (code generator) of traced functions as structured text (IEC 61131-3).
 
 Numbers are `LREAL`, comparisons `BOOL`. A value that is used once becomes part of the statement that uses it; other
 values become variables, `v1`, `v2` and so on. Results are assigned at the end: a function can overwrite its arguments.
@@ -68,11 +68,11 @@ END_FUNCTION
 
 
 class UnsupportedOperationError(ValueError):
-    """Operation or constant that structured text does not support."""
+    """Error of an operation or constant that structured text does not support."""
 
 
 class Value(NamedTuple):
-    """Text of a value; a text that is not an atom needs parentheses in an expression."""
+    """Expression in structured text; a text that is not an atom needs parentheses."""
 
     text: str
     is_flag: bool = False
@@ -83,22 +83,22 @@ class Value(NamedTuple):
 
     @property
     def operand(self) -> str:
-        """Text as an operand of an expression."""
+        """Expression as an operand, in parentheses if necessary."""
         return self.text if self.is_atom else f"({self.text})"
 
     @property
     def number(self) -> str:
-        """Text as a numeric operand."""
+        """Expression as a number; a condition is converted to 0 or 1."""
         return f"SEL({self.text}, 0.0, 1.0)" if self.is_flag else self.operand
 
     @property
     def flag(self) -> str:
-        """Text as a condition."""
+        """Expression as a condition; a number is compared with zero."""
         return self.operand if self.is_flag else f"({self.operand} <> 0.0)"
 
 
 def literal(value: float) -> str:
-    """Return a constant with all its digits.
+    """Return the structured text of a constant with all significant digits.
 
     Examples
     --------
@@ -113,7 +113,7 @@ def literal(value: float) -> str:
 
 
 class Statements:
-    """Statements and variables of one function.
+    """Statements and variables of one function in structured text.
 
     Parameters
     ----------
@@ -141,7 +141,7 @@ class Statements:
         self.variables: list[tuple[str, str]] = []  # name and type
 
     def read(self, function: Sequence[Instruction]) -> None:
-        """Add the instructions of the function."""
+        """Add statements for the instructions of the function."""
         uses = _uses(function)
         slots: dict[int, Value] = {}
         results: list[tuple[str, Value]] = []
@@ -192,7 +192,7 @@ class Statements:
         return Value(text, is_atom=text.endswith(")") and "(" in _FORMS[name] and not text.startswith("-"))
 
     def _variable(self, value: Value) -> Value:
-        """Assign a value to a new variable and return the variable."""
+        """Assign an expression to a new variable, and return the variable."""
         self.count += 1
         name = f"v{self.count}"
         self.variables.append((name, "BOOL" if value.is_flag else "LREAL"))
@@ -212,7 +212,10 @@ class Statements:
 
 
 def _choice(a: Value, b: Value) -> str:
-    """Return the sum of two choices with opposite conditions as one choice, or an empty text."""
+    """Return two added choices with opposite conditions as one choice.
+
+    The text is empty if the values are not such choices.
+    """
     if a.choice is None or b.choice is None or a.choice[0] != b.choice[0] or a.choice[1] == b.choice[1]:
         return ""
     yes, no = (b, a) if a.choice[1] else (a, b)
@@ -222,7 +225,7 @@ def _choice(a: Value, b: Value) -> str:
 
 
 def _uses(function: Sequence[Instruction]) -> list[int]:
-    """Return the number of reads of the result of each instruction."""
+    """Return the number of times that the result of each instruction is read."""
     counts, last = [0] * len(function), dict[int, int]()
     for k, instruction in enumerate(function):
         for slot in instruction.arguments:

@@ -1,1 +1,1 @@
-"""Independent solvers of the same problem."""
+"""Reference solvers, which are independent of the Rosenbrock kernel."""

@@ -1,4 +1,4 @@
-"""Independent solvers of a compiled problem: CVODES of SUNDIALS, and LSODA, BDF and Radau of SciPy.
+"""Reference solvers: CVODES of SUNDIALS, and LSODA, BDF and Radau of SciPy.
 
 They share only the model with the Rosenbrock kernel; CVODES uses the traced expressions in place of the machine code.
 They check results (`solver=`) and repeat runs on which the kernel stalls. They are not optimised for speed.
@@ -44,7 +44,7 @@ STEPS_AFTER_INSTANT = 100
 
 
 def solve_with_reference(problem: Problem, solver: str, progress: Callable[[float], Any] | None = None) -> RawRun:
-    """Run a problem with one of `SOLVERS`.
+    """Run a problem with one of the reference solvers `SOLVERS`.
 
     Notes
     -----
@@ -68,7 +68,10 @@ def solve_with_reference(problem: Problem, solver: str, progress: Callable[[floa
 
 
 class _Legs(ABC):
-    """Base class of the solvers; a solver whose legs end before their segment has failed."""
+    """Base class of the reference solvers, which yield a solution in legs.
+
+    A leg is an interval of the solution. If the legs end before the end of the segment, the solver has failed.
+    """
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
@@ -82,7 +85,10 @@ class _Legs(ABC):
 
     @abstractmethod
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
-        """Yield the legs of one segment from state x."""
+        """Yield the legs of the solution over one segment from state x.
+
+        The interval is from `begin` to `end` [s].
+        """
 
     def has_too_many_steps(self) -> bool:
         """Return True if the maximum number of steps is reached."""
@@ -91,7 +97,7 @@ class _Legs(ABC):
         return self.failure is Outcome.TOO_MANY
 
     def _row_times(self, begin: float, end: float) -> Array:
-        """Return the ends of an interval and the rows between them."""
+        """Return the ends of an interval, and the output times between them [s]."""
         grid = self.problem.grid
         is_between = (grid > begin + rounding(begin)) & (grid < end - rounding(end))
         return np.concatenate([[begin], grid[is_between], [end]])
@@ -100,7 +106,7 @@ class _Legs(ABC):
 def _run_segments(
     track: Track, legs: _Legs, fractions: tuple[float, ...], progress: Callable[[float], Any] | None
 ) -> Outcome:
-    """Run a solver through all segments, in each from instant to instant."""
+    """Run a solver through all segments; in each, it stops at every sample instant."""
     starts, last = track.problem.starts, track.problem.grid[-1]
     for segment, (begin, end) in enumerate(zip(starts, np.append(starts[1:], last), strict=True)):
         track.enter(segment, float(begin))
@@ -120,7 +126,7 @@ def _run_segments(
 def _run_interval(
     track: Track, legs: _Legs, fractions: tuple[float, ...], progress: Callable[[float], Any] | None, end: float
 ) -> Outcome:
-    """Run a solver over one interval without jumps and instants."""
+    """Run a solver over one interval without jumps and sample instants."""
     if legs.has_too_many_steps():
         return legs.failure
     for leg in legs.over(track.segment, track.t, end, track.x):
@@ -135,7 +141,7 @@ def _run_interval(
 
 
 class _StatelessLegs(_Legs):
-    """Legs of a circuit without states, one per row."""
+    """Solver for a circuit without states, with one leg per output time."""
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
         for first, last in pairwise(self._row_times(begin, end).tolist()):
@@ -143,7 +149,7 @@ class _StatelessLegs(_Legs):
 
 
 class _Scipy(_Legs):
-    """LSODA, BDF or Radau with one leg per step."""
+    """Solver LSODA, BDF or Radau of SciPy, with one leg per step."""
 
     def __init__(self, problem: Problem, solver: str) -> None:
         from scipy.integrate import BDF, LSODA, Radau
@@ -179,7 +185,10 @@ class _Scipy(_Legs):
 
     @staticmethod
     def _quietly(work: Callable[[], Any]) -> Any:
-        """Return the result of a solver call without warnings, None after a numerical error."""
+        """Return the result of a solver call without warnings.
+
+        The result is None after a numerical error.
+        """
         with warnings.catch_warnings(), np.errstate(all="ignore"):
             warnings.simplefilter("ignore")
             try:
@@ -189,7 +198,7 @@ class _Scipy(_Legs):
 
 
 class _Cvodes(_Legs):
-    """CVODES for the traced expressions with one leg per row.
+    """Solver CVODES with the traced expressions, with one leg per output time.
 
     One compiled integrator runs all segments: the coefficients of the inputs are parameters, and each unit of its time
     tau is one interval between rows, ``t = start + offset + length * tau``. Offset and length are controls. CasADi
@@ -241,7 +250,7 @@ class _Cvodes(_Legs):
         yield from self._chain(segment, parts, x)
 
     def _chain(self, segment: int, parts: Sequence[Array], x: Array) -> Iterator[Leg]:
-        """Yield legs over several sets of intervals until a failure."""
+        """Yield legs over consecutive sets of intervals, until a failure."""
         for stops in parts:
             reached = stops[0]
             for leg in self._legs(segment, stops, x):
@@ -253,7 +262,10 @@ class _Cvodes(_Legs):
                 return
 
     def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[Leg]:
-        """Yield legs over the intervals of one call; a call that fails is divided into two."""
+        """Yield legs over the intervals of one CVODES call.
+
+        `stops` contains the ends of the intervals. A call that fails is divided into two.
+        """
         if stops.size == 2:
             state = self._state(segment, float(stops[0]), x, float(stops[1]))
             states = None if state is None else [state]
@@ -268,7 +280,10 @@ class _Cvodes(_Legs):
             x = x1
 
     def _state(self, segment: int, begin: float, x: Array, end: float, halvings: int = HALVINGS) -> Array | None:
-        """Return the state at the end of one interval; an interval that fails, for example at a kink, is halved."""
+        """Return the state at the end of one interval.
+
+        An interval that fails, for example at a kink, is halved, at most `halvings` times in succession.
+        """
         states = self._states(segment, np.array([begin, end]), x)
         if states is not None:
             return states[0]
@@ -283,7 +298,10 @@ class _Cvodes(_Legs):
         return np.full(x.size, np.nan) if state is None else state
 
     def _states(self, segment: int, stops: Array, x: Array) -> list[Array] | None:
-        """Return the states at the ends of the intervals, or None if CVODES fails."""
+        """Return the states at the ends of the intervals.
+
+        The result is None if CVODES fails.
+        """
         start, n_u = self.problem.starts[segment], len(self.problem.kernel.model.inputs)
         coefficients = self.problem.coefficients[self.problem.courses[segment], :n_u].T.copy()
         coefficients[6] = start - coefficients[6]
@@ -302,7 +320,10 @@ class _Cvodes(_Legs):
 
 
 def _warp(stops: Array, rows: int) -> Array:
-    """Return offset and length of each interval, (2, rows), which are constant for equidistant rows."""
+    """Return offset and length of each interval, (2, rows).
+
+    Both are constant for equidistant rows. This avoids restarts, because CasADi restarts CVODES after a change.
+    """
     lengths = np.diff(stops)
     groups = np.cumsum(np.abs(np.diff(lengths, prepend=lengths[0])) > 1e-9 * lengths)
     warp = np.zeros((2, rows))

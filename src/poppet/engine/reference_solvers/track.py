@@ -1,4 +1,4 @@
-"""State of a run of an independent solver: rows, extremes, stop conditions, sample instants."""
+"""Progress of a run with a reference solver: rows, extremes, stop conditions, sample instants."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ BISECTIONS = 60
 
 
 class Leg(NamedTuple):
-    """Interval of a solution: its ends [s], the states at its ends, and a function of the state between them."""
+    """Interval of a solution.
+
+    It contains the ends of the interval [s], the states at both ends, and a function of the state between them.
+    """
 
     begin: float
     end: float
@@ -32,12 +35,15 @@ class Leg(NamedTuple):
 
 
 def rounding(t: float) -> float:
-    """Return the difference below which two instants are equal, as for the kernel."""
+    """Return the time difference below which two instants are equal, as for the kernel [s]."""
     return 1e-14 * t + 1e-15
 
 
 class Track:
-    """State of a run and its rows; the problem must have its own `p`, because the discrete state in it changes."""
+    """Progress and output rows of a run with a reference solver.
+
+    The problem must have its own copy of `p`, because the run changes the discrete state in it.
+    """
 
     def __init__(self, problem: Problem) -> None:
         self.problem, self.model = problem, problem.kernel.model
@@ -55,22 +61,22 @@ class Track:
         return bool(np.all(np.isfinite(rates(self.problem, 0, self.t, self.x))))
 
     def is_valid(self, x: Array) -> bool:
-        """Return True if a state is finite and all positive states are positive."""
+        """Return True if a state is finite and its positive states are above zero."""
         return bool(np.all(np.isfinite(x))) and bool(np.all(x[: self.positive.size][self.positive] > 0.0))
 
     def enter(self, segment: int, begin: float) -> None:
-        """Begin a segment and evaluate the stop conditions."""
+        """Begin a segment of the inputs, and evaluate the stop conditions."""
         self.segment, self.t = segment, begin
         self.act()
         self.stop = self._condition(self.t, self.x)
 
     def next_instant(self, end: float) -> float:
-        """Return the next sample instant, or the end of the segment."""
+        """Return the time of the next sample instant, or the end of the segment [s]."""
         first = float(self.timers.min(initial=np.inf))
         return first if first < end - rounding(end) else end
 
     def act(self) -> None:
-        """Run all timers that are due."""
+        """Execute all timers that are due, which change the discrete state."""
         due = self.t + rounding(self.t)
         # A timer can set another timer to the current time, for example a clock that switches a solenoid.
         while np.any(fired := self.timers <= due):
@@ -80,7 +86,10 @@ class Track:
             self.memory[:] = updated
 
     def take(self, leg: Leg, fractions: tuple[float, ...]) -> None:
-        """Write the rows of a leg up to its end or to a stop condition, evaluated at fractions of the leg."""
+        """Write the output rows of a leg up to its end or a stop condition.
+
+        Stop conditions are evaluated at the given fractions of the leg.
+        """
         end, x1 = leg.end, leg.x1
         for fraction in fractions if self.problem.stop_conditions else ():
             t = leg.end if fraction == 1.0 else leg.begin + fraction * (leg.end - leg.begin)
@@ -97,7 +106,10 @@ class Track:
         self.extremes = np.array([np.minimum(self.extremes[0], x1), np.maximum(self.extremes[1], x1)])
 
     def result(self, outcome: Outcome, steps: tuple[int, int] = (0, 0)) -> RawRun:
-        """Return the result of the run; after a success, with the last row."""
+        """Return the result of the run.
+
+        After a success, a row at the end is added. `steps` contains the numbers of accepted and rejected steps.
+        """
         if outcome.is_success:
             self._write(self.t, self.x)
         values = np.array(self.rows).reshape(len(self.rows), len(self.model.outputs)).T
@@ -115,7 +127,7 @@ class Track:
         return y
 
     def _condition(self, t: float, x: Array) -> int:
-        """Return the index of the first true stop condition, or -1."""
+        """Return the index of the first stop condition that is true, or -1."""
         if not self.problem.stop_conditions:
             return -1
         y = self._outputs(t, x)
@@ -126,7 +138,10 @@ class Track:
         return -1
 
     def _locate_stop(self, leg: Leg, high: float) -> tuple[float, Array]:
-        """Return the time in a leg at which a stop condition becomes true, and the state, by bisection."""
+        """Return time and state at which a stop condition becomes true in a leg.
+
+        The time is found by bisection.
+        """
         low = leg.begin
         for _ in range(BISECTIONS):
             middle = 0.5 * (low + high)
@@ -150,7 +165,7 @@ def inputs_at(problem: Problem, segment: int, t: float) -> Array:
 
 
 def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the rates of all states."""
+    """Return the rates of all states, including quadratures, at a time in a segment."""
     f = np.empty(x.size)
     u = inputs_at(problem, segment, t)
     problem.kernel.call("rates", np.array([t]), np.ascontiguousarray(x), u, problem.p, f)
@@ -158,7 +173,7 @@ def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the dense derivatives of the rates by the states."""
+    """Return the derivatives of the rates by the states as a dense matrix."""
     f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
     u = inputs_at(problem, segment, t)
     arrays = np.array([t]), np.ascontiguousarray(x), u, np.zeros(u.size), problem.p, f, entries, drift
@@ -169,7 +184,10 @@ def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def tolerances(problem: Problem) -> Array:
-    """Return the absolute tolerance of each controlled state per relative tolerance, as for the kernel."""
+    """Return the absolute tolerance of each controlled state, for a relative tolerance of 1.
+
+    The values are those of the kernel.
+    """
     _, floor, nominal = problem.kernel.scales
     initial = np.abs(problem.x0[: nominal.size])
     size: Array = floor * np.where(problem.kernel.positive & (initial > 0.0), initial, nominal)
