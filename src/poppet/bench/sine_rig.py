@@ -23,14 +23,14 @@ from poppet.parts.compound import Compound
 Array = NDArray[np.float64]
 
 ROWS = 64  # rows per period
-# Periods over which a wave is fitted, or as many as hold this number of samples of the controller: its sidebands must
-# stay apart from the wave.
+# Smallest number of periods in a fit, and smallest number of controller samples: with fewer samples, sampling sidebands
+# are not separate from the sine.
 PERIODS, SAMPLES = 4, 20
-SAME = 5e-3  # change of the gain from one stretch of periods to the next at which the transient counts as over
-ATTEMPTS = 3  # runs, each twice as long as the one before, that are given to a transient
-# What is beside the fundamental, over it, from which a circuit moves by itself: more time would not settle it.
+SAME = 5e-3  # relative change of the gain between two windows, below which the transient has ended
+ATTEMPTS = 3  # maximum number of runs, each twice as long as the previous one, until a transient ends
+# Residual relative to the fundamental, above which the circuit oscillates by itself: a longer run would not help.
 LOUD = 0.3
-# Step attempts of a run: a minute and a half of a circuit that hums, or half an hour of a controller at 1 kHz.
+# Limit of step attempts of a run: 90 s of a circuit with a limit cycle, or 30 min of a controller at 1 kHz.
 MOST_ATTEMPTS = 1_500_000
 
 
@@ -38,10 +38,10 @@ MOST_ATTEMPTS = 1_500_000
 class SineResponse:
     """Response of an output to a sinusoidal input."""
 
-    gain: complex  # fundamental of the output per amplitude of the input, in their units
-    mean: float  # of the output, in its unit
-    rest: float  # rms of harmonics and oscillations of its own, over that of the fundamental
-    is_steady: bool  # two stretches of periods gave the same
+    gain: complex  # fundamental of the output per amplitude of the input, in the units of both
+    mean: float  # mean of the output, in the unit of the output
+    rest: float  # rms of harmonics and other oscillations, relative to the rms of the fundamental
+    is_steady: bool  # True if two consecutive windows gave the same gain
 
 
 class SineRig:
@@ -114,7 +114,10 @@ class SineRig:
         )  # fmt: skip
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
-        """Run with a sine added to the constant value of the driven input."""
+        """Run with a sine added to the constant value of the driven input.
+
+        `grid` contains the output times after the start [s].
+        """
         coefficients = constant_coefficients(self.u, self.begin)
         coefficients[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(coefficients, self.begin, self.begin + grid, self.x, self.p))
@@ -180,7 +183,7 @@ def fundamental(time: Array, values: Array, frequency: float) -> tuple[complex, 
     return wave, float(coefficients[0]), left * np.sqrt(2.0) / abs(wave) if wave else np.inf
 
 
-SCANNED = 13  # amplitudes that are tried first
+SCANNED = 13  # number of amplitudes before the bisection
 BISECTIONS = 6
 
 _BANDS = {
@@ -198,14 +201,14 @@ _OPTIONS = {"pilot_stage": {"drive": "averaged"}}
 class Agreement:
     """Range of amplitudes in which the nonlinear model follows the linear model."""
 
-    # Amplitudes of the input between which they agree, in its unit: 0 and infinity where they agree down and up to the
-    # last one tried; both not a number where they agree nowhere.
+    # Limits of the input amplitudes for which the models agree, in the unit of the input. `low` is 0 if they agree for
+    # the smallest tested amplitude, `high` is infinite if they agree for the largest; both are NaN without agreement.
     low: float
     high: float
-    frequency: float  # of the sine [Hz]
-    tolerance: float  # difference of the complex gains over that of the linear model that was allowed
-    amplitudes: tuple[float, ...]  # what was tried
-    differences: tuple[float, ...]  # and found
+    frequency: float  # frequency of the sine [Hz]
+    tolerance: float  # largest permitted difference of the complex gains, relative to the linear model
+    amplitudes: tuple[float, ...]  # tested amplitudes of the input
+    differences: tuple[float, ...]  # relative difference of the gains at each tested amplitude
 
 
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
@@ -239,7 +242,7 @@ def agreement(
     candidates = np.geomspace(*amplitudes, SCANNED)
     differences = np.array([difference(a) for a in candidates])
     low = high = np.nan
-    # First and last place of every unbroken run of amplitudes that agree.
+    # Start and end index of every range of consecutive amplitudes that agree.
     edges = np.flatnonzero(np.diff(np.concatenate([[0], (differences <= tolerance).astype(int), [0]])))
     if edges.size:
         first, end = max(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[1] - run[0])

@@ -1,1 +1,1 @@
-"""Figures, pictures of circuits and self-contained reports."""
+"""Figures, schematics of circuits and self-contained HTML reports."""

@@ -41,7 +41,10 @@ _MAX_SAMPLES = 2000
 
 
 def loop_figure(tuning: Tuning) -> Figure:
-    """Draw sensitivity versus frequency, and the step response, for every bounded plant."""
+    """Draw sensitivity versus frequency and the step response of a tuned control loop.
+
+    Each plant for which the sensitivity is bounded has its own curves.
+    """
     figure = new_figure(10.0, 3.9)
     left, right = (axes_in(figure, edge, 0.75, 4.0, 2.5) for edge in (0.75, 5.75))
     left.axhline(tuning.sensitivity, color=GREY, linewidth=0.9, linestyle=(0, (2, 2)), label="bound")
@@ -77,7 +80,10 @@ def _step(plant: SampledPlant, point: TunedPoint) -> np.ndarray:
 
 
 def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, title: str = "") -> Figure:
-    """Draw responses, nominal commands and metrics of every controller, and save the figure if `path` is set."""
+    """Draw responses, nominal commands and metrics of all controllers.
+
+    The figure is saved if `path` is set.
+    """
     if path is not None:
         check_format(path)
     with style("A picture of a comparison"):
@@ -98,14 +104,17 @@ def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, t
 
 
 def response_figure(comparison: Comparison) -> Figure:
-    """Draw the response with its spread, and the nominal command, for every controller."""
+    """Draw the response and the nominal command for every controller.
+
+    A band shows the spread of the response over all samples of the plant.
+    """
     figure = new_figure(_total_width(comparison), _TOP + _UPPER + 0.15 + _LOWER + 0.55)
     _draw_responses(figure, comparison)
     return figure
 
 
 def spread_figure(comparison: Comparison) -> Figure:
-    """Draw samples, median and nominal value of the metrics of every controller."""
+    """Draw the metrics of every controller: samples, median and nominal value."""
     figure = new_figure(_total_width(comparison), _STRIP + 1.0)
     _draw_spreads(figure, comparison, 0.45)
     return figure
@@ -161,7 +170,7 @@ def _draw_response(upper: Any, lower: Any, comparison: Comparison, name: str, co
 
 
 def sample_sentence(comparison: Comparison) -> str:
-    """Return the number, the seed and the ranges of the samples."""
+    """Return a sentence with the number, the seed and the parameter ranges of the plant samples."""
     if not comparison.draws:
         return "Nominal parameters only."
     ranges = ", ".join(f"{address} ±{100.0 * size:g} %" for address, size in comparison.ranges.items())

@@ -1,4 +1,4 @@
-"""Reports of controller tuning and of controller comparisons, with the tables for terminals."""
+"""Reports of controller tuning and of controller comparisons, with tables for the terminal."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _STYLE = "pre { overflow-x: auto; background: var(--wash); padding: .6rem .9rem;
 
 
 def margin_table(tuning: Tuning) -> ReportTable:
-    """Return the robustness margins of every tuned loop."""
+    """Return the robustness margins of every tuned control loop."""
     rows = [
         (name, m.sensitivity, m.complementary, m.gain_margin, m.phase_margin, m.delay_margin, m.crossover)
         for point in tuning.points
@@ -35,7 +35,7 @@ def margin_table(tuning: Tuning) -> ReportTable:
 
 
 def verification_table(tuning: Tuning) -> ReportTable:
-    """Return the response of the nonlinear plant to a step up and back."""
+    """Return metrics of the nonlinear plant's response to a step up and back."""
     si_unit = QUANTITIES[tuning.quantity].unit
     unit = readable_unit_of(si_unit)
     rows = [
@@ -54,12 +54,12 @@ def verification_table(tuning: Tuning) -> ReportTable:
 
 
 def write_tuning(tuning: Tuning, circuit: BaseCircuit, path: str | Path) -> Path:
-    """Write the report of a tuning as a self-contained page."""
+    """Write the report of a controller tuning as a self-contained HTML page."""
     return write_page(path, lambda: tuning_page(tuning, circuit))
 
 
 def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
-    """Return the report of a tuning as HTML: gains, sensitivities, steps and margins."""
+    """Return the report of a controller tuning as HTML: gains, sensitivities, steps and margins."""
     title = f"{circuit.title or 'A circuit'}: gains of {tuning.controller}"
     step = (
         "step up and back of the nonlinear plant; its size makes the proportional part equal to the sine"
@@ -80,7 +80,10 @@ def tuning_page(tuning: Tuning, circuit: BaseCircuit) -> str:
 
 
 def figure_table(comparison: Comparison) -> ReportTable:
-    """Return the metrics of every controller: nominal and, with several samples, median and worst."""
+    """Return the metrics of every controller on the nominal plant.
+
+    If the plant was sampled, the median and the worst value of all samples follow.
+    """
     kinds = comparison.kinds
     units = {key: readable_metric_unit(kind, *comparison.units) for key, kind in kinds.items()}
     headings = [key.replace("_", " ") + (f" [{unit}]" if unit != "1" else "") for key, unit in units.items()]
@@ -95,12 +98,12 @@ def figure_table(comparison: Comparison) -> ReportTable:
 
 
 def write_comparison(comparison: Comparison, path: str | Path, *, title: str = "Controllers on one plant") -> Path:
-    """Write the report of a comparison as a self-contained page."""
+    """Write the report of a controller comparison as a self-contained HTML page."""
     return write_page(path, lambda: comparison_page(comparison, title))
 
 
 def comparison_page(comparison: Comparison, title: str) -> str:
-    """Return the report of a comparison as HTML: metrics, responses and their spread."""
+    """Return the report of a controller comparison as HTML: metrics and responses with their spread."""
     failures = [f"{name}: {n} runs did not reach their end." for name, n in comparison.failed.items() if n]
     warnings = "".join(paragraph(text, bold=True) for text in failures)
     sign = "; positive values fill" if comparison.command_quantity == OPENING else ""

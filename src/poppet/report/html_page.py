@@ -1,4 +1,4 @@
-"""Frame of self-contained pages: style, sections, lists, figures.
+"""Frame of self-contained HTML pages: style, sections, lists and figures.
 
 A page loads no fonts, scripts or pictures. It is readable on paper and on narrow screens.
 """
@@ -27,25 +27,34 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Content: TypeAlias = "str | ReportTable | Iterable[str | ReportTable] | None"
-"""HTML, tables, or a sequence of both."""
+"""Content of a section: HTML text, a table, or a sequence of both."""
 
 
 class Section(NamedTuple):
-    """Heading of a page with its content; a section without content is omitted."""
+    """Heading and content of a section of a page.
+
+    A section without content is omitted.
+    """
 
     title: str
     content: Content
 
 
 def render(content: Content) -> str:
-    """Return tables and HTML as one text."""
+    """Return content as HTML text.
+
+    The content is HTML, a table, or a sequence of both.
+    """
     if content is None or isinstance(content, str):
         return content or ""
     return content.html() if isinstance(content, ReportTable) else "".join(map(render, content))
 
 
 def write_page(path: str | Path, text: Callable[[], str]) -> Path:
-    """Write a page; the file name is checked before `text` is called."""
+    """Write an HTML page to a file.
+
+    The file name is checked before the function `text` is called, because that may take long.
+    """
     target = Path(path)
     if target.suffix.lower() not in (".html", ".htm"):
         raise InputError("page.suffix", path=str(target))
@@ -54,7 +63,7 @@ def write_page(path: str | Path, text: Callable[[], str]) -> Path:
 
 
 def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str = "", program: str = "") -> str:
-    """Return a page of sections.
+    """Return a complete HTML page with the given sections.
 
     `program` is a script that runs after all others and may use WebAssembly.
 
@@ -77,39 +86,44 @@ def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str 
 
 
 def head(title: str, lead: str) -> str:
-    """Return the title and the first line of a page."""
+    """Return the title and the first line of a page as HTML."""
     return f'<h1>{html.escape(title)}</h1>\n<p class="lead">{html.escape(lead)}</p>\n'
 
 
 def paragraph(text: str, *, css_class: str = "", bold: bool = False) -> str:
-    """Return a text as a paragraph, or nothing if it is empty."""
+    """Return a text as an HTML paragraph, or an empty text if it is empty."""
     content = f"<strong>{html.escape(text)}</strong>" if bold else html.escape(text)
     kind = f' class="{css_class}"' if css_class else ""
     return f"<p{kind}>{content}</p>\n" if text else ""
 
 
 def folded(summary: str, content: Content, *, is_open: bool = False) -> str:
-    """Return content that the reader can unfold, or nothing if it is empty."""
+    """Return content as an HTML block that the reader can unfold, or an empty text without content.
+
+    `summary` is the visible line.
+    """
     body, state = render(content), " open" if is_open else ""
     return f"<details{state}><summary>{html.escape(summary)}</summary>\n{body}</details>\n" if body else ""
 
 
 def items(texts: Iterable[object], tag: str = "ul", css_class: str = "") -> str:
-    """Return a list of texts, or nothing if there are none."""
+    """Return texts as an HTML list, or an empty text if there are none."""
     rows = "".join(f"<li>{html.escape(str(text))}</li>\n" for text in texts)
     kind = f' class="{css_class}"' if css_class else ""
     return f"<{tag}{kind}>\n{rows}</{tag}>\n" if rows else ""
 
 
 def findings(notes: Iterable[Note | str], tag: str = "ul") -> str:
-    """Return a list of notes, or nothing if there are none."""
+    """Return notes as an HTML list, or an empty text if there are none."""
     return items(grouped(notes), tag, "findings")
 
 
 def picture(
     figure: Figure | str, name: str, caption: str, *, label: str = "", kind: str = "", is_still: bool = False
 ) -> str:
-    """Return a figure, or the text of its SVG file, with its caption.
+    """Return a figure with its caption as HTML.
+
+    `figure` is a Matplotlib figure or the text of an SVG file.
 
     The first words of the caption are the text for screen readers. If the figure has curves, the page includes their
     values, and an interactive plot replaces the picture. Set `is_still` to keep the picture.
@@ -128,7 +142,9 @@ def picture(
 
 
 def inline_svg(svg: str, name: str, label: str) -> str:
-    """Return an SVG file as an element of a page.
+    """Return the text of an SVG file as an HTML element.
+
+    `name` is the prefix of its identifiers, `label` the text for screen readers.
 
     Examples
     --------

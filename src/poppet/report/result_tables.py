@@ -23,7 +23,7 @@ _CODES = "regime", "contact", "friction_state"
 
 
 def stroke_table(metrics: LoadMetrics) -> ReportTable:
-    """Return a row for each of the first strokes."""
+    """Return a row of metrics for each of the first strokes of moving bodies."""
     rows = []
     for stroke in metrics.strokes[:MAX_STROKES]:
         speed_unit, arrival = f"{stroke.unit}/s", metrics.met(stroke)
@@ -43,7 +43,10 @@ def _motion_text(value: float, unit: str) -> str:
 
 
 def energy_table(metrics: LoadMetrics) -> ReportTable:
-    """Return air, work and efficiency; values that are not available are omitted."""
+    """Return the air consumption, the work and the efficiency of a run.
+
+    Quantities that are not available are omitted.
+    """
     rows = [
         ("air used", f"{metrics.air_used * 1e3:.4g}", "l ANR"),
         ("exergy of the supplied air", f"{metrics.exergy:.4g}", "J"),
@@ -61,7 +64,10 @@ def energy_table(metrics: LoadMetrics) -> ReportTable:
 
 
 def mode_table(linear: LinearModel) -> ReportTable:
-    """Return a row for each real eigenvalue or conjugate pair; a sampled model has poles in continuous time."""
+    """Return a row for each real eigenvalue or conjugate pair of a linear model.
+
+    The poles of a sampled model are converted to continuous time.
+    """
     is_sampled = bool(getattr(linear, "sample_time", 0.0))
     modes = [complex(value) for value in linear.poles()]
     threshold = ROUNDING * max(map(abs, modes), default=0.0)
@@ -85,7 +91,10 @@ def _mode_row(value: complex, threshold: float) -> list[str]:
 
 
 def extreme_table(recording: Recording) -> ReportTable:
-    """Return first, last, lowest and highest value of every series except codes; internal outputs come last."""
+    """Return the first, last, lowest and highest value of every output.
+
+    Codes are omitted; internal outputs come last.
+    """
     units = {
         name: USUAL.get(unit, unit)
         for name, unit in zip(recording.names, recording.units, strict=True)

@@ -1,4 +1,4 @@
-"""Report of a run: curves, circuit, results, balances and parameters."""
+"""HTML report of a run: curves, circuit, results, balances and parameters."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def write_run(
     circuit: BaseCircuit, recording: Recording, path: str | Path, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, inner: bool = False,
 ) -> Path:  # fmt: skip
-    """Write the report of a run as a self-contained page.
+    """Write the report of a run as a self-contained HTML page.
 
     Parameters
     ----------
@@ -94,7 +94,10 @@ def _loads(recording: Recording) -> list[str | ReportTable]:
 
 
 def _parameters(circuit: BaseCircuit) -> str:
-    """Return the parameters grouped by their source, the least certain first."""
+    """Return tables of the parameters, grouped by the source of their values.
+
+    The least certain source comes first.
+    """
     text, ambient = "", circuit.surroundings.pressure
     for kind in LEAST_CERTAIN_FIRST:
         rows = [

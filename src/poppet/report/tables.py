@@ -1,4 +1,4 @@
-"""Tables of results: one declaration for text, HTML and CSV."""
+"""Tables of results, which can be printed as text, HTML or CSV."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ STACKED_COLUMNS = 3
 
 
 class Markup(str):
-    """HTML that a table or a page includes as it is; other text is escaped."""
+    """HTML text that a table or a page includes unchanged; any other text is escaped."""
 
     __slots__ = ()
 
@@ -27,7 +27,10 @@ def code(text: object, suffix: str = "") -> Markup:
 
 
 def with_detail(text: str, detail: str) -> Markup:
-    """Return a cell with a second line in a soft colour; an empty line is omitted."""
+    """Return an HTML cell with a second line in a soft colour.
+
+    The second line is omitted if `detail` is empty.
+    """
     lines = [html.escape(text), f'<span class="lead">{html.escape(detail)}</span>']
     return Markup("<br>".join(line for line, content in zip(lines, (text, detail), strict=True) if content))
 
@@ -43,14 +46,17 @@ class Column:
     digits: str = ""
 
     def format(self, value: Any) -> str:
-        """Return a value as text; None is a dash."""
+        """Return a value as text, or a dash for None."""
         if value is None:
             return "-"
         return format(value, self.digits) if self.digits and not isinstance(value, str) else str(value)
 
 
 def numeric(*headings: str, digits: str = "s") -> tuple[Column, ...]:
-    """Return columns of numbers, or with the default format of numbers that are text already."""
+    """Return a column of numbers for each heading.
+
+    `digits` is the number format; the default `s` is for numbers that are already text.
+    """
     return tuple(Column(heading, digits) for heading in headings)
 
 
@@ -89,18 +95,18 @@ class ReportTable:
         return [column.heading for column in self._columns()]
 
     def cells(self) -> list[list[str]]:
-        """Return the rows as text."""
+        """Return the content of the table as text, row by row."""
         columns = self._columns()
         return [[column.format(value) for column, value in zip(columns, row, strict=True)] for row in self.rows]
 
     def text(self) -> str:
-        """Return the table for a terminal."""
+        """Return the table as text for a terminal."""
         header, cells = self.headings, self.cells()
         is_number = [k for k, column in enumerate(self._columns()) if column.digits]
         return aligned([header, *cells] if any(header) else cells, is_number)
 
     def csv(self) -> str:
-        """Return the table as CSV with all digits."""
+        """Return the table as CSV; numbers have all digits."""
         stream = io.StringIO()
         writer = csv.writer(stream, lineterminator="\n")
         writer.writerow(self.headings)
@@ -108,7 +114,7 @@ class ReportTable:
         return stream.getvalue()
 
     def html(self) -> str:
-        """Return the table as an element of a page, or nothing if it has no rows."""
+        """Return the table as an HTML element, or an empty text if it has no rows."""
         if not self.rows:
             return ""
         columns, is_stacked = self._columns(), len(self.columns) >= STACKED_COLUMNS

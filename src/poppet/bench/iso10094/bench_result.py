@@ -47,12 +47,12 @@ class BenchResult(HtmlMixin):
     title: str
     source: str  # `circuit`, `recordings` or `stand-in`
     figures: Mapping[str, CharacteristicValue]
-    rows: Mapping[str, list[dict[str, Any]]] = field(default_factory=dict)  # test to its cases
-    curves: Mapping[str, list[PlottedCurve]] = field(default_factory=dict)  # test to its curves
-    notes: Mapping[str, tuple[Note, ...]] = field(default_factory=dict)  # by test; of the whole bench under `bench`
-    conditions: Mapping[str, Any] = field(default_factory=dict)  # those of a test stand under its name
-    comparison: Mapping[str, Any] = field(default_factory=dict)  # as `compared` makes it
-    outcome: str = "done"  # `done`, `failed` where a test could not be run, or `interrupted`
+    rows: Mapping[str, list[dict[str, Any]]] = field(default_factory=dict)  # mapping from test to cases
+    curves: Mapping[str, list[PlottedCurve]] = field(default_factory=dict)  # mapping from test to curves
+    notes: Mapping[str, tuple[Note, ...]] = field(default_factory=dict)  # by test; general notes under `bench`
+    conditions: Mapping[str, Any] = field(default_factory=dict)  # conditions of a test under its name
+    comparison: Mapping[str, Any] = field(default_factory=dict)  # result of `compared`
+    outcome: str = "done"  # `done`, `failed` if a test could not be run, or `interrupted`
 
     def content(self) -> dict[str, Any]:
         """Return the result as nested dictionaries, the content of the result file."""
@@ -149,7 +149,7 @@ def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
     """
     pairs: list[tuple[str, Any]] = [(entry["test"], {**entry}) for entry in data.get("codes", ())]
     for _, table in pairs:
-        del table["test"]  # the rest is the note
+        del table["test"]  # the remaining fields are the note
     pairs = pairs or [(entry.partition(": ")[0], entry.partition(": ")[2]) for entry in data.get("notes", ())]
     return {test: notes_of(entry for owner, entry in pairs if owner == test) for test in dict.fromkeys(dict(pairs))}
 

@@ -38,22 +38,22 @@ from poppet.bench.iso10094.uncertainty import (
 from poppet.timeseries.signals import Points
 
 CYCLES = 3
-# Part of the setpoint's range in which the characteristic is judged [% FS]; dead zone and ends are outside.
+# Range of the setpoint in which the characteristic is evaluated, without dead zone and ends [% FS].
 RANGE = (10.0, 90.0)
-SWING = 5.0  # smallest turn of the setpoint that ends a branch [% FS]
+SWING = 5.0  # smallest reversal of the setpoint that ends a branch [% FS]
 GRID = np.linspace(0.0, 100.0, 101)
 INSIDE = (RANGE[0] <= GRID) & (RANGE[1] >= GRID)
-# Samples this near to a place of the grid count there: each to one place, so that these share no noise [% FS].
+# Half width of the window of a grid point [% FS]; windows do not overlap, so grid points have independent noise.
 HALF = 0.5
-COVERED = 0.75  # part of the judged range that a branch must cover
+COVERED = 0.75  # fraction of the evaluated range that a branch must cover
 FEWEST_STAIRS = 8
-# Rise of the outlet that leaves zero, and the range above it from which it is continued back [% FS]; a rise this much
-# steeper than nominal is a jump.
+# Rise of the outlet that counts as the start, and range above it for extrapolation to the start [% FS]; ratio to the
+# nominal slope above which the rise is a jump.
 ZERO_STEP, ZERO_SPAN, JUMP = 0.5, 3.5, 5.0
-# Lags of the sweep, as parts of the range, behind which its start is over, and what is left of it then.
+# Number of lags after which the start of the sweep has decayed, and remaining error relative to the lag.
 STARTED, UNDER_WAY = 3.0, 0.04
-SHORT = 5.0  # distance from the setpoint at which it counts as not reached [% FS]
-STOPPING = 70.0  # setpoint above which a sweep shows its lag: no sample there may be clipped [% FS]
+SHORT = 5.0  # deviation above which the setpoint is not reached [% FS]
+STOPPING = 70.0  # setpoint above which clipped samples exclude a sweep from the lag [% FS]
 
 
 def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float) -> Trial:
@@ -97,7 +97,7 @@ class Branches:
     up: FloatArray
     down: FloatArray
     error: float  # one standard deviation of a single value by noise [% FS]
-    share: int  # neighbouring values that share their noise: places between two stairs
+    share: int  # number of neighbouring values with the same noise: grid points between two stairs
 
 
 def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
@@ -108,7 +108,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         for name in ("setpoint", "outlet"):
             cut |= record.clipped.get(name, False)
         all_sweeps.append(SetpointSweep(record.time, x, x, y, branches(x, SWING), cut))
-    # One lag for all: the same valve at the same rate, and not every sweep stops for long enough to show it.
+    # All sweeps have the same lag (same valve and rate), and not every sweep ends in a sufficiently long hold.
     complete = [item for item in all_sweeps if not np.any(item.cut & (item.x > STOPPING))]
     lags = [lag for item in complete for lag in lags_of(item.time, item.x, item.y, item.parts)]
     all_sweeps = [replace(item, late=caught_up(item.time, item.x, lags)) for item in all_sweeps]
@@ -168,7 +168,7 @@ def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down:
         evaluation.note_absence("one_way", "linearity", "hysteresis")
         return
     x, mean, gap = GRID[is_common], 0.5 * (up + down)[is_common], (down - up)[is_common]
-    # Ends count half, as in an integral over the range: the line does not depend on how fine the grid is.
+    # The ends have half weight, as in an integral, so the line does not depend on the spacing of the grid.
     weight = np.ones(x.size)
     weight[[0, -1]] = math.sqrt(0.5)
     slope, offset = np.polyfit(x, mean, 1, w=weight)
@@ -181,7 +181,7 @@ def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down:
     value, uncertainty = unbiased([mean_curve], lambda draws: np.max(np.abs(draws[0] @ deviation.T), axis=1))
     evaluation.add_nonnegative("linearity", value, uncertainty, at=float(x[k]))
     value, uncertainty = unbiased([gap_curve], lambda draws: np.max(np.abs(draws[0]), axis=1))
-    # Up and down stand behind the setpoint by the same lag, on either side.
+    # Rising and falling branches lag by the same amount in opposite directions, so the gap has twice the error.
     evaluation.add_nonnegative("hysteresis", value, uncertainty.wider(2.0 * lag), at=float(x[j]))
     if gap_curve.values[j] < -NORMAL * math.hypot(uncertainty.standard, 2.0 * lag):
         evaluation.note("characteristic.leads", at=float(x[j]))
@@ -239,7 +239,7 @@ def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, e
                     short.append(float(np.mean(y[_held_at(x, high)])) - float(x[high]))
             if abs(_level(x, low)) < ZERO_STEP:
                 holds[_held_at(x, low).start] = y[_held_at(x, low)]
-    # A sweep that ends at zero without a hold says nothing of it.
+    # A sweep without a hold at zero gives no offset.
     longest = max((part.size for part in holds.values()), default=0)
     holds = {begin: part for begin, part in holds.items() if part.size > 0.3 * longest}
     noise = noise_about(list(holds.values()))
@@ -266,7 +266,7 @@ def _held_at(x: FloatArray, index: int) -> slice:
     earlier, later = np.flatnonzero(is_away[:index]), np.flatnonzero(is_away[index:])
     begin = int(earlier[-1]) + 1 if earlier.size else 0
     end = index + int(later[0]) if later.size else x.size
-    # Its last third but for the last eighth, in which a setpoint with noise may have begun to leave.
+    # The last third without the last eighth, in which a noisy setpoint may already change.
     middle = max(begin, end - max(1, (end - begin) // 3))
     return slice(middle, max(middle + 1, end - (end - begin) // 8))
 
@@ -300,17 +300,17 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     inverse = np.linalg.pinv(matrix)
     slope, level = (inverse @ (y[is_near] - zero)).tolist()
     half_width = 0.5 * float(np.ptp(x[: size + 1]))
-    if level > 2.0 * rise + ZERO_STEP or slope <= 0.0:  # it leaves zero with a jump to where it goes on
+    if level > 2.0 * rise + ZERO_STEP or slope <= 0.0:  # the outlet jumps from zero
         return left, Uncertainty(0.0, max(half_width, 0.5 * float(np.median(np.abs(np.diff(x))))))
     distance = level / slope
-    # A characteristic that bends: where the rise begins it is as much steeper or flatter as further up.
+    # Correction for a curved characteristic, whose slope changes from the start as it does at higher setpoints.
     is_further = (x > left + 2.0 * RANGE[0]) & (x <= left + 3.0 * RANGE[0])
     if np.count_nonzero(is_further) > np.count_nonzero(is_near):
         further_slope = float(np.polyfit(x[is_further], y[is_further], 1)[0])
         bend = (further_slope - slope) / float(np.mean(x[is_further]) - np.mean(x[is_near]))
         ahead, width = float(np.mean(x[is_near])) - left + distance, float(np.ptp(x[is_near]))
         distance += 0.5 * bend * (ahead**2 - width**2 / 12.0) / slope
-    # The choice of the samples by a noisy start adds to it.
+    # The selection of the samples by a noisy start increases the uncertainty.
     error = CHOSEN * math.hypot(noise.of(inverse[1] - distance * inverse[0]), noise.mean(begin))
     return max(0.0, left - distance), Uncertainty(math.hypot(error / slope, UNDER_WAY * max(lag, 0.0)))
 

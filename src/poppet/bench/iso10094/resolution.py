@@ -17,11 +17,11 @@ from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about
 from poppet.timeseries.signals import Steps
 
-# Height of the stairs [% FS], their number from the turn on, and about what they stand [% FS].
+# Height of a stair [% FS], number of stairs per section, and setpoint of the first stair [% FS].
 STAIR, STAIRS, MIDDLE = 0.05, 60, 50.0
-TAIL = 0.3  # last part of a stair, in which the outlet rests
-MOVED = 0.25  # part of a stair that the outlet must move by to count as moved
-CLEAR = 5.0  # standard errors of two means that no chance exceeds
+TAIL = 0.3  # last fraction of a stair, in which the outlet is in steady state
+MOVED = 0.25  # change of the outlet that counts as a motion, as a fraction of a stair
+CLEAR = 5.0  # limit of chance differences between two means, in standard errors
 FEWEST = 5
 
 

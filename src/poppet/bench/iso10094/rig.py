@@ -25,34 +25,35 @@ from poppet.timeseries.segments import Signal
 from poppet.timeseries.signals import Constant, Points
 
 SUPPLY, OUTLET, BLEED, FEED = "bench_supply", "bench_outlet", "bench_bleed", "bench_feed"
-SETPOINTS = ("setpoint", "pilot_pressure")  # inputs that may be the setpoint of a valve, the first one that it has
+SETPOINTS = ("setpoint", "pilot_pressure")  # inputs that can be the setpoint; the first existing one is used
 NEEDED = ("supply", "outlet", "exhaust")
-SCALING = "electronics.scaling"  # where a complete valve says which pressures belong to the ends of its setpoint
-MOST_SAMPLES = 400_000  # rows of a record that has one for every sample
-WALL = 120.0  # wall conductance per V^(2/3) [W/(K m^2)]: a cylinder as high as wide, with 22 W/(m^2 K)
-PROBED = 30.0  # change of the outlet to which the largest flow of the bench is chosen [% FS]
+SCALING = "electronics.scaling"  # address of the pressures at both ends of the setpoint range
+MOST_SAMPLES = 400_000  # maximum number of samples of a record with one row per controller sample
+WALL = 120.0  # wall conductance per V^(2/3) [W/(K m^2)], for a cylinder of height = diameter with 22 W/(m^2 K)
+PROBED = 30.0  # change of the outlet pressure at the largest flow of the bench [% FS]
 PROBE_SETPOINT = 50.0
 SMALLEST, DECADES = 1e-4, 5
-# Probes begin at this part of a dm^3/(s bar) [m^3/(s Pa)], and of a g/s [kg/s], and grow by so many decades.
+# Units of the probed loads: 1 dm^3/(s bar) in m^3/(s Pa), and 1 g/s in kg/s. The probe starts at `SMALLEST` times the
+# unit and increases by `DECADES` decades.
 BLEED_UNIT, FEED_UNIT = 1e-8, 1e-3
-# A conductance of zero is none: a bleed of the smallest size that stays closed.
+# A conductance of zero is invalid, so the unused bleed has the smallest conductance and stays closed.
 NOT_DRAWN: tuple[float, Signal] = (SMALLEST * BLEED_UNIT, Constant(0.0))
 NOT_FED: Signal = Constant(0.0)
-BELOW_SUPPLY = 1e5  # distance of an unknown full scale from the supply [Pa]
+BELOW_SUPPLY = 1e5  # difference between supply pressure and default full scale [Pa]
 
 
 @dataclass
 class Rig:
     """Valve of a circuit on the virtual bench."""
 
-    circuit: BaseCircuit  # the valve with all that the bench has put around it
+    circuit: BaseCircuit  # valve with supply, outlet volume, bleed and feed
     valve: str
-    setpoint: str  # its address
+    setpoint: str  # address of the setpoint
     scale: Scale
-    supply: float  # absolute [Pa]
+    supply: float  # absolute supply pressure [Pa]
     title: str
     notes: list[Note] = field(default_factory=list)
-    _sizes: dict[float, float] = field(default_factory=dict)  # of the bleed (+1) and the feed (-1), once probed
+    _sizes: dict[float, float] = field(default_factory=dict)  # bleed conductance (+1), feed flow (-1)
 
     def respond(self, trial: Trial) -> Record:
         """Simulate a trial and return its record."""
@@ -82,7 +83,7 @@ class Rig:
         run.
         """
         scale, circuit = self.scale, self.circuit
-        # The outlet starts where a valve without errors would hold it.
+        # The outlet starts at the pressure that an ideal valve would hold.
         setpoint = scale.setpoint_percent(trial.setpoint.evaluate(0.0, trial.duration))
         values = {
             f"{OUTLET}.volume": trial.volume,
@@ -99,7 +100,7 @@ class Rig:
         circuit = replace(circuit.with_values(values), signals={**circuit.signals, **signals})
         run = circuit.run.changed(duration=trial.duration, output_step=trial.step, stop_when=list(stops))
         problem = circuit.problem(run)
-        raw = solve(problem, progress=lambda _: None)  # only a run that tells its progress ends at Ctrl-C
+        raw = solve(problem, progress=lambda _: None)  # only a run with a progress callback ends at Ctrl-C
         if raw.outcome is Outcome.INTERRUPTED:
             raise KeyboardInterrupt
         recording = make_recording(circuit.instance, problem, raw)
@@ -131,7 +132,7 @@ class Rig:
 
         `sign` is +1 for the bleed and -1 for the feed. All trials use the same value.
         """
-        if sign not in self._sizes:  # one for all trials: their flows are to be compared
+        if sign not in self._sizes:  # one value for all trials, so their flows are comparable
             self._sizes[sign] = self._probe(sign, volume)
         return self._sizes[sign]
 
@@ -190,7 +191,7 @@ def rig_of(
         ends = ambient, ambient + 1e5 * bars
     if scaling is not None:
         slack = 1e-9 * ends[1]
-        # A setpoint knows no pressure beyond the scaling of its valve.
+        # Pressures outside the scaling of the valve have no setpoint.
         if not scaling[0] - slack <= ends[0] < ends[1] <= scaling[1] + slack:
             (low, high), (own_low, own_high) = ends, scaling
             address = f"{valve}.{SCALING}"
@@ -211,7 +212,7 @@ def rig_of(
     signals = {name: Constant(_at_start(signal)) for name, signal in circuit.signals.items() if name in other_inputs}
     rig = replace(circuit, parts=parts, signals=signals, connections={})
     scale = setpoint_scale(None, ends, ambient, item.unit)
-    if item.unit != "Pa" and scaling:  # the part of the setpoint's range that belongs to another full scale
+    if item.unit != "Pa" and scaling:  # range of the setpoint for the requested full scale
         full = setpoint_scale(None, scaling, ambient, item.unit)
         low, high = (float(full.setpoint(full.percent(end))) for end in ends)
         scale = Scale(low, high, item.unit, *ends)

@@ -17,15 +17,15 @@ from poppet.bench.iso10094.step import step_trial
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion, SimulationError
 
-# Time for which a level is held at first [s], and the factor by which it grows until the outlet rests.
+# First hold time of a step [s], and factor by which it increases until the outlet settles.
 FIRST_HOLD, LONGER = 0.4, 4.0
 HOLD_PER_SETTLING, HOLD_PER_HUM = 8.0, 40.0
 # Time of a sweep of the setpoint per response time, and its limits [s].
 SWEEP_PER_RESPONSE, SHORTEST_SWEEP, LONGEST_SWEEP = 200.0, 10.0, 60.0
-# Lowest and highest frequency that is tried, about 0.35 / response time, in tenths of a decade.
+# Range of frequencies below and above 0.35 / response time, in tenths of a decade.
 DECADE_BELOW, DECADE_ABOVE = -15, 31
-AFTER = 2  # frequencies that are tried beyond both bandwidths
-REFINED = 2  # frequencies that are added about each bandwidth
+AFTER = 2  # number of coarse frequencies beyond both bandwidths
+REFINED = 2  # number of frequencies that are added at each bandwidth
 Say = Callable[[str], object]
 
 
@@ -42,8 +42,8 @@ class Bench:
 
     specimen: Specimen
     settings: BenchSettings
-    say: Say  # told what is being done
-    holds: dict[float, float] = field(default_factory=dict)  # volume to the time to come to rest [s]
+    say: Say  # callback for progress messages
+    holds: dict[float, float] = field(default_factory=dict)  # mapping from volume [m^3] to settling time [s]
     steps: dict[tuple[float, float], EvaluatedRecord] = field(default_factory=dict)  # by volume and amplitude
 
     def records(self, test: str) -> list[Record]:
@@ -115,12 +115,12 @@ class Bench:
         if frequencies:
             return [self._sine(f).record for f in sorted(frequencies)]
         smallest = self.step(self.settings.volumes[0], min(self.settings.amplitudes))
-        # A first order rises from 10 to 90 % in 0.35 periods of its corner frequency.
+        # A first-order response rises from 10 to 90 % in 0.35 periods of the corner frequency.
         corner = 0.35 / min(self._response_times([smallest]))
         ladder = [preferred(corner * 10.0 ** (step / 10.0)) for step in range(DECADE_BELOW, DECADE_ABOVE)]
         sines: dict[float, EvaluatedRecord] = {}
         n_beyond = 0
-        # Three to a decade tell where the bandwidths are; between them it is filled up.
+        # Three frequencies per decade locate the bandwidths; the other frequencies of the range follow.
         for frequency in ladder[::3]:
             sines[frequency] = self._sine(frequency)
             rows = self._bode(sines).rows
@@ -157,7 +157,7 @@ def _needed(rows: list[Row]) -> float:
     The result is infinite if a step did not settle.
     """
     if any("hum_amplitude" in row for row in rows):
-        # What swings never settles: enough of its periods to be measured, and time to have fallen to the swing.
+        # A limit cycle never settles: the hold must contain several of its periods after the settling time.
         slowest = min(row["hum_frequency"] for row in rows if "hum_frequency" in row)
         settled = [row["settling_time"] for row in rows if "settling_time" in row]
         return float(max(HOLD_PER_HUM / slowest, *(HOLD_PER_SETTLING * time for time in settled), 0.0))
@@ -194,7 +194,7 @@ def run_bench(
     bench = Bench(specimen, settings, say or (lambda _: None))
     evaluations: dict[str, Evaluation] = {}
     outcome = "done"
-    # The steps come first, because the other tests take their times from them.
+    # The steps come first, because the durations of the other tests depend on their response times.
     for name in sorted(tests, key=lambda test: (test != "step", list(TESTS).index(test))):
         try:
             evaluations[name] = TESTS[name].evaluated(bench.records(name), specimen.scale, settings.rated_flow)

@@ -163,7 +163,7 @@ def stairs(setpoint: FloatArray) -> list[slice]:
     cuts = np.flatnonzero(np.abs(np.diff(setpoint)) > limit) + 1
     ends = np.concatenate(([0], cuts, [setpoint.size])).tolist()
     holds = [slice(a, b) for a, b in pairwise(ends) if b - a >= 3]
-    # A noisy ramp also splits into pieces, but their levels rise.
+    # A noisy ramp is also divided into sections, but the values rise within them.
     change_within = sum(abs(float(_end_mean(setpoint[part]) - _end_mean(setpoint[part][::-1]))) for part in holds)
     extent = sum(abs(float(np.mean(setpoint[b]) - np.mean(setpoint[a]))) for a, b in pairwise(holds))
     return holds if change_within <= _FLAT * extent or len(holds) == 1 else []
@@ -203,7 +203,10 @@ class Lag:
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
-    """Return the lags of all rising sweeps that end in a sufficiently long hold."""
+    """Return the lags of all rising sweeps that end in a sufficiently long hold.
+
+    `x` is the swept quantity, `y` the outlet, and `parts` the branches of the sweep.
+    """
     pairs = zip(parts, [*parts[1:], None], strict=False)
     lags = [lag_of(time, x, y, branch, following) for branch, following in pairs if branch.sign > 0]
     return [lag for lag in lags if lag is not None]

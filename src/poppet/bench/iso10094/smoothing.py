@@ -14,15 +14,15 @@ from numpy.typing import NDArray
 from poppet.bench.iso10094.scale import FloatArray
 from poppet.bench.iso10094.uncertainty import DRAWS, NORMAL, SEED, Noise, Uncertainty
 
-# Samples to either side over which parabolas are laid.
+# Half widths of the fitted parabolas [samples].
 WIDTHS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512)
-APART = 1.0  # standard deviations by which a wider parabola may leave what the narrower ones allow
-# Parts of its height from which a peak is looked at, and parts of the way to the band's edge and from there on.
+APART = 1.0  # permitted deviation between wider and narrower parabolas, in standard deviations
+# Fractions of the peak height for the fit of a peak, and fractions of the window for the fit at the band limit.
 FLANKS, SPANS = (0.6, 0.8, 0.9, 0.96), (1.0, 0.5, 0.25)
-LOPSIDED = 2.0  # ratio of both sides of an interval from which it has ends of its own
-CLEAR = 3.0  # standard deviations beyond a level at which it is crossed for sure
-AGREED = 1.5  # standard deviations by which a polynomial through more samples may differ from one through fewer
-WIDER = 1.2  # standard deviation of the smoothed place, over that of its parabola: what the choice of its width adds
+LOPSIDED = 2.0  # ratio of both sides of an interval, above which it is asymmetric
+CLEAR = 3.0  # standard deviations beyond a level, at which the crossing is certain
+AGREED = 1.5  # permitted difference of polynomials through more and fewer samples, in standard deviations
+WIDER = 1.2  # factor on the standard deviation of a parabola, because the width depends on the noise
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +33,7 @@ class SmoothedSeries:
     values: FloatArray
     errors: FloatArray
     raw: FloatArray  # as recorded
-    widths: NDArray[np.int64]  # samples to either side of each place that made its value
+    widths: NDArray[np.int64]  # half width of the parabola for each value [samples]
     noise: Noise
 
     def since(self, first: int) -> SmoothedSeries:
@@ -66,7 +66,7 @@ class SmoothedSeries:
         fine = np.vander(np.linspace(-0.5, 0.5, 101), inverse.shape[0])
         curve = fine @ (inverse @ self.raw[window])
         top = int(np.argmax(curve))
-        # The largest value of a noisy curve is too large by what more noise of the same kind adds to it.
+        # Additional noise of the same kind shows the bias of the largest value of a noisy curve.
         random = np.random.default_rng(SEED)
         samples = fine @ inverse @ random.normal(0.0, self.noise.spread, (count, DRAWS))
         bias = float(np.mean(np.max(curve[:, None] + samples, axis=0))) - float(curve[top])
@@ -87,7 +87,7 @@ class SmoothedSeries:
         earliest, latest = self._when(level - error, last=last), self._when(level + error, last=last)
         if last:
             earliest, latest = latest, earliest
-        # Between two samples the answer bends away from the straight line.
+        # Between two samples, the response differs from a straight line.
         neighbours = self.values[max(0, k - 2) : k + 2]
         slope = abs(self.values[k] - self.values[k - 1]) / (self.time[k] - self.time[k - 1])
         bend = float(np.max(np.abs(np.diff(neighbours, 2)), initial=0.0)) / 8.0
@@ -119,7 +119,7 @@ class SmoothedSeries:
         estimates = [(t, Uncertainty(WIDER * error, uncertainty.even)) for t, error in exits if math.isfinite(t)]
         if not estimates:
             return time, uncertainty
-        # The level of the band is that of the final value: what moves it moves the time as the slope there has it.
+        # The band depends on the final value; its uncertainty divided by the slope is an uncertainty of the time.
         slope = band / max(time - float(self.time[max(k - reach, 0)]), 1e-300)
         exit_time, error = _agreed(estimates)
         return exit_time, error.wider(extra / slope)
@@ -218,7 +218,7 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeri
         high[inner] = np.minimum(high[inner], fitted + APART * error)
         agrees = np.zeros(values.size)
         agrees[inner] = low[inner] <= high[inner]
-        # What the place and most of its neighbours allow.
+        # A wider parabola is valid if most of the neighbouring values agree with it.
         sums = np.concatenate([[0.0], np.cumsum(agrees * is_open)])
         n_agreeing = sums[2 * width + 1 :] - sums[: -2 * width - 1]
         is_open[inner] &= (n_agreeing > width) & (agrees[inner] > 0.0)

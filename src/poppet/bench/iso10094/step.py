@@ -125,8 +125,8 @@ class _Answer:
     smooth: SmoothedSeries
     part: FloatArray  # as recorded, on the same clock
     noise: Noise
-    errors: tuple[float, float]  # one standard deviation of both rests
-    jump: Uncertainty  # of the instant of the step
+    errors: tuple[float, float]  # standard deviations of the initial and the final value
+    jump: Uncertainty  # uncertainty of the time of the step
 
     @classmethod
     def of(cls, record: Record, y: FloatArray, jump: Jump, section: slice, *holds: slice) -> _Answer:
@@ -281,11 +281,11 @@ _LEVELS = {"low": 100.0 * LOW, "high": 100.0 * HIGH, "band": 100.0 * BAND}
 STEP = BenchTest("step", _evaluate, _FIGURES, _LEVELS, table="steps", part=DYNAMIC)
 
 
-WIDER = 1.15  # standard deviation of the noise over what is left of it beside a sine
-CHANCE = 1e-4  # probability that noise alone makes a line of a spectrum that is taken for a hum
+WIDER = 1.15  # standard deviation of the noise, relative to the residual of a fitted sine
+CHANCE = 1e-4  # probability that noise alone is detected as a limit cycle
 FEWEST = 32
-LEAST = 1e-2  # a hum of a smaller amplitude is none: nobody would see it [% FS]
-FIRST = 3  # fewer periods than these in a hold are a drift, no hum
+LEAST = 1e-2  # smallest amplitude of a limit cycle [% FS]
+FIRST = 3  # smallest number of periods in a hold; fewer periods are a drift
 
 
 @dataclass(frozen=True)
@@ -323,12 +323,12 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     power = np.abs(np.fft.rfft(values * np.hanning(values.size))) ** 2
     spectrum = power[FIRST:]
     index = int(np.argmax(spectrum))
-    # The slow end of a settling outlet falls from line to line; a hum stands above its neighbours.
+    # The spectrum of a slowly settling outlet falls with frequency; a limit cycle is a local maximum.
     if power[FIRST + index - 1] >= spectrum[index]:
         return None
     line, total = float(np.sum(spectrum[max(index - 1, 0) : index + 2])), float(np.sum(spectrum))
-    lines = spectrum.size / 1.5  # neighbours under a window share their noise
-    # Part of all power that one of so many lines of white noise has at most, but for a small chance.
+    lines = spectrum.size / 1.5  # neighbouring lines of a windowed spectrum have common noise
+    # Largest fraction of the power in one line of white noise, exceeded only with the probability `CHANCE`.
     if line < min(0.9, 3.0 * min(1.0, math.log(lines / CHANCE) / lines)) * total:
         return None
     index += FIRST
@@ -343,7 +343,7 @@ def hum_of(time: FloatArray, outlet: FloatArray) -> Hum | None:
     amplitude, residual = _half_swing(even, values, frequency, noise_of(values))
     if not amplitude > LEAST:
         return None
-    # Of the best fit of a sine in noise: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20 (1974) 591-598.
+    # Standard errors of a sine in noise: D. C. Rife and R. R. Boorstyn, IEEE Trans. Inf. Theory 20 (1974) 591-598.
     span = float(even[-1] - even[0])
     noise = noise_about([residual], 0).at(2.0 * math.pi * frequency * span / even.size)
     error = WIDER * noise / math.sqrt(even.size)

@@ -26,13 +26,13 @@ from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Points
 
 ABOVE, SPAN = 0.15, 0.4  # lowest supply of the sweep above the outlet and its extent, in FS
-LOAD = 0.05  # load while the supply is swept: a closed outlet would hold its pressure whatever the supply does
-MARGIN = 10.0  # supply above the outlet below which the outlet is not judged [% FS]
+LOAD = 0.05  # load during the sweep, because a closed outlet would hold its pressure at any supply pressure
+MARGIN = 10.0  # smallest difference between supply and outlet for the evaluation [% FS]
 PLACES = 81
-TURN = 0.3  # part of the supply's range by which it must turn to end a branch
-UNSEEN = 1e-7  # change of a leakage that no flow meter sees [kg/s]
-HOLD = 0.5  # last part of a hold over which a leakage is averaged
-DRIFT = 0.05  # change of a leakage between the halves of that part at which it is not at rest
+TURN = 0.3  # reversal of the supply pressure that ends a branch, as a fraction of its range
+UNSEEN = 1e-7  # smallest change of a leakage that a flow meter resolves [kg/s]
+HOLD = 0.5  # last fraction of a hold, in which a leakage is averaged
+DRIFT = 0.05  # relative change between the halves of this fraction, above which a leakage is not steady
 
 
 def supply_trial(
@@ -43,7 +43,7 @@ def supply_trial(
     `ends` are the lowest and highest supply pressure [Pa]. One cycle precedes the recorded one.
     """
     low, high = ends
-    # One cycle ahead: what the valve remembers of its way to the setpoint is over.
+    # The first cycle is not evaluated: it removes the effect of previous motions of the valve.
     times = np.cumsum([0.0, hold, sweep, sweep, sweep, hold, sweep, hold])
     return Trial(
         "supply", f"supply at {setpoint:g} % FS", held(scale, setpoint), float(times[-1]), float(times[3]),
@@ -64,7 +64,10 @@ def supply_trials(pace: Pace) -> list[Trial]:
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """Return a trial with a constant setpoint and no flow at the outlet."""
+    """Return a trial with a constant setpoint and no flow at the outlet.
+
+    `setpoint` is in % FS, and `hold` is the settling time of the valve [s].
+    """
     name, settling = f"rest at {setpoint:g} % FS", 5.0 * hold
     return Trial("leakage", name, held(scale, setpoint), 2.0 * settling, settling, settling / ROWS, volume)
 
@@ -100,7 +103,7 @@ def _one(evaluation: Evaluation, record: Record) -> None:
     if extent < 0.02 * scale.span:
         evaluation.note("supply.still", record.name, extent=extent)
         return
-    # Ends of the sweep, not of its noise.
+    # Limits of the sweep, robust to noise.
     margin = 2.0 * noise_of(supply)
     low, high = float(np.min(supply[evaluated])) + margin, float(np.max(supply[evaluated])) - margin
     row |= {"lowest_supply": low, "highest_supply": high}
@@ -124,11 +127,11 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         return
     all_values = np.array([value for values in values_by_sign.values() for value in values])
     sigma = roughness(all_values)
-    # Where the sweep has turned, there and back have not parted yet.
+    # Near a reversal of the sweep, both directions still have the same values.
     inner = is_known & (np.arange(PLACES) >= PLACES // 10) & (np.arange(PLACES) < PLACES - PLACES // 10)
     centred = (grid[inner] - np.mean(grid[inner])) * 100.0 / scale.span
     slope = float(centred @ mean[inner]) / float(centred @ centred)
-    # Of as many sweeps, each of as many places.
+    # Standard error of a slope from all sweeps and grid points.
     slope_error = sigma / math.sqrt(len(all_values) * float(centred @ centred))
     evaluation.set_value(row, "sensitivity", slope, Uncertainty(slope_error))
     if len(means) == 2:

@@ -35,9 +35,9 @@ TOP_LEVEL = {
 _TEST = Field(choices=tuple(TESTS), meaning="test", example=f'test = "{next(iter(TESTS))}"')
 OF_RECORDING = ("test", "volume", "setpoint")  # fields of a recording in addition to those of a fit file
 UNUSED = ("inputs", "start")
-BEYOND = 2.0  # how far a setpoint may leave its range before a word is said [% FS]
-OVERSHOT = 30.0  # how far the outlet may leave its full scale before a word is said [% FS]
-AT_REST = 0.2  # change of the outlet within a hold of the setpoint, per change between holds, at which it rests
+BEYOND = 2.0  # deviation of a setpoint from its range, above which a note is given [% FS]
+OVERSHOT = 30.0  # deviation of the outlet from full scale, above which a note is given [% FS]
+AT_REST = 0.2  # change of the outlet within a hold relative to the change between holds, below which it is at rest
 SERIES: Mapping[str, str] = {
     "setpoint": "valve.setpoint",
     "outlet": "outlet.pressure",
@@ -47,7 +47,7 @@ SERIES: Mapping[str, str] = {
 }
 """Mapping from each series of a record to the address of its channel in the file."""
 SETPOINT, OUTLET = SERIES["setpoint"], SERIES["outlet"]
-# Channels of a recording and what they are.
+# Channels of a recording with their meaning.
 CHANNELS: Mapping[str, str] = {channel: sentence(f"recordings.channel.{key}", {}) for key, channel in SERIES.items()}
 DEFAULT_AMBIENT = 101325.0
 
@@ -58,9 +58,9 @@ class ValveRecordings:
 
     title: str
     scale: Scale
-    records: Mapping[str, list[Record]]  # by test
-    rated_flow: float  # NaN where none was given [kg/s]
-    notes: tuple[Note, ...]  # what was guessed, what looks wrong
+    records: Mapping[str, list[Record]]  # mapping from test to records
+    rated_flow: float  # NaN if not specified [kg/s]
+    notes: tuple[Note, ...]  # guesses and suspicions
     conditions: Mapping[str, Any]
 
 
@@ -109,7 +109,10 @@ def recorded(
 
 
 def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
-    """Read one recording, and return its record and notes."""
+    """Read one recording, and return its record and notes.
+
+    `table` is the table of the recording in the file, and `ambient` the ambient pressure [Pa].
+    """
     address = f"recordings.{name}"
     if not isinstance(table, Mapping):
         raise InputError("fields.no_table", address, value=table)
@@ -118,7 +121,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     other_fields = {key: value for key, value in table.items() if key not in OF_RECORDING}
     measurement = read_measurement(name, other_fields, folder, ambient_pressure=ambient, other_fields=OF_RECORDING)
     record = _joined(name, measurement, fields, address, ambient, scale)
-    # A bench knows more of its channels: a command rests at its ends, an outlet follows its setpoint.
+    # Clipping is checked here with the meaning of the channels: an outlet follows the setpoint, a command has limits.
     findings = [finding for finding in measurement.findings if finding.code != "suspicion.clipped"]
     if _is_staircase(record, scale):
         findings = [note for note in findings if (note.code, note.address) != ("suspicion.coarse", SETPOINT)]
@@ -128,7 +131,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     lagging = [channel.address for channel in measurement.channels if channel.lag != 0.0]
     notes += [Note("recordings.lag", name, channel=channel) for channel in lagging]
     low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))
-    if low < -BEYOND or high > 100.0 + BEYOND:  # the range is wrong, or the column, or its unit
+    if low < -BEYOND or high > 100.0 + BEYOND:  # possible causes: wrong range, column or unit
         notes.append(Note("recordings.beyond", name, low=low, high=high))
     low, high = (float(scale.percent(end)) for end in (record.outlet.min(), record.outlet.max()))
     if low < -OVERSHOT or high > 100.0 + OVERSHOT:
@@ -169,7 +172,7 @@ def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> l
         for key in table
         if "." in key and key not in CHANNELS
     ]
-    # Only tests at a constant setpoint need a series of their own.
+    # Only tests at a constant setpoint require an additional series.
     needs = TESTS[str(name)].needs if str(name) in TESTS else ""
     if is_held and not needs:
         problems.append(InputError("recordings.setpoint_moves", f"{where}.setpoint", channel=SETPOINT))
@@ -199,7 +202,7 @@ def _joined(
     clock = clock[(clock >= begin) & (clock <= end)]
     if clock.size < 3:
         raise InputError("recordings.apart", where)
-    series = {key: np.zeros(0) for key in SERIES}  # empty where it was not recorded
+    series = {key: np.zeros(0) for key in SERIES}  # empty if not recorded
     for key, own_channel in ((key, channels[name]) for key, name in SERIES.items() if name in channels):
         series[key] = np.interp(clock, own_channel.time, own_channel.values)
     unit = channels[SETPOINT].unit if SETPOINT in channels else scale.setpoint_unit

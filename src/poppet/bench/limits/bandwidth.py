@@ -12,25 +12,25 @@ from poppet.bench.limits.limits_plan import CONTROLLER, IDEAL, LOAD, PARTS, Chan
 from poppet.bench.sine_rig import SineRig
 from poppet.core.errors import SimulationError
 
-GAIN = 10.0 ** (-3.0 / 20.0)  # gain at the end of the bandwidth, -3 dB
-LAG = 90.0  # phase lag at the end of the other [deg]
+GAIN = 10.0 ** (-3.0 / 20.0)  # gain that defines the bandwidth, -3 dB
+LAG = 90.0  # phase lag that defines the bandwidth by phase [deg]
 FACTOR = 1.6  # ratio of neighbouring frequencies of the search
 REFINED = 2  # steps of the secant method within such a pair
-RISEN = 0.9  # part of a step after which it counts as done
-LONGEST = 20.0  # time for which a step is watched [s]
-ATTEMPTS = 2  # runs that a sine is given to settle: a map bears the hunting of the bands within its gains
+RISEN = 0.9  # fraction of a step that defines the response time
+LONGEST = 20.0  # time limit of a step response [s]
+ATTEMPTS = 2  # maximum number of runs per sine; limit cycles of the controller may remain in the gains
 # The search starts at the guess divided by this factor, because bands can cause a local minimum of the gain.
 BELOW = 2.5
-WORTH = 1.05  # bandwidth ratio from which a part counts as limiting
+WORTH = 1.05  # ratio of bandwidths from which a part counts as limiting
 
 
 @dataclass
 class Sweep:
     """Frequency response of a circuit at one amplitude; each frequency is simulated on first use."""
 
-    rig: SineRig  # the full model, settled
-    amplitude: float  # of the setpoint [Pa]
-    per_pascal: float  # setpoint per pressure
+    rig: SineRig  # nonlinear model in a settled state
+    amplitude: float  # amplitude of the setpoint [Pa]
+    per_pascal: float  # change of the setpoint per change of the pressure
     found: dict[float, complex] = field(default_factory=dict)  # complex gain, pressure per pressure, by frequency [Hz]
     loudest: float = 0.0  # largest relative rms outside the fundamental so far
 

@@ -18,15 +18,15 @@ from poppet.parts.electronics import SCALES
 from poppet.parts.proportional_valve import ProportionalValve
 from poppet.timeseries.signals import Constant
 
-Changes = dict[str, Any]  # address of a number to its new value
-SETTLING = 2.0  # time for which a circuit settles before it is driven [s]
+Changes = dict[str, Any]  # mapping from the address of a parameter to its new value
+SETTLING = 2.0  # time in which a circuit settles before a sine or step [s]
 LOOSE = 1e-6  # relative tolerance of the runs
-POINTS = 6  # volumes and amplitudes of the default ranges
-SPREAD = 10.0  # default volumes reach from a tenth to ten times that of the circuit
-SMALLEST, LARGEST = 0.005, 0.25  # default amplitudes, per span of the setpoint
+POINTS = 6  # number of volumes and of amplitudes in the default ranges
+SPREAD = 10.0  # default volumes extend from a tenth to ten times the volume in the circuit
+SMALLEST, LARGEST = 0.005, 0.25  # default amplitudes, relative to the span of the setpoint
 SPRINGS = (0.5, 1.0, 2.0)
 DAMPINGS = (0.25, 0.5, 1.0, 2.0, 4.0)  # default factors on spring rates and damping
-IDEAL = 10.0  # factor by which a part is made ideal
+IDEAL = 10.0  # factor on the parameters of a part that is made ideal
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,14 +35,14 @@ class LimitsPlan:
 
     circuit: BaseCircuit
     valve: str
-    outlet: str  # name of the chamber at its outlet
-    mean: float  # outlet pressure about which it works [Pa]
-    volumes: tuple[float, ...]  # of that chamber [m^3]
-    amplitudes: tuple[float, ...]  # of the sine and of the half step [Pa]
+    outlet: str  # name of the chamber at the outlet of the valve
+    mean: float  # mean outlet pressure [Pa]
+    volumes: tuple[float, ...]  # volumes of the outlet chamber [m^3]
+    amplitudes: tuple[float, ...]  # amplitude of a sine, or half of the height of a step [Pa]
     springs: tuple[float, ...]  # factors on the spring rates, at the same preload forces
     dampings: tuple[float, ...]  # factors on the damping
-    lowest: float = 0.1  # frequency from which a bandwidth is looked for [Hz]
-    highest: float = 400.0  # and up to which [Hz]
+    lowest: float = 0.1  # lowest frequency of the search for a bandwidth [Hz]
+    highest: float = 400.0  # highest frequency of the search for a bandwidth [Hz]
 
     @property
     def setpoint(self) -> str:
@@ -93,7 +93,7 @@ class LimitsPlan:
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
         ambient = self.circuit.surroundings.pressure
-        # The pilot starts where its controller will hold it, so that the run settles within some samples.
+        # The pilot starts at the pressure that its controller will hold, so the run settles within some samples.
         forward, bias = numbers[f"{electronics}.feed_forward"], numbers[f"{electronics}.bias"]
         values: Changes = {
             f"{self.outlet}.volume": volume,
@@ -101,7 +101,7 @@ class LimitsPlan:
             f"{self.valve}.pilot.initial_pressure": ambient + forward * (self.mean - ambient) + bias,
         }
         wall = f"{self.outlet}.wall_conductance"
-        if wall in self.circuit.numbers():  # it grows with the surface
+        if wall in self.circuit.numbers():  # proportional to the surface
             values[wall] = numbers[wall] * (volume / numbers[f"{self.outlet}.volume"]) ** (2.0 / 3.0)
         held = {**self.circuit.signals, self.setpoint: Constant(self.asked(self.mean))}
         return replace(self.circuit, signals=held).with_values(values | (changes or {}))
@@ -112,7 +112,10 @@ def limits_plan(
     amplitudes: Sequence[Any] | None = None, springs: Sequence[float] | None = None,
     dampings: Sequence[float] | None = None,
 ) -> LimitsPlan:  # fmt: skip
-    """Return a complete plan; defaults replace the settings that are None."""
+    """Return a plan for the dynamic limits of a valve in a circuit.
+
+    Defaults replace the settings that are None. `springs` and `dampings` are factors on spring rates and damping.
+    """
     name = _valve(circuit, valve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):
@@ -181,7 +184,7 @@ _MASSES = ("main_stage.moving_mass", "main_stage.emptying_mass")
 PARTS: Mapping[str, Mapping[str, float]] = {
     "solenoids": dict.fromkeys(_SOLENOIDS, IDEAL),
     "pilot volume": {"pilot.volume": 1.0 / IDEAL},
-    # A tenth of the masses; the damping keeps its ratio to the critical one, which goes with their root.
+    # A tenth of the masses. The damping ratio stays equal, because critical damping is proportional to their root.
     "poppet": {**dict.fromkeys(_MASSES, 1.0 / IDEAL), "main_stage.damping": IDEAL**-0.5},
     "sonic conductance": {"main_stage.exhaust_seat.sonic_conductance": IDEAL},
     "sensors and sampling": dict.fromkeys((f"electronics.{name}" for name in _LAGS), 1.0 / IDEAL),
@@ -192,7 +195,7 @@ The load volume is the sixth candidate. It is absent here, because the plan vari
 """
 SEVERAL = ("solenoids", "sensors and sampling")  # parts whose name is a plural
 LOAD = "load volume"
-CONTROLLER = "controller"  # what limits where no part does: the loops and their bands
+CONTROLLER = "controller"  # limiting part if no other part limits: the control loops and their bands
 
 
 def ideal(plan: LimitsPlan, part: str) -> Changes:
@@ -209,7 +212,7 @@ def ideal(plan: LimitsPlan, part: str) -> Changes:
             for name, number in curve.numbers().items()
             if name.startswith("sonic_conductance.") and number.unit == "m^3/(s Pa)"
         }
-        # All coefficients together: a curve in which some have changed may be none.
+        # All coefficients change together, because a curve with some changed coefficients can be invalid.
         changes[f"{plan.valve}.main_stage.characteristic"] = curve.with_numbers(own)
     return changes
 

@@ -17,15 +17,15 @@ from poppet.core.errors import SimulationError
 
 Array = NDArray[np.float64]
 
-PUSH = 5.0  # size of the push at the outlet [Pa]
-WATCHED = 2.0  # time for which it is watched [s]
+PUSH = 5.0  # initial pressure deviation at the outlet [Pa]
+WATCHED = 2.0  # duration of the run after the push [s]
 ROWS_PER_SECOND = 4000
-EARLY, LATE = (0.1, 0.5), (1.6, 2.0)  # parts of that time in which the motion is measured [s]
-GROWN, DECAYED = 2.0, 0.8  # late motion per early one that counts as growth and as decay
-LOUD, QUIET = 5.0, 0.05  # motion per push that is a limit cycle, and one that is none
-HUM = 25.0  # frequency from which a motion is one of the poppet, not of the controller's bands [Hz]
-CALM = (1.0, 4.0, 16.0, 64.0)  # factors on the damping with which a rest is looked for, one after the other
-ROUGH = 3.0  # time for which the valve with its bands runs [s]; its last two thirds count
+EARLY, LATE = (0.1, 0.5), (1.6, 2.0)  # time windows in which the motion is measured [s]
+GROWN, DECAYED = 2.0, 0.8  # ratio of late to early amplitude that counts as growth, and as decay
+LOUD, QUIET = 5.0, 0.05  # amplitude per push above which there is a limit cycle, and below which there is none
+HUM = 25.0  # frequency above which a motion is one of the poppet and not of the controller [Hz]
+CALM = (1.0, 4.0, 16.0, 64.0)  # factors on the damping for start values of the search for a steady state
+ROUGH = 3.0  # duration of a run with controller bands [s]; the last two thirds are evaluated
 UNKNOWN = complex(math.nan, math.nan)
 
 OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
@@ -35,15 +35,15 @@ OSCILLATES, DECAYS, MARGINAL = "oscillates", "decays", "marginal"
 class Stability:
     """Results on the stability of a valve for one spring factor, damping factor and volume."""
 
-    # Of the linear model the one furthest to the right that moves to and fro, or at all where that is unstable [1/s].
+    # Dominant pole of the linear model: the rightmost complex pole, or the rightmost pole if it is unstable [1/s].
     pole: complex
     is_stable: bool  # no eigenvalue outside the unit circle
-    smooth: str  # what the full model without bands does after a small push: `oscillates`, `decays` or `marginal`
-    smooth_amplitude: float  # of the motion that it leaves at the outlet [Pa]
-    smooth_frequency: float  # [Hz]
-    amplitude: float  # of what the valve with its bands does by itself at the outlet [Pa]
-    frequency: float  # [Hz]
-    agrees: bool  # linear and full model without bands say the same, or are too close to the edge to tell
+    smooth: str  # motion of the nonlinear model without bands after a push: `oscillates`, `decays`, `marginal`
+    smooth_amplitude: float  # amplitude of the outlet pressure late after the push [Pa]
+    smooth_frequency: float  # frequency of this motion [Hz]
+    amplitude: float  # amplitude of the outlet pressure with controller bands at constant setpoint [Pa]
+    frequency: float  # frequency of the motion with controller bands [Hz]
+    agrees: bool  # True if linear and nonlinear model without bands agree, or the motion is marginal
     note: Note | None = None
 
     @property
@@ -63,7 +63,10 @@ class Stability:
 
 
 def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: float) -> Stability:
-    """Compute poles and motions for one spring factor, damping factor and volume."""
+    """Compute poles and motions of a valve for one spring rate, damping and volume.
+
+    `spring` and `damping` are factors, and `volume` is the outlet volume [m^3].
+    """
     changes = stage_changes(plan, spring, damping)
     rough = _by_itself(plan, volume, changes)
     note = Note("limits.no_rest", points=None)
@@ -96,7 +99,7 @@ def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume:
         start = rig
         if factor != 1.0:
             start = plan.rig(volume, stage_changes(plan, spring, damping * factor), bands=False)
-        # Behind the numbers the whole memory, of which v takes what is no clock.
+        # After the parameters, the vector contains the discrete states; `v` selects those that are not clocks.
         v = rest_near(rig.point, start.point.v(start.x, start.p[start.point.numbers.size :]))
         if v is not None:
             return v

@@ -1,1 +1,1 @@
-"""The friction of a body, and of a cylinder's seals, from velocity-force tables and recordings of motion."""
+"""Identification of the friction of a body and of cylinder seals from tables or recordings."""

@@ -39,7 +39,7 @@ SMEARED = 0.5
 
 @dataclass(frozen=True)
 class Bristles:
-    """Estimate of stiffness and damping from reversals."""
+    """Estimates of bristle stiffness and damping (LuGre model) from reversals of the motion."""
 
     stiffness: float  # [N/m]
     low: float
@@ -54,13 +54,13 @@ class Bristles:
     damping_low: float
     damping_high: float
     damping_error: float
-    late: float  # apparent damping by a delay of one sample [N s/m]
+    late: float  # apparent damping that a delay of one sample would cause [N s/m]
     window: float  # window of the velocities after reversals [s]
     bending: float  # bending time [s]
 
     @property
     def is_seen(self) -> bool:
-        """True if the position resolves the bending distance."""
+        """True if the resolution of the position is fine enough to measure the bending distance."""
         return self.way > FINE * self.resolution and math.isfinite(self.high)
 
     @property
@@ -70,19 +70,20 @@ class Bristles:
 
     @property
     def is_late(self) -> bool:
-        """True if the force is delayed, which a damping cannot explain."""
+        """True if the force signal is delayed, which a damping of the bristles cannot explain."""
         return self.damping_high < 0.0
 
     @property
     def is_damped(self) -> bool:
-        """True if the damping is significantly above zero."""
+        """True if the damping of the bristles is significantly above zero."""
         return self.is_seen and not self.is_coarse and self.damping_low > 0.0
 
 
 def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distance: float) -> Bristles | None:
     """Fit stiffness and damping of the LuGre model to the friction after reversals.
 
-    The fit uses samples up to `distance`, after which the body slides. The result is None for too few reversals.
+    The fit uses the samples up to the distance `distance` after a reversal; beyond it the body slides. `levels` is the
+    fitted law of steady sliding. The result is None if there are too few reversals.
     """
     turns = usable_reversals(motions, levels, distance)
     if len(turns) < FEWEST or distance <= 0.0:
@@ -134,7 +135,10 @@ def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distanc
 
 
 def usable_reversals(motions: Sequence[RecordedMotion], levels: LawSolution, distance: float) -> list[ReversalData]:
-    """Return resolved reversals after a complete deflection, or in a chain that starts with one."""
+    """Return the reversals at which the deflection of the bristles is resolved and known.
+
+    The deflection is known after a long stroke. It is also known after a short stroke that follows a usable reversal.
+    """
     decay = distance / (WAYS * -math.log(0.5 * (1.0 - BENT)))
     turns: list[ReversalData] = []
     for motion in motions:
@@ -151,7 +155,7 @@ def usable_reversals(motions: Sequence[RecordedMotion], levels: LawSolution, dis
 
 @dataclass(frozen=True, eq=False)
 class ReversalData:
-    """Data of a reversal for the bristle model, arrays of shape (n,)."""
+    """Samples after one reversal for the fit of the bristle model, arrays of shape (n,)."""
 
     distance: FloatArray  # [m]
     level: FloatArray  # g at the speed of each sample [N]
@@ -168,7 +172,10 @@ class ReversalData:
 
     @classmethod
     def of(cls, turn: Reversal, levels: LawSolution, distance: float, *, is_chained: bool) -> ReversalData:
-        """Return the data of a reversal up to a distance, with the levels of sliding."""
+        """Return the data of a reversal up to a distance, for given levels of sliding friction.
+
+        `is_chained` is True if the bristles start at the deflection at which the previous stroke ended.
+        """
         is_within, values, last = turn.distance <= distance, levels.values, turn.last
         assert last is not None
         # After a small stroke, the bristles start at its final deflection, otherwise at sliding.
@@ -192,9 +199,12 @@ class ReversalData:
         )
 
     def squares(self, stiffness: FloatArray, shifts: FloatArray, force: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """Return sums of squares and products of error and rate, (3, n_shifts, n_stiffnesses), and the final force.
+        """Return sums for the least-squares fit of the damping, (3, n_shifts, n_stiffnesses).
 
-        `force` is the bristle force at the end of the previous samples.
+        The sums are those of the squared error, of error times rate, and of the squared rate of deflection.
+
+        The error is measured minus modelled bristle force. `force` is the bristle force at the end of the previous
+        reversal. The force at the end of this reversal is also returned.
         """
         if not self.is_chained:
             force = np.full(force.shape, (self.lead_level if self.lead_level.size else self.level)[0])
@@ -210,20 +220,23 @@ class ReversalData:
         return sums, force
 
     def sudden_change_cost(self) -> float:
-        """Return the sum of squared errors for a sudden change of the force."""
+        """Return the sum of squared errors of a model without bristles.
+
+        In this model the friction force changes its sign suddenly at the reversal.
+        """
         modelled = np.where(self.distance > 0.0, self.level, -self.level)
         return float(np.sum((modelled - self.measured) ** 2))
 
 
 def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:
-    """Return the dry friction at the speeds of samples [N]."""
+    """Return the dry friction at the speeds of the selected samples after a reversal [N]."""
     dry = values[COULOMB], values.get(STATIC, values[COULOMB]), values.get(STRIBECK, 1.0)
     seal_friction = values.get(SEAL, 0.0) * turn.pressure[selected]
     return np.asarray(np.maximum(sliding_level(turn.velocity[selected], *dry) + seal_friction, 1e-9))
 
 
 def _sums(turns: Sequence[ReversalData], stiffness: FloatArray, shifts: FloatArray) -> FloatArray:
-    """Return `squares` of all reversals, shape (3, n_shifts, n_turns, n_stiffnesses)."""
+    """Return the sums of `ReversalData.squares` of all reversals, (3, n_shifts, n_turns, n_stiffnesses)."""
     sums_of_turns, force = [], np.zeros((shifts.size, stiffness.size))
     for turn in turns:
         sums, force = turn.squares(stiffness, shifts, force)
@@ -232,7 +245,10 @@ def _sums(turns: Sequence[ReversalData], stiffness: FloatArray, shifts: FloatArr
 
 
 def _find_minimum(grid: FloatArray, sums: FloatArray) -> tuple[float, float, float]:
-    """Return logarithm of the stiffness, damping and cost at the minimum over stiffness and shift."""
+    """Return the logarithm of the stiffness, the damping and the cost at the least cost.
+
+    `grid` contains logarithms of stiffnesses. The minimum is taken over these and over the shifts of the distance.
+    """
     square, product, rates = sums.sum(axis=2)
     damping = product / np.maximum(rates, 1e-300)  # negative if the force is delayed
     costs = square - damping * (2.0 * product - damping * rates)
@@ -242,7 +258,7 @@ def _find_minimum(grid: FloatArray, sums: FloatArray) -> tuple[float, float, flo
 
 
 def _parabola_minimum(grid: FloatArray, costs: FloatArray) -> float:
-    """Return the vertex of the parabola through the minimum on a grid and its neighbours."""
+    """Return the minimum of a parabola through the lowest grid point and its neighbours."""
     k = int(np.argmin(costs))
     if k in (0, costs.size - 1):
         return float(grid[k])

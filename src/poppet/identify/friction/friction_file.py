@@ -141,7 +141,7 @@ def _read(file: TomlFile) -> tuple[list[FrictionRecord], dict[str, Any]]:
 
 
 def _check_body(errors: ErrorCollector, content: Mapping[str, Any], coordinate: Coordinate) -> None:
-    """Check that the fields belong to one kind of body."""
+    """Check that all fields of a file belong to the same kind of body."""
     if "force" in content and "torque" in content:
         errors.add("friction.force_and_torque", "torque")
     unknown = [name for name in content if name not in TOP_LEVEL]
@@ -158,7 +158,7 @@ def _check_body(errors: ErrorCollector, content: Mapping[str, Any], coordinate: 
 
 
 def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate: Coordinate) -> bool:
-    """Return False, and add an error, if a unit belongs to the other kind of body."""
+    """Return True if a unit fits the kind of body; otherwise add an error and return False."""
     opposite = ON_LINE if coordinate is TURNING else TURNING
     with suppress(InputError):  # `read_column` reports an unknown unit
         if channel in ("position", "velocity", coordinate.effort) and opposite.is_of(
@@ -170,7 +170,7 @@ def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate:
 
 
 def _read_range(raw: Any, coordinate: Coordinate) -> tuple[float, float]:
-    """Return the range of positions that the identification uses."""
+    """Return the range of positions to which the identification is limited."""
     is_pair = isinstance(raw, list) and len(raw) == 2
     low, high = [quantity(end, coordinate.length, name="within").value for end in raw] if is_pair else [0.0, 0.0]
     if not low < high:
@@ -181,7 +181,10 @@ def _read_range(raw: Any, coordinate: Coordinate) -> tuple[float, float]:
 def _read_channel(
     errors: ErrorCollector, channel: str, raw: Any, n_files: int, ambient_pressure: float, coordinate: Coordinate
 ) -> dict[str, Any]:
-    """Read the table of a channel; the values of a pressure become a list of gauge pressures."""
+    """Return the table of a channel as read from the file.
+
+    A `value` of a pressure becomes a list of gauge pressures.
+    """
     declared = dict.fromkeys(("column", "unit"), Field())
     if channel in PRESSURES:
         declared["value"] = Field()
@@ -205,7 +208,7 @@ def _read_channel(
 def _read_columns(
     channels: Mapping[str, Mapping[str, Any]], table: Table, index: int, ambient_pressure: float, coordinate: Coordinate
 ) -> dict[str, Any]:
-    """Read the channels of a table in SI units; pressures are gauge."""
+    """Return the channels of a table in SI units, with gauge pressures."""
     columns: dict[str, Any] = {}
     units = {"time": "s", "position": coordinate.length, "velocity": coordinate.speed}
     units |= dict.fromkeys(PRESSURES, "Pa")
@@ -231,7 +234,7 @@ def _make_record(
     coordinate: Coordinate,
     name: str,
 ) -> FrictionRecord:
-    """Return the record of a table, without the samples outside `skip` and `until`."""
+    """Return the friction record of a table, without the samples before `skip` and after `until`."""
     arrays = dict(columns)
     if "time" in arrays:
         elapsed = arrays["time"] - arrays["time"][0]

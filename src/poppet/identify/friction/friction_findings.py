@@ -1,4 +1,4 @@
-"""Findings of a friction identification: the supported law, and limits of the data."""
+"""Findings of a friction identification: the law that the data support, and limits of the data."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ ZONES, UNEVEN = 8, 0.05
 
 
 def findings(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
-    """Yield the findings, the most important first, with the units that their texts need."""
+    """Yield the findings, the most important first, with the units that their messages need."""
     units = {name: getattr(analysis.coordinate, name) for name in ("effort", "effort_unit", "length", "speed")}
     checks = _bounds, _bristles, _pressure, _sides, _break_away, _positions, _noise, _velocity, _zeros
     for note in itertools.chain(_verdict(analysis, requested_law), *(check(analysis) for check in checks)):
@@ -71,7 +71,7 @@ def _verdict(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
 
 
 def _bounds(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield bounds on parameters that the law does not have."""
+    """Yield upper bounds on parameters that the selected law does not contain."""
     low, high = analysis.speeds
     if analysis.is_narrow:
         yield Note("friction.narrow", low=low, high=high, ratio=high / low)
@@ -129,7 +129,7 @@ def _pressure(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _sides(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield findings on a difference of friction between the directions."""
+    """Yield findings on a difference of friction between the two directions of motion."""
     data, rows = analysis.data, analysis.data.rows
     if analysis.is_one_way:
         yield Note("friction.one_side", assumed=not analysis.is_offset_known)
@@ -150,7 +150,7 @@ def _sides(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _break_away(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield a finding on peaks at the start of strokes that exceed those in their middle."""
+    """Yield a finding on friction that is higher at the start of strokes than in the middle."""
     rows, solution, excess, levels = analysis.all_rows, analysis.fit.solution, [], []
     friction_along_motion = rows.sign * (rows.friction - solution.zero(rows))
     for k in np.unique(rows.stroke[rows.stroke >= 0]):
@@ -170,7 +170,7 @@ def _break_away(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _positions(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield a finding on friction that depends on the position."""
+    """Yield a finding on friction that depends on the position of the body."""
     rows = analysis.data.rows
     if np.isnan(rows.position).any() or (rows.stroke < 0).all():
         return

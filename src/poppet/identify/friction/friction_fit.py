@@ -1,4 +1,4 @@
-"""Least-squares fits of dry friction laws to rows of steady sliding, with each group withheld once.
+"""Least-squares fits of dry friction laws to rows of steady sliding, with cross-validation by groups.
 
 All parameters of a law except the Stribeck velocity are linear. A scalar search finds the Stribeck velocity, from below
 the slowest row to above the fastest; the intervals include all equivalent values. The refits without one group give the
@@ -38,14 +38,14 @@ FEWEST_RECORDS, FEWEST_STROKES, MOST_STROKES, MOST_POINTS, BLOCKS = 3, 6, 20, 12
 
 @dataclass(frozen=True)
 class FrictionLaw:
-    """Friction law without the part of the seals."""
+    """Friction law of a body, without the contribution of the seals."""
 
     name: str
-    is_falling: bool = False  # falls from the static force to the Coulomb force
+    is_falling: bool = False  # True if friction falls from the static to the Coulomb force as speed rises
     is_viscous: bool = False
 
     def names(self, *, has_pressure: bool) -> list[str]:
-        """Return the parameters in the order of the columns, the Stribeck velocity last."""
+        """Return the names of the parameters in the order of the columns, the Stribeck velocity last."""
         flags = (True, self.is_falling, self.is_viscous, has_pressure, self.is_falling)
         return [n for n, is_in in zip((COULOMB, STATIC, VISCOUS, SEAL, STRIBECK), flags, strict=True) if is_in]
 
@@ -64,7 +64,7 @@ LAWS = {
 
 @dataclass(frozen=True, eq=False)
 class FrictionData:
-    """Rows of steady sliding, with free offsets and groups for validation."""
+    """Rows of steady sliding for a fit, with free force offsets and groups for validation."""
 
     rows: SlidingRows
     has_pressure: bool
@@ -74,9 +74,10 @@ class FrictionData:
 
     @classmethod
     def of(cls, rows: SlidingRows, free_offsets: Sequence[int], *, has_pressure: bool) -> FrictionData:
-        """Return data with groups.
+        """Return the data of a fit, with each row assigned to a group for validation.
 
-        The groups are recordings if there are three, else strokes, blocks in time, or points of a table.
+        The groups are recordings if there are at least three. Otherwise they are points of a table, strokes of a
+        recording, or blocks in time.
         """
         axis, group = _groups(rows)
         if axis == "recording":  # equal weight of all recordings
@@ -86,7 +87,7 @@ class FrictionData:
 
     @property
     def groups(self) -> NDArray[np.int_]:
-        """Numbers of the groups."""
+        """Indices of the groups for validation."""
         return np.unique(self.group)
 
 
@@ -106,7 +107,11 @@ def _groups(rows: SlidingRows) -> tuple[str, NDArray[np.int_]]:
 def design(
     rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int], *, has_pressure: bool
 ) -> FloatArray:
-    """Return the factors of the linear parameters, shape (n_rows, n_parameters), the offsets last."""
+    """Return the design matrix of the linear parameters, (n_rows, n_parameters).
+
+    The friction is this matrix times the linear parameters. `velocity` is the Stribeck velocity. The columns of the
+    force offsets are last.
+    """
     sign = rows.sign
     columns = [sign]
     if law.is_falling:
@@ -120,7 +125,7 @@ def design(
 
 @dataclass(frozen=True, eq=False)
 class LawSolution:
-    """Parameters of a law that fit some rows."""
+    """Parameters of a friction law that minimise the cost for a set of rows."""
 
     law: FrictionLaw
     has_pressure: bool
@@ -129,7 +134,7 @@ class LawSolution:
     cost: float
 
     def friction(self, rows: SlidingRows) -> FloatArray:
-        """Return the friction of rows, without offsets [N]."""
+        """Return the modelled friction of each row, without force offsets [N]."""
         values = self.values
         linear = [values[COULOMB]]
         linear += [values[STATIC] - values[COULOMB]] if self.law.is_falling else []
@@ -139,11 +144,15 @@ class LawSolution:
         return np.asarray(columns @ np.array(linear))
 
     def zero(self, rows: SlidingRows) -> FloatArray:
-        """Return the offset of the force of each row [N]."""
+        """Return the offset of the force sensor for each row [N]."""
         return np.array([self.offsets.get(int(k), 0.0) for k in rows.record])
 
     def missed(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
-        """Return law minus measurement [N]; `unknown` recordings without an offset are centred."""
+        """Return the residuals of rows, modelled minus measured friction [N].
+
+        `unknown` contains the indices of recordings with free offsets. If the solution has no offset for such a
+        recording, its mean residual is subtracted.
+        """
         errors = self.friction(rows) + self.zero(rows) - rows.friction
         for k in unknown:
             is_record = rows.record == k
@@ -155,7 +164,7 @@ class LawSolution:
 def _solve_linear(
     rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int], *, has_pressure: bool
 ) -> LawSolution | None:
-    """Fit the linear parameters, at least zero, at one Stribeck velocity.
+    """Fit the linear parameters for a given Stribeck velocity; no parameter is negative.
 
     The result is None if the rows do not determine the parameters.
     """
@@ -190,7 +199,7 @@ def _solve_linear(
 def find_minima(
     rows: SlidingRows, law: FrictionLaw, free_offsets: Sequence[int], *, has_pressure: bool
 ) -> list[LawSolution]:
-    """Return the minima over the Stribeck velocity, the best first."""
+    """Return the local minima of the cost over the Stribeck velocity, the best first."""
     offsets = [k for k in free_offsets if (rows.record == k).any()]
 
     def at(logarithm: float) -> LawSolution | None:
@@ -210,7 +219,7 @@ def find_minima(
 
 
 def search_grid(rows: SlidingRows) -> FloatArray:
-    """Return the logarithms of the Stribeck velocities of a search."""
+    """Return the logarithms of the Stribeck velocities at which the search evaluates the cost."""
     speed = np.abs(rows.velocity[rows.velocity != 0.0])
     low, high = float(np.quantile(speed, 0.02)) / BEYOND, float(speed.max()) * BEYOND
     return np.linspace(math.log(low), math.log(high), _SEARCHED)
@@ -219,7 +228,7 @@ def search_grid(rows: SlidingRows) -> FloatArray:
 def _refine_minimum(
     solve: Callable[[float], LawSolution | None], grid: FloatArray, k: int, max_cost: float
 ) -> LawSolution | None:
-    """Return the minimum between the neighbours of a grid point."""
+    """Return the minimum of the cost between the two neighbours of a grid point."""
     from scipy.optimize import minimize_scalar
 
     ends = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, grid.size - 1)])
@@ -235,7 +244,7 @@ def _refine_minimum(
 
 @dataclass(frozen=True, eq=False)
 class FrictionLawFit:
-    """Fit of a friction law to all rows, and without each group."""
+    """Fit of a friction law to all rows, and refits that each omit one group."""
 
     data: FrictionData
     solution: LawSolution
@@ -246,17 +255,17 @@ class FrictionLawFit:
 
     @property
     def values(self) -> Mapping[str, float]:
-        """Parameters by address."""
+        """Mapping from the name of each parameter to its fitted value."""
         return self.solution.values
 
     @cached_property
     def errors(self) -> FloatArray:
-        """Residuals, law minus measurement [N]."""
+        """Residuals of all rows, modelled minus measured friction [N]."""
         return self.solution.missed(self.data.rows)
 
     @cached_property
     def spread(self) -> ClusterCovariance:
-        """Covariance and degrees of freedom of the parameters, from the scatter of the groups."""
+        """Covariance and degrees of freedom of the parameters, from the scatter between groups."""
         if self.solution.law.name == "coulomb" and self.data.axis == "recording":
             return self._levels_spread()
         rows, values, law = self.data.rows, self.values, self.solution.law
@@ -273,7 +282,10 @@ class FrictionLawFit:
         return clustered(columns * root[:, None], self.errors * root, self.data.group, len(values))
 
     def _levels_spread(self) -> ClusterCovariance:
-        """Return the covariance of a line through the levels of the recordings, from their scatter."""
+        """Return the covariance of the parameters from one mean friction level per recording.
+
+        For a law without speed, the levels are fitted by a line versus the pressure.
+        """
         rows, groups = self.data.rows, np.unique(self.data.group)
         masks = [rows.record == k for k in groups]
         errors = np.array([np.mean((rows.sign * self.errors)[mask]) for mask in masks])
@@ -285,14 +297,15 @@ class FrictionLawFit:
 
     @cached_property
     def together(self) -> float:
-        """Correlation time of the residuals in rows; 1 for a table."""
+        """Correlation time of the residuals, in rows; 1 for a table."""
         return correlation_time(self.errors) if self.data.axis != "point" else 1.0
 
     @cached_property
     def allowed(self) -> list[LawSolution]:
         """Equivalent fits at other Stribeck velocities.
 
-        Correlated residuals reduce the effective number of rows by the correlation time.
+        A fit is equivalent if the increase of the cost is not significant. The effective number of rows is the
+        number of rows divided by the correlation time of the residuals.
         """
         data, law = self.data, self.solution.law
         if not law.is_falling:
@@ -307,7 +320,7 @@ class FrictionLawFit:
         return [solution for solution in solutions if solution and solution.cost <= limit]
 
     def interval(self, name: str) -> tuple[float, float, float]:
-        """Return standard error and ends of the interval of a parameter."""
+        """Return the standard error of a parameter, then both ends of the 95 % interval."""
         index = list(self.values).index(name)
         error = float(np.sqrt(self.spread.covariance[index, index]))
         half = coverage_factor(float(self.spread.freedom[index])) * error if math.isfinite(error) else math.inf
@@ -323,15 +336,19 @@ class FrictionLawFit:
         return error, max(low, 0.0), high
 
     def _is_open(self, end: int) -> bool:
-        """Return True if the last Stribeck velocity at one end of the search is equivalent to the best."""
+        """Return True if the Stribeck velocity has no limit at one end of the search range.
+
+        The fit at this end is then equivalent to the best fit. `end` is 0 for the lower end and -1 for the upper end.
+        """
         last = float(search_grid(self.data.rows)[end])
         return any(abs(math.log(solution.values[STRIBECK]) - last) < 1e-9 for solution in self.allowed)
 
 
 def count_speeds(rows: SlidingRows) -> int:
-    """Return the number of distinct speeds; small groups of rows between them are ignored.
+    """Return the number of distinct speeds in the rows.
 
-    A law needs a distinct speed for each parameter that depends on speed.
+    Speeds that are almost equal count as one. Speeds with few rows do not count. A law needs at least one distinct
+    speed for each parameter that depends on speed.
     """
     speed, count = np.sort(np.abs(rows.velocity)), 0
     while speed.size:
@@ -342,7 +359,7 @@ def count_speeds(rows: SlidingRows) -> int:
 
 
 def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | None:
-    """Fit a law to all rows and without each group.
+    """Fit a law to all rows, and again with each group omitted.
 
     The result is None if the rows, or the rows without one group, do not determine its parameters.
     """
@@ -369,10 +386,10 @@ def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | N
 
 
 def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
-    """Return True if the validation error of a law is significantly smaller than that of another.
+    """Return True if a fit has a significantly smaller validation error than the reference.
 
-    Recordings: Student's t test at 95 % on the differences of their mean squares. Strokes, blocks and points of one
-    recording: F test at 99 % on the sums of squares, with the number of uncorrelated rows.
+    If the groups are recordings, Student's t test at 95 % compares the mean square errors of the recordings. For all
+    other groups, an F test at 99 % compares the sums of squares, with the number of uncorrelated rows.
     """
     if fit.held_out_rms >= reference.held_out_rms:
         return False
@@ -396,7 +413,10 @@ def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
 
 
 def select_law(fits: Mapping[str, FrictionLawFit]) -> tuple[str, list[str]]:
-    """Return the simplest law that no other law improves significantly, and the laws equivalent to the best."""
+    """Return the simplest acceptable law, and all laws that the best law does not improve significantly.
+
+    The best law has the smallest validation error. The simplest of the acceptable laws is selected.
+    """
     best = min(fits, key=lambda name: fits[name].held_out_rms)
     equivalent = [name for name in fits if name == best or not is_better(fits[best], fits[name])]
     return equivalent[0], equivalent

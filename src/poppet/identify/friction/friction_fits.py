@@ -1,4 +1,4 @@
-"""Selection of sliding rows from records, and fits of all friction laws."""
+"""Selection of rows of steady sliding from friction records, and fits of all friction laws to them."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ LEVELS_DIFFER, LEAST_PRESSURE = 0.1, 2e3
 
 @dataclass(frozen=True, eq=False)
 class FrictionFits:
-    """Fits of all laws, with the data for findings, figures and the result."""
+    """Fits of all friction laws, with the data that findings, figures and the result need."""
 
     records: tuple[FrictionRecord, ...]
     motions: tuple[RecordedMotion, ...]
@@ -41,18 +41,18 @@ class FrictionFits:
     distance: float  # median distance after a reversal before steady sliding [m]
     fits: Mapping[str, FrictionLawFit]
     supported: str  # simplest law that no other law improves significantly
-    equivalent: tuple[str, ...]  # laws that are equivalent to the best
-    selected: str  # law of the result
+    equivalent: tuple[str, ...]  # laws that the best law does not improve significantly
+    selected: str  # law that the result uses
     is_offset_known: bool = True  # True if the offset of the force is given or free
 
     @property
     def coordinate(self) -> Coordinate:
-        """Kind of motion of the body."""
+        """Kind of motion of the body: translation or rotation."""
         return self.records[0].coordinate
 
     @property
     def is_one_way(self) -> bool:
-        """True if all rows slide in one direction."""
+        """True if all rows have the same direction of sliding."""
         return bool(np.ptp(self.data.rows.sign) == 0.0)
 
     @property
@@ -62,28 +62,28 @@ class FrictionFits:
 
     @cached_property
     def speeds(self) -> tuple[float, float]:
-        """Quantiles of the speed at 2 % and 98 % [m/s]."""
+        """Speeds below which 2 % and 98 % of the rows are [m/s]."""
         low, high = np.quantile(np.abs(self.data.rows.velocity), [0.02, 0.98]).tolist()
         return low, high
 
     @property
     def is_narrow(self) -> bool:
-        """True if the range of speeds is too small for the parts of friction."""
+        """True if the range of speeds is too small to separate the terms of a friction law."""
         return self.speeds[1] < NARROW * self.speeds[0]
 
     @cached_property
     def all_rows(self) -> SlidingRows:
-        """All rows, including those with deflecting bristles."""
+        """All rows of all records, including rows with deflecting bristles after a reversal."""
         return stack_rows([motion.rows for motion in self.motions])
 
     @cached_property
     def bristles(self) -> Bristles | None:
-        """Estimate of the bristles from the reversals."""
+        """Estimates of bristle stiffness and damping; None if there are too few reversals."""
         return fit_bristles(self.motions, self.fit.solution, self.distance)
 
     @property
     def reversals(self) -> int:
-        """Number of reversals."""
+        """Number of reversals in all recordings."""
         return sum(len(motion.reversals) for motion in self.motions)
 
 
@@ -95,7 +95,7 @@ def fit_records(
     within: tuple[float, float] | None,
     mass: float,
 ) -> FrictionFits:
-    """Fit all laws to the sliding rows of records."""
+    """Select rows of steady sliding from records and fit all friction laws to them."""
     records = tuple(records)
     if isinstance(offset, float | int) and offset != 0.0:
         records = tuple(replace(record, force=record.force - float(offset)) for record in records)
@@ -152,7 +152,7 @@ def fit_records(
 
 
 def _acts_along_motion(rows: SlidingRows, *, is_free: bool) -> bool:
-    """Return True if the force acts along the motion: a sign is wrong."""
+    """Return True if the friction acts along the motion, which indicates a wrong sign."""
     masks = [mask for mask in (rows.sign == 1.0, rows.sign == -1.0) if mask.any()]
     zero = float(np.mean([float(np.mean(rows.friction[mask])) for mask in masks])) if is_free else 0.0
     along = rows.sign * (rows.friction - zero)
@@ -160,7 +160,7 @@ def _acts_along_motion(rows: SlidingRows, *, is_free: bool) -> bool:
 
 
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
-    """Return measured and modelled friction of each table or recording."""
+    """Return one table for each record, with measured and modelled mean friction."""
     rows, solution, result = analysis.data.rows, analysis.fit.solution, []
     missed = solution.missed(rows)
     for k, record in enumerate(analysis.records):

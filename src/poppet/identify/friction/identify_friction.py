@@ -1,4 +1,4 @@
-"""Identification of dry friction; validation errors rank the laws."""
+"""Method `identify friction`, which selects a dry friction law by validation errors."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def identify_friction(
     pulley_radius : float, optional
         Radius of the pulley of a joint, at which the seals act [m].
     part, cylinder : str, optional
-        Names of body and cylinder in a circuit; they become the first part of each address.
+        Names of body and cylinder in a circuit; the addresses of the estimates begin with them.
     title : str, optional
         Title of the result.
     notes : sequence of Note, optional
@@ -92,8 +92,8 @@ def identify_friction(
 
     Notes
     -----
-    A row is a point of a table, or one window of a recording. Rows with deflecting bristles after a reversal are not
-    steady sliding: they determine the stiffness of the bristles only.
+    A row is a point of a table, or one window of a recording. Bristles deflect for a short distance after a reversal.
+    Rows within this distance are not steady sliding. They determine only the stiffness of the bristles.
 
     The method selects the simplest law that no other law improves significantly, by the errors at withheld recordings
     or strokes. The intervals are based on the number of these groups, not of samples.
@@ -228,7 +228,7 @@ def _comparison(analysis: FrictionFits, estimates: Mapping[str, Estimate]) -> di
 
 
 def circuit_lines(estimates: Mapping[str, Estimate]) -> str:
-    """Return the estimates as fields of a body and a cylinder in a circuit file."""
+    """Return the estimates as text lines for the body and the cylinder of a circuit file."""
     friction_fields, lines = [], []
     for address, estimate in estimates.items():
         *owner, name = address.split(".")
@@ -267,7 +267,7 @@ def _range(values: Sequence[float]) -> list[float]:
 
 
 def _curves(analysis: FrictionFits) -> dict[str, Any]:
-    """Return the curves of a result by name."""
+    """Return the curves that the report shows, by name."""
     result, unit = {}, analysis.coordinate.effort_unit
     rows, solution = analysis.data.rows, analysis.fit.solution
     zero, model = solution.zero(rows), solution.friction(rows)
@@ -299,7 +299,10 @@ def _curves(analysis: FrictionFits) -> dict[str, Any]:
 
 
 def _pressure_curve(analysis: FrictionFits, friction_along_motion: Any) -> dict[str, Any]:
-    """Return friction versus pressure, with one point for each recording, or all rows of a single recording."""
+    """Return friction versus pressure.
+
+    The curve has one point for each recording, or all rows if there is only one recording.
+    """
     rows, parameters = analysis.data.rows, analysis.fit.values
     residual = friction_along_motion - (
         analysis.fit.solution.friction(rows) * rows.sign - parameters[COULOMB] - parameters[SEAL] * rows.pressure
@@ -328,7 +331,7 @@ def _pressure_curve(analysis: FrictionFits, friction_along_motion: Any) -> dict[
 
 
 def _reversal_curve(analysis: FrictionFits) -> dict[str, Any]:
-    """Return the friction versus the distance after a reversal, scaled to the mean level."""
+    """Return friction versus the distance after a reversal, scaled to the mean sliding level."""
     bristles = analysis.bristles
     assert bristles is not None
     turns = [

@@ -1,4 +1,4 @@
-"""Evaluation of recorded motions: velocities, strokes, reversals and rows for the fit of a friction law.
+"""Evaluation of recorded motions, which gives velocities, strokes, reversals and rows for friction laws.
 
 A stroke is the motion in one direction between two reversals. It is divided into blocks of one window. Each block gives
 one row: the slope of a line through its positions, and the means of the other channels. Velocity and force therefore
@@ -23,7 +23,7 @@ STEADY = 0.03
 SHORTEST, FEWEST = 5, 4
 """Minimum number of samples of a window, and minimum number of windows of a stroke."""
 TURNS = 8.0
-"""Minimum way back at a reversal, in standard deviations of the smoothed position."""
+"""Minimum travel after a reversal, in standard deviations of the smoothed position."""
 MOVING = 3.0
 """Velocity above which a body moves, in standard deviations."""
 CREEPS = 0.005
@@ -35,7 +35,7 @@ With u = pi f W, the slope of a sine is 3 (sin u - u cos u)/u^3 of the true slop
 BENT, WAYS = 0.9, 3.0
 """Fraction of the change between two sliding forces, and factor on the distance of that fraction.
 
-Steady sliding starts at this multiple: of a change as exp(-d/delta), 0.1 % then remains."""
+Steady sliding starts at this multiple of the distance. If the change decays as exp(-d/delta), 0.1 % then remains."""
 CHANGED = 2.0
 """Ratio of speeds within the bending distance above which a row is not steady sliding."""
 SMALL = 0.1
@@ -48,7 +48,10 @@ ROUNDED = 12.0 / 35.0
 
 @dataclass(frozen=True, eq=False)
 class SlidingRows:
-    """Points of a table, or blocks of recordings, for the fit of a law; arrays of shape (n,)."""
+    """Rows for the fit of a friction law: points of a table or blocks of recordings.
+
+    All arrays have the shape (n,).
+    """
 
     velocity: FloatArray  # [m/s]
     friction: (
@@ -61,24 +64,24 @@ class SlidingRows:
     position: FloatArray  # NaN if it is unknown
     distance: FloatArray  # distance since the last stop or reversal; infinite in a table [m]
     record: NDArray[np.int_]
-    stroke: NDArray[np.int_]  # number over all recordings; -1 in a table
+    stroke: NDArray[np.int_]  # index of the stroke, counted over all recordings; -1 in a table
 
     def __len__(self) -> int:
         return int(self.velocity.size)
 
     def of(self, selected: NDArray[np.bool_]) -> SlidingRows:
-        """Return selected rows."""
+        """Return the rows for which the mask `selected` is True."""
         return SlidingRows(*(getattr(self, field.name)[selected] for field in fields(self)))
 
     @property
     def sign(self) -> FloatArray:
-        """Sign of the velocity, or of the friction if the velocity is zero."""
+        """Sign of the velocity of each row, or of the friction if the velocity is zero."""
         return np.where(self.velocity != 0.0, np.sign(self.velocity), np.sign(self.friction))
 
 
 @dataclass(frozen=True, eq=False)
 class Reversal:
-    """Samples of a stroke after a reversal, while bristles deflect; arrays of shape (n,)."""
+    """Samples after a reversal, in which bristles deflect; arrays of shape (n,)."""
 
     distance: FloatArray  # [m]
     friction: FloatArray  # [N]
@@ -96,7 +99,7 @@ class Reversal:
 
 @dataclass(frozen=True, eq=False)
 class RecordedMotion:
-    """Recording that is smoothed and divided into strokes."""
+    """Smoothed recording, divided into strokes, with rows and reversals."""
 
     rows: SlidingRows
     reversals: tuple[Reversal, ...]
@@ -108,7 +111,7 @@ class RecordedMotion:
 
 
 def rows_of_table(record: FrictionRecord, index: int) -> RecordedMotion:
-    """Return the points of a table as rows."""
+    """Return the points of a table as rows for the fit of a friction law."""
     assert record.velocity is not None
     n, unknown = len(record), np.full(len(record), math.nan)
     weight = np.ones(n) if record.uncertainty is None else record.uncertainty**-2.0
@@ -123,9 +126,10 @@ def rows_of_table(record: FrictionRecord, index: int) -> RecordedMotion:
 def rows_of_recording(
     record: FrictionRecord, index: int, first_stroke: int, window: float | None, mass: float
 ) -> RecordedMotion:
-    """Divide a recording into strokes and blocks.
+    """Divide a recording into strokes, and each stroke into blocks.
 
-    The default window of a stroke depends on its speed.
+    The result contains rows of steady motion and reversals. If `window` is None, the window of each stroke depends on
+    the speed of the stroke.
     """
     time = record.time
     assert time is not None
@@ -173,7 +177,7 @@ def rows_of_recording(
 
 
 def stack_rows(rows: Sequence[SlidingRows]) -> SlidingRows:
-    """Return the concatenation of rows."""
+    """Return the rows of several recordings as one set of rows."""
     return SlidingRows(
         *(
             np.concatenate([getattr(part, field.name) for part in rows] or [np.zeros(0)])
@@ -184,7 +188,7 @@ def stack_rows(rows: Sequence[SlidingRows]) -> SlidingRows:
 
 @dataclass(frozen=True)
 class _StrokeRange:
-    """Range of samples in one direction."""
+    """Range of samples of one stroke, in which the body moves in one direction."""
 
     first: int  # index of the first sample
     end: int  # index after the last sample
@@ -194,7 +198,7 @@ class _StrokeRange:
 
 @dataclass(frozen=True, eq=False)
 class _StrokeSamples:
-    """Samples of a stroke, shape (n,)."""
+    """Samples of one stroke, arrays of shape (n,)."""
 
     time: FloatArray
     position: FloatArray
@@ -210,11 +214,14 @@ class _StrokeSamples:
 
     @property
     def distance(self) -> FloatArray:
-        """Distance since the reversal."""
+        """Distance of each sample from the reversal at the start of the stroke."""
         return np.asarray(np.maximum(self.sign * (self.smooth - self.smooth[0]), 0.0))
 
     def reversal(self, step: float, window: float, last: Reversal | None) -> Reversal:
-        """Return the data on the deflection of bristles."""
+        """Return the samples after the reversal, for the fit of the bristles.
+
+        `last` is the reversal before this one.
+        """
         series = self.sign * (self.smooth - self.smooth[0]), self.friction, self.speed, self.pressure
         rounding = ROUNDED * step * float(np.median(np.abs(self.speed)))
         return Reversal(
@@ -230,9 +237,11 @@ class _StrokeSamples:
         )
 
     def blocks(self, width: float, sigma: float) -> SlidingRows:
-        """Return blocks of one window: the slope of the positions, and the means of the other channels.
+        """Return one row for each block of the stroke.
 
-        The first and the last block contain reversals and are omitted, and so are blocks at rest.
+        The velocity is the slope of a line through the positions of the block. The other channels are mean values.
+
+        The first and the last block are omitted, because they contain reversals. Blocks at rest are also omitted.
         """
         block = np.floor((self.time - self.time[0]) / width + 1e-9).astype(int)
         starts = np.flatnonzero(np.diff(block, prepend=-1))
@@ -265,7 +274,10 @@ def _pressure(record: FrictionRecord) -> FloatArray:
 
 
 def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[FloatArray, FloatArray, float]:
-    """Return values, slopes and rms residual of lines through the samples within `half` of each time."""
+    """Fit a line to the samples within `half` of each time.
+
+    The result contains the values and slopes of the lines at these times, and the rms residual.
+    """
     first = np.searchsorted(time, time - half * (1.0 + 1e-9))
     end = np.searchsorted(time, time + half * (1.0 + 1e-9), side="right")
     # At the ends the window is one-sided, with at least three samples.
@@ -286,7 +298,10 @@ def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[Flo
 
 
 def _position_noise(time: FloatArray, position: FloatArray) -> float:
-    """Return the standard deviation of a position: residual of lines through five samples, at least the resolution."""
+    """Return the standard deviation of the position noise, at least that of the resolution.
+
+    The noise is the residual of lines through five samples.
+    """
     levels = np.unique(position)
     steps = np.diff(levels)
     # Many samples of a quantised position are equal; otherwise the minimum difference is random.
@@ -296,7 +311,7 @@ def _position_noise(time: FloatArray, position: FloatArray) -> float:
 
 
 def _choose_window(time: FloatArray, position: FloatArray, noise: float, step: float) -> float:
-    """Return the shortest window for a relative velocity noise of `STEADY`."""
+    """Return the shortest window that limits the relative velocity noise to `STEADY`."""
     samples, longest = float(SHORTEST), max(time.size / FEWEST, SHORTEST)
     while True:
         typical = float(np.quantile(np.abs(_fit_lines(time, position, 0.5 * samples * step)[1]), 0.75))
@@ -308,7 +323,10 @@ def _choose_window(time: FloatArray, position: FloatArray, noise: float, step: f
 def _split_strokes(
     time: FloatArray, position: FloatArray, smooth: FloatArray, back: float
 ) -> tuple[list[_StrokeRange], int]:
-    """Return the strokes between reversals that exceed the noise, and the number of omitted strokes."""
+    """Return the strokes between significant reversals, and the number of omitted short strokes.
+
+    A reversal is significant if the travel after it exceeds the noise.
+    """
     turns, sign = [0], 0.0
     lowest = highest = 0
     for k, x in enumerate(smooth.tolist()):
@@ -336,9 +354,9 @@ def _split_strokes(
 
 
 def bending_distances(motions: Sequence[RecordedMotion]) -> dict[int, float]:
-    """Return the distance before steady sliding for each stroke [m].
+    """Return the distance from each reversal to steady sliding, by index of the stroke [m].
 
-    A stroke that does not show it has the median of the others.
+    The distance of a stroke is at least the median over all strokes for which it can be measured.
     """
     distances = {}
     # On strokes that are much shorter than the others, bristles deflect without sliding.
@@ -365,7 +383,10 @@ def bending_distances(motions: Sequence[RecordedMotion]) -> dict[int, float]:
 
 
 def is_steady(rows: SlidingRows, distance_of_row: FloatArray) -> NDArray[np.bool_]:
-    """Return False for rows after a change of speed within the bending distance."""
+    """Return a mask of the rows with steady sliding.
+
+    In other rows, the speed changed too much within the distance that the bristles need to deflect.
+    """
     result, speed = np.ones(len(rows), dtype=bool), np.abs(rows.velocity)
     for k in np.unique(rows.stroke[rows.stroke >= 0]):
         indices = np.flatnonzero(rows.stroke == k)

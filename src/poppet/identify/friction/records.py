@@ -1,4 +1,4 @@
-"""Measured friction: tables of force versus velocity, and recordings of moved bodies."""
+"""Measured friction: tables of force versus velocity, and recordings of a moving body."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ BRISTLES, DAMPING = "friction.bristle_stiffness", "friction.bristle_damping"
 
 @dataclass(frozen=True)
 class Coordinate:
-    """Kind of motion of a body; a rotation has torques and angles."""
+    """Kind of motion of a body, with units and names; a rotation has torques and angles."""
 
     body: str  # kind of the part
     length: str  # SI unit of a position
@@ -32,18 +32,24 @@ class Coordinate:
         return f"{self.length}/s"
 
     def name(self, number: str) -> str:
-        """Return the name of a parameter of a law for this body."""
+        """Return the name of a friction parameter for this kind of body.
+
+        `number` is the name for a translation.
+        """
         return number.replace("_force", f"_{self.effort}")
 
     def unit(self, number: str) -> str:
-        """Return the SI unit of a parameter of a law."""
+        """Return the SI unit of a friction parameter for this kind of body."""
         effort, length = self.effort_unit, self.length
         units = {STRIBECK: self.speed, SEAL: "N/Pa", BRISTLES: f"{effort}/{length}"}
         units |= dict.fromkeys((VISCOUS, DAMPING), f"{effort} s/{length}")
         return units.get(number, effort)
 
     def is_of(self, unit: str, quantity: str) -> bool:
-        """Return True if a unit is valid for `position`, `velocity` or the effort."""
+        """Return True if a unit is valid for a quantity of this kind of body.
+
+        The quantity is `position`, `velocity`, or the name of the force or torque.
+        """
         si_unit = {"position": self.length, "velocity": self.speed, self.effort: self.effort_unit}[quantity]
         return read_unit(unit).dimension == read_unit(si_unit).dimension
 
@@ -59,7 +65,7 @@ LEAST = 3
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class FrictionRecord:
-    """Table of steady sliding, or recording of a moved body.
+    """Table of steady sliding, or recording of a moving body.
 
     Parameters
     ----------

@@ -1,1 +1,1 @@
-"""The law of a muscle from its measured force."""
+"""Identification of the force law of a pneumatic muscle from measured forces."""

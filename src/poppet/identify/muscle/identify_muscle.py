@@ -1,4 +1,4 @@
-"""Identification of the force law of a muscle; validation errors rank the laws."""
+"""Method `identify muscle`, which selects a force law by validation errors."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def identify_muscle(
     title: str = "muscle",
     notes: Sequence[Note] = (),
 ) -> Result:
-    """Identify the force law of a muscle from a force map or recordings.
+    """Identify the force law of a pneumatic muscle from a force map or recordings.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def identify_muscle(
     law : str, optional
         `best` (default) or the name of a law, `sarosi`, `table`, `tondu_lopez`, `chou_hannaford`.
     part : str, optional
-        Name of the muscle in a circuit; it becomes the first part of each address.
+        Name of the muscle in a circuit; the addresses of the estimates begin with it.
     title : str, optional
         Title of the result.
     notes : sequence of Note, optional
@@ -74,8 +74,8 @@ def identify_muscle(
     The fit uses taut points only: the force of a slack muscle is zero, whatever the law gives.
 
     Each group of points (recording or level of pressure) is withheld once; on a map, the inner levels of contraction
-    are also withheld. The rms of all validation errors ranks the laws. The intervals are a jackknife over the first
-    kind of groups, with Student's t.
+    are also withheld. The rms of all validation errors ranks the laws. The intervals follow from a
+    jackknife over the recordings or levels of pressure, with Student's t.
 
     References
     ----------
@@ -118,7 +118,7 @@ def identify_muscle(
 
 
 def _doubts(points: MusclePoints, fit: ForceLawFit) -> Iterator[Note]:
-    """Yield findings that make all estimates doubtful."""
+    """Yield findings that cast doubt on all estimates."""
     taut = points.taut
     pressure, force = points.pressure[taut], points.force[taut]
     maximum = float(np.max(force))
@@ -194,7 +194,7 @@ def _findings(
 
 
 def _reasons(points: MusclePoints, fits: Mapping[str, ForceLawFit], ranked: Sequence[str]) -> Iterator[Note]:
-    """Yield the reasons for the errors of inferior laws."""
+    """Yield findings on why other laws have larger validation errors."""
     inferior = [name for name in ranked[1:] if fits[name].score > ALIKE * fits[ranked[0]].score]
     proportional = [name for name in inferior if name in PROPORTIONAL]
     if proportional and ranked[0] not in PROPORTIONAL:
@@ -231,7 +231,10 @@ def _conditions(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
 
 
 def _series(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
-    """Return curves with their points at some levels, or all points if there are no levels."""
+    """Return the curves of the report, with the measured points at some levels.
+
+    Without levels, the result contains all points.
+    """
     axis, taut = points.groups[0], points.taut
     if axis not in ("pressure", "contraction"):
         order = np.argsort(points.contraction[taut], kind="stable")

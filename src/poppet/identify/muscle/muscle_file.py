@@ -1,4 +1,4 @@
-"""Reader of files with the measured force of a muscle: columns of pressure, contraction or length, and force."""
+"""Reader of files with the measured force of a muscle versus pressure and contraction or length."""
 
 from __future__ import annotations
 

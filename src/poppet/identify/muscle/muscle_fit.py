@@ -1,4 +1,4 @@
-"""Least-squares fits of the force laws of a muscle to taut points, with each group withheld once.
+"""Least-squares fits of muscle force laws to taut points, with cross-validation by groups.
 
 At most one parameter of a law is nonlinear: a scalar search finds it, and the others follow from it (variable
 projection). The refits without one group give the validation error and, as a jackknife over groups, the intervals.
@@ -28,34 +28,37 @@ _SEARCHED = 24
 
 
 class ForceLawCandidate(ABC):
-    """Force law with free parameters."""
+    """Force law of a muscle whose parameters can be fitted."""
 
     name: ClassVar[str]
     shapes: ClassVar[tuple[float, float] | None] = None
-    """Range of the nonlinear parameter, or None."""
+    """Range of the nonlinear parameter; None if the law has no nonlinear parameter."""
 
     def __init__(self, points: MusclePoints, selected: NDArray[np.bool_] | None = None) -> None:
         self.diameter, self.length = points.nominal_diameter, points.nominal_length
 
     @abstractmethod
     def columns(self, pressure: FloatArray, contraction: FloatArray, shape: float) -> tuple[Any, list[FloatArray]]:
-        """Return the fixed part of the force, and the factors of the linear parameters."""
+        """Return the fixed term of the force and the factors of the linear parameters.
+
+        The force is the fixed term plus the sum of factor times parameter. `shape` is the nonlinear parameter.
+        """
 
     @abstractmethod
     def units(self) -> dict[str, str]:
-        """Return the unit of each parameter by its address."""
+        """Return a mapping from the address of each parameter to its unit."""
 
     def numbers(self, linear: FloatArray, shape: float) -> list[float]:
-        """Return the parameters of the part, in the order of `units`."""
+        """Return the parameters of the muscle in a circuit, in the order of `units`."""
         return [*linear.tolist(), *([] if self.shapes is None else [shape])]
 
     @abstractmethod
     def law(self, values: Mapping[str, float]) -> ForceLaw:
-        """Return the law for parameters by address."""
+        """Return the force law with the given parameter values by address."""
 
 
 class SarosiCandidate(ForceLawCandidate):
-    """Force law of Sarosi."""
+    """Force law of Sarosi as a candidate for the fit."""
 
     name = "sarosi"
     shapes = (-300.0, -5.0)
@@ -75,7 +78,7 @@ class SarosiCandidate(ForceLawCandidate):
 
 
 class BraidCandidate(ForceLawCandidate):
-    """Force law of Chou and Hannaford, linear in b = 1/sin^2 of the braid angle."""
+    """Force law of Chou and Hannaford, which is linear in b = 1/sin^2 of the braid angle."""
 
     name = "chou_hannaford"
 
@@ -97,7 +100,7 @@ class BraidCandidate(ForceLawCandidate):
 
 
 class TonduCandidate(BraidCandidate):
-    """Force law of Tondu and Lopez, with the end factor k."""
+    """Force law of Tondu and Lopez, which adds the end factor k to the braid law."""
 
     name = "tondu_lopez"
     shapes = (0.2, 6.0)
@@ -110,7 +113,10 @@ class TonduCandidate(BraidCandidate):
 
 
 class TableCandidate(ForceLawCandidate):
-    """Table of lines versus pressure at levels of contraction, with linear interpolation."""
+    """Table of the force at levels of contraction, with linear interpolation between levels.
+
+    At each level, the force is a linear function of the pressure.
+    """
 
     name = "table"
 
@@ -148,13 +154,13 @@ CANDIDATES: dict[str, type[ForceLawCandidate]] = {
 
 @dataclass(frozen=True, eq=False)
 class ForceLawFit:
-    """Fit of a force law to all taut points, and without each group."""
+    """Fit of a force law to all taut points, and refits that each omit one group."""
 
     candidate: ForceLawCandidate
     points: MusclePoints
     values: Mapping[str, float]
     without: FloatArray  # parameters of the fits without each group, (n_groups, n_parameters)
-    # By axis: law minus measurement of the withheld taut points [N].
+    # Validation errors by axis of the groups: modelled minus measured force of the withheld taut points [N].
     held_out: Mapping[str, FloatArray]
 
     @cached_property
@@ -163,7 +169,7 @@ class ForceLawFit:
         return self.candidate.law(self.values)
 
     def is_at_bound(self, name: str) -> bool:
-        """Return True if the nonlinear parameter is at an end of its range, or no angle fits."""
+        """Return True if a nonlinear parameter is at a bound, or if no braid angle fits."""
         value, shapes = self.values[name], self.candidate.shapes or ()
         at_end = name in ("sarosi.a3", "end_factor") and any(abs(value - end) < 1e-3 * abs(end) for end in shapes)
         return at_end or (name == "braid_angle" and value == 0.5 * math.pi)
@@ -175,29 +181,29 @@ class ForceLawFit:
 
     @cached_property
     def covariance(self) -> FloatArray:
-        """Covariance of the parameters, from a jackknife over groups."""
+        """Covariance of the parameters, from a jackknife over the groups."""
         count = len(self.without)
         centred = self.without - self.without.mean(axis=0)
         return np.asarray((count - 1) / count * centred.T @ centred)
 
     @cached_property
     def errors(self) -> FloatArray:
-        """Law minus measurement at taut points [N]."""
+        """Residuals of the taut points, modelled minus measured force [N]."""
         return np.asarray((self.modelled - self.points.force)[self.points.taut])
 
     @cached_property
     def score(self) -> float:
-        """Root mean square of all validation errors, by which laws are ranked [N]."""
+        """Root mean square of all validation errors; the smallest value ranks first [N]."""
         return rms(np.concatenate([*self.held_out.values()]))
 
 
 def rms(errors: FloatArray) -> float:
-    """Return the root mean square."""
+    """Return the root mean square of errors."""
     return float(np.sqrt(np.mean(errors**2)))
 
 
 def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
-    """Fit a law to the taut points.
+    """Fit a force law to the taut points, and again with each group omitted.
 
     The result is None if the points, or the points without one group, do not determine its parameters.
     """
@@ -224,7 +230,7 @@ def fit_force_law(points: MusclePoints, name: str) -> ForceLawFit | None:
 
 
 def error_at(fit: ForceLawFit, shift: float) -> float:
-    """Return the rms error of a refit to shifted pressures [N]."""
+    """Return the rms error of a fit of the same law to pressures that are shifted by `shift` [N]."""
     shifted = replace(fit.points, pressure=fit.points.pressure + shift)
     values = _fit_parameters(fit.candidate, shifted, shifted.taut)
     assert values is not None  # the points determined the parameters before
@@ -242,7 +248,10 @@ def _force(candidate: ForceLawCandidate, points: MusclePoints, values: Mapping[s
 def _fit_parameters(
     candidate: ForceLawCandidate, points: MusclePoints, selected: NDArray[np.bool_]
 ) -> dict[str, float] | None:
-    """Return the parameters that fit selected points, or None if these do not determine them."""
+    """Return the parameters that fit the selected points.
+
+    The result is None if the points do not determine the parameters.
+    """
     pressure, contraction, force = (array[selected] for array in (points.pressure, points.contraction, points.force))
     hysteresis: list[FloatArray] = []
     if points.direction is not None:
@@ -268,7 +277,10 @@ def _fit_parameters(
 
 
 def _minimise(cost: Callable[[float], float], low: float, high: float) -> float:
-    """Return the minimum of a cost between limits of equal sign: a geometric grid, then a local search."""
+    """Return the argument between `low` and `high` at which a cost is least.
+
+    Both limits have the same sign. The search uses a geometric grid, then a local search.
+    """
     from scipy.optimize import minimize_scalar
 
     grid = np.sign(low) * np.geomspace(abs(low), abs(high), _SEARCHED)

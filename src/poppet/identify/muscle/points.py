@@ -1,4 +1,4 @@
-"""Measured force of a muscle, from a map or recordings, with its groups for validation."""
+"""Measured forces of a muscle, from a map or recordings, with groups for validation."""
 
 from __future__ import annotations
 
@@ -29,20 +29,20 @@ LEAST_GROUPS = 3
 
 @dataclass(frozen=True, eq=False)
 class MusclePoints:
-    """Measured force of a muscle versus pressure and contraction.
+    """Measured force of a muscle at points of pressure and contraction.
 
     Parameters
     ----------
     pressure : (n,) array
         Gauge pressure [Pa].
     contraction : (n,) array
-        (L0 - L)/L0 [1].
+        Contraction (L0 - L)/L0, with the length L and the nominal length L0 [1].
     force : (n,) array
         Tensile force [N].
     nominal_length, nominal_diameter : float
         Length and inner diameter without pressure and load [m].
     recording : (n,) array of int, optional
-        Number of the recording of each point; by default all points are one table.
+        Index of the recording to which each point belongs; by default all points are one table.
     time : (n,) array, optional
         Time of each sample of a recording; the direction of the motion then gives the hysteresis [s].
     slack_below : float, optional
@@ -98,19 +98,19 @@ class MusclePoints:
 
     @cached_property
     def slack_force(self) -> float:
-        """Maximum force of a slack point [N]."""
+        """Force up to which a point counts as slack [N]."""
         return SLACK * float(np.max(self.force)) if self.slack_below is None else self.slack_below
 
     @cached_property
     def taut(self) -> NDArray[np.bool_]:
-        """Mask of the points at which the muscle pulls, shape (n,)."""
+        """Mask of the taut points, at which the muscle pulls, shape (n,)."""
         return np.asarray(self.force > self.slack_force)
 
     @cached_property
     def direction(self) -> FloatArray | None:
-        """Direction of the motion: 1 for contraction, -1 for extension, 0 at rest.
+        """Direction of the motion at each point: 1 for contraction, -1 for extension, 0 at rest.
 
-        The result is None without a time, or if nothing moves.
+        The result is None if the points have no time, or if no taut point moves.
         """
         if self.time is None:
             return None
@@ -129,9 +129,10 @@ class MusclePoints:
 
     @cached_property
     def groups(self) -> tuple[str, NDArray[np.int_]]:
-        """Axis of the groups for validation, and the group of each point, shape (n,).
+        """Kind of the groups for validation, and index of the group of each point, shape (n,).
 
-        The groups are recordings if there are several, else levels of pressure or contraction, else blocks in time.
+        The groups are recordings if there are enough of them. Otherwise they are levels of pressure or contraction, or
+        blocks in time.
         """
         if self._is_sufficient(self._recordings):
             return "recording", self._recordings
@@ -147,10 +148,11 @@ class MusclePoints:
 
     @cached_property
     def crossed(self) -> tuple[str, NDArray[np.int_]] | None:
-        """Second axis of a map, and the group of each point, shape (n,).
+        """Second axis of a force map, and index of the group of each point, shape (n,).
 
-        Its inner levels are also withheld, because a law interpolates between them. Group -1 is never withheld: that
-        would be an extrapolation.
+        The inner levels along this axis are also withheld once, because a law interpolates between levels. Points at
+        the outer levels have the group -1. They are never withheld along this axis, because a law would have to
+        extrapolate to them. The result is None if there is no second axis with enough levels.
         """
         name = {"pressure": "contraction", "contraction": "pressure"}.get(self.groups[0])
         if name is None:
@@ -166,7 +168,10 @@ class MusclePoints:
 
 
 def levels(values: FloatArray) -> NDArray[np.int_]:
-    """Return the number of the level of each value."""
+    """Return the index of the level to which each value belongs.
+
+    A level consists of values that are almost equal. The levels are in ascending order.
+    """
     order = np.argsort(values, kind="stable")
     steps = np.diff(values[order], prepend=values[order][:1]) > SAME * float(np.ptp(values))
     result = np.empty(values.size, dtype=int)
@@ -175,7 +180,7 @@ def levels(values: FloatArray) -> NDArray[np.int_]:
 
 
 def join_tables(tables: Sequence[MusclePoints]) -> MusclePoints:
-    """Return several recordings of one muscle as one set of points."""
+    """Return the points of several recordings of one muscle as one set of points."""
     with ErrorCollector() as errors:
         for (k, first_table), (n, second_table) in itertools.combinations(enumerate(tables), 2):
             if all(np.array_equal(getattr(first_table, name), getattr(second_table, name)) for name in CHANNELS):

@@ -1,1 +1,1 @@
-"""Tank tests according to ISO 6358-2."""
+"""Identification of flow characteristics from tank tests according to ISO 6358-2."""

@@ -1,4 +1,4 @@
-"""Fits of a tank test with other models: one fixed parameter is free, or another thermal law."""
+"""Fits of a tank test with other models, in which one more parameter is free or the thermal law differs."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ HELD = (
 )
 """Fixed fields of a tank test that can be free."""
 ASKED_FOR = 2.5
-"""Step to another value that requires a fit, in sigmas; a false alarm only costs time."""
+"""Predicted change of a fixed parameter above which it is fitted, in sigmas; a false alarm only costs time."""
 BY_STEPS = 0.5
 """Residuals up to this fraction of the sensor resolution count as rounding."""
 CONSTANT = 1e3
@@ -45,21 +45,21 @@ WARMS = 0.05
 
 @dataclass(frozen=True)
 class Alternative:
-    """Fit of a model with more free parameters."""
+    """Fit of a tank test in which one more field is free than in the original fit."""
 
-    name: str  # name of the free field
+    name: str  # name of the field that is free in this model only
     estimates: Mapping[str, Estimate]
-    difference: float  # AICc minus that of the fit; negative if better
-    samples: float  # number of residuals per independent one
+    difference: float  # AICc of this model minus that of the fit; negative if this model is better
+    samples: float  # number of residuals per independent residual
 
     @property
     def gain(self) -> float:
-        """Decrease of AICc per independent sample."""
+        """Decrease of AICc relative to the original fit, per independent sample."""
         return -self.difference / self.samples
 
 
 def misfit_channels(plan: FitPlan, result: Result) -> set[str]:
-    """Return the channels whose residuals are neither white noise nor rounding."""
+    """Return the channels whose residuals are neither white noise nor rounding errors."""
     channels = set()
     for fitted in channels_of(plan.experiments):
         series = result.series[fitted.name]
@@ -70,7 +70,10 @@ def misfit_channels(plan: FitPlan, result: Result) -> set[str]:
 
 
 def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> list[Alternative]:
-    """Return all alternatives, the best first; none if the recordings do not require one."""
+    """Return the fits of all alternative models, the best first.
+
+    The list is empty if the recordings give no reason for another model.
+    """
     plans = {
         name: alternative_plan
         for name in HELD
@@ -106,7 +109,10 @@ def fit_alternatives(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, res
 def wall_temperature_notes(
     test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, number: str
 ) -> list[Note]:
-    """Return a note if the wall probably warmed and this changes a parameter."""
+    """Return a note if the tank wall probably warmed enough to change the main parameter.
+
+    `number` is the address of this parameter.
+    """
     if test.thermal != "energy" or test.wall_heat_capacity is not None:
         return []
     values = {name: estimate.value for name, estimate in result.parameters.items()}
@@ -138,7 +144,10 @@ def wall_temperature_notes(
 
 
 def alternatives_table(alternatives: Sequence[Alternative], number: str) -> dict[str, Any]:
-    """Return the alternatives for a result file: AICc, main parameter, free parameters."""
+    """Return the alternative models as tables for a result file.
+
+    Each table contains the difference of AICc, the main parameter `number` and all free parameters.
+    """
     return {
         alternative.name: {
             "aicc_difference": alternative.difference,
@@ -154,7 +163,10 @@ def _row(estimate: Estimate) -> dict[str, Any]:
 
 
 def _alternative_plan(test: TankTest, runs: Sequence[TankRun], name: str) -> FitPlan | None:
-    """Return the plan with one fixed parameter free; None if it does not apply."""
+    """Return the plan in which one fixed parameter is free.
+
+    The result is None if this model does not apply to the test.
+    """
     if name == "supply_pressure":
         if not any(run.direction == "charge" and not is_free(run.supply_pressure) for run in runs):
             return None
@@ -184,7 +196,10 @@ def _added_parameters(plan: FitPlan, result: Result) -> list[FreeParameter]:
 
 
 def _largest_step(plan: FitPlan, result: Result) -> float:
-    """Return the largest step to a fixed parameter, in sigmas, from the gradient."""
+    """Return the largest predicted change of a fixed parameter if it were free, in sigmas.
+
+    The prediction uses the gradient of the cost.
+    """
     added, names = _added_parameters(plan, result), [f.name for f in plan.free]
     x = np.array([result.parameters[f.name].value if f not in added else _fixed_value(f) for f in plan.free])
     residual, jacobian = FitObjective(plan.experiments, plan.free, _sigmas(plan, result)).residual_and_jacobian(x)
@@ -208,7 +223,7 @@ def _largest_step(plan: FitPlan, result: Result) -> float:
 
 
 def _fixed_value(f: FreeParameter) -> float:
-    """Return the value in the fit of a parameter that is free in an alternative."""
+    """Return the value that a parameter, free in an alternative, has in the original fit."""
     if f.role in ("lag", "offset") or f.address == "leak.sonic_conductance":
         return 0.0
     return CONSTANT * f.start if f.address == "tank.wall_heat_capacity" else f.start
@@ -221,9 +236,10 @@ def _sigmas(plan: FitPlan, result: Result) -> list[float]:
 def _fit_plan(
     plan: FitPlan, result: Result, times: float = 1.0, conducts: float = 1.0, kicks: int | None = 0
 ) -> Optimum:
-    """Return the optimum of a search from the end of the fit.
+    """Return the optimum of an alternative model.
 
-    Added parameters start from a multiple of their usual start value.
+    The search starts from the fitted values. Parameters that the fit does not contain start from `times` their usual
+    start value. `conducts` is the least start value of the wall conductance, as a multiple of its usual start value.
     """
     is_walled = any(f.address == "tank.wall_heat_capacity" for f in plan.free)
 
@@ -241,7 +257,10 @@ def _fit_plan(
 
 
 def _evaluate(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dict[str, FloatArray], float]:
-    """Return the estimates, the residuals of each channel in SI units, and the AICc of an optimum."""
+    """Return the estimates at an optimum, the residuals in SI units, and the AICc.
+
+    The residuals are given by channel.
+    """
     channels = zip(channels_of(plan.experiments), optimum.sigmas, strict=True)
     residuals = {fitted.name: sigma * optimum.residual[fitted.rows] for fitted, sigma in channels}
     parameters = estimates(plan.free, optimum, error_model_of(plan.experiments, optimum, plan.settings))
@@ -259,7 +278,10 @@ def _to_alternative(name: str, plan: FitPlan, optimum: Optimum, result: Result) 
 
 
 def compare_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
-    """Add the estimates and the AICc under each law in `compare` to a result."""
+    """Add a comparison of thermal laws to a result.
+
+    The comparison contains the estimates and the AICc for the law of the test and for each law in `compare`.
+    """
     names = [fitted.name for fitted in channels_of(plan.experiments)]
     first_row = _law_row(result.comparison["aicc"], result.parameters, {k: result.residuals[k].rms for k in names})
     laws: dict[str, dict[str, Any]] = {test.thermal: first_row}
@@ -291,7 +313,7 @@ def _law_row(criterion: float, parameters: Mapping[str, Estimate], rms: Mapping[
 
 
 def _law_note(laws: Mapping[str, dict[str, Any]], number: str) -> Note:
-    """Return a note on the spread of C between the laws."""
+    """Return a note on how much C differs between the thermal laws."""
     least = min(law["aicc"] for law in laws.values())
     values = {name: float(law["numbers"][number]["value"]) for name, law in laws.items()}
     left = tuple(name for name, law in laws.items() if law["aicc"] - least < CLEAR)

@@ -1,4 +1,4 @@
-"""Limits on the verdicts of a tank test from evidence against its model."""
+"""Limits on the verdicts of a tank test if there is evidence against its model."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ READ_OFF = ("initial_pressure", "initial_temperature")
 
 
 def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
-    """Add alternative models and notes to a result, and limit its verdicts."""
+    """Add alternative models and notes to a result, and limit the verdicts of its estimates."""
     number = f"{test.part}.sonic_conductance"
     if result.conditions["interrupted"] or number not in result.parameters:
         return result
@@ -80,9 +80,9 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
 
 
 def _is_equivalent_model(alternative: Alternative, result: Result, number: str) -> bool:
-    """Return True if another model explains the recordings equally well.
+    """Return True if an alternative model is a plausible explanation of the recordings.
 
-    If its C is near, it must have no more free parameters.
+    If C of the other model is close to that of the fit, the other model must not have more free parameters.
     """
     simple, value = result.parameters[number], alternative.estimates[number].value
     is_swap = len(alternative.estimates) <= len(result.parameters) and alternative.difference < CLEAR
@@ -91,7 +91,10 @@ def _is_equivalent_model(alternative: Alternative, result: Result, number: str) 
 
 
 def _alternative_notes(alternatives: Sequence[Alternative], result: Result, number: str) -> list[Note]:
-    """Return notes on the best alternative and on the main parameter under each."""
+    """Return notes on the best alternative model and on C under each alternative model.
+
+    `number` is the address of C.
+    """
     if not alternatives:
         return []
     simple, best = result.parameters[number], alternatives[0]
@@ -120,7 +123,7 @@ def _alternative_notes(alternatives: Sequence[Alternative], result: Result, numb
 
 
 def _unusual_notes(plan: FitPlan, result: Result, number: str) -> Iterator[Note]:
-    """Yield notes on implausible values, which suggest a wrong unit."""
+    """Yield notes on implausible values, which indicate a wrong unit."""
     conductance = result.parameters[number].value
     if not USUAL_CONDUCTANCE[0] <= conductance <= USUAL_CONDUCTANCE[1]:
         yield Note("finding.unusual.conductance", number, value=conductance)
@@ -137,7 +140,10 @@ def _unusual_notes(plan: FitPlan, result: Result, number: str) -> Iterator[Note]
 
 
 def _discharge_coefficient(test: TankTest, conductance: Estimate) -> dict[str, float]:
-    """Return the discharge coefficient with its interval and its least possible value."""
+    """Return the discharge coefficient: conductance divided by that of a nozzle of the same bore.
+
+    The result also contains the 95 % interval and the value for a bore that is larger by two standard deviations.
+    """
     bore, sigma = (quantity(number, "m", name="bore").value for number in (test.bore, test.bore_uncertainty))
 
     def nozzle(diameter: float) -> float:
@@ -148,9 +154,10 @@ def _discharge_coefficient(test: TankTest, conductance: Estimate) -> dict[str, f
 
 
 def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
-    """Limit to "weak" the verdicts of parameters with evidence against the model.
+    """Change the verdict `determined` to `weak` for parameters with evidence against the model.
 
-    `capped` of the conditions has the reasons.
+    The item `capped` of the conditions of the result contains the reasons. `missed` contains the channels that the
+    model does not explain.
     """
     reasons: dict[str, list[str]] = {}
     for note in result.remarks:

@@ -30,7 +30,7 @@ def identify_tank(
     progress: Progress | None = None,
     stages: Stages | None = None,
 ) -> Result:
-    """Fit C, b and other free parameters to charge and discharge tests.
+    """Fit C, b and other free parameters to charge and discharge tests of a tank.
 
     Parameters
     ----------
@@ -93,7 +93,7 @@ def identify_tank(
 
 
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
-    """Widen the intervals of a result for an unknown ambient temperature."""
+    """Widen the intervals of a result if the ambient temperature is unknown."""
 
     def is_known(run: TankRun) -> bool:
         """Return True if the temperature of the flowing gas is known."""

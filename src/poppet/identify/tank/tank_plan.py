@@ -1,4 +1,4 @@
-"""Plan of the fit of a tank test: circuits, start values, checks."""
+"""Plan for the fit of a tank test: circuits, start values and checks of the recordings."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ USUAL_ZERO = 0.01
 
 @dataclass(frozen=True)
 class TankRun:
-    """Recording of a tank test with its conditions."""
+    """Recording of a tank test with the conditions of this recording."""
 
     measurement: Measurement
     direction: str
@@ -96,17 +96,17 @@ class TankRun:
 
     @property
     def pressure(self) -> Channel:
-        """Channel of the tank pressure."""
+        """Channel with the recorded tank pressure."""
         return next(channel for channel in self.measurement.channels if channel.address == PRESSURE)
 
     @property
     def supply(self) -> Any:
-        """Supply pressure, or its start value: the highest tank pressure."""
+        """Supply pressure; if it is free, its start value is the highest recorded tank pressure."""
         return _start_value(self.supply_pressure, float(np.max(self.pressure.values)))
 
     @property
     def place(self) -> str:
-        """Address of the recording in a file."""
+        """Address of the recording in a tank test file."""
         return f"recordings.{self.measurement.name}"
 
 
@@ -128,7 +128,7 @@ def read_runs(test: TankTest) -> list[TankRun]:
 
 
 def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
-    """Return the plan of a tank test: its circuits and free parameters."""
+    """Return the plan of the fit to a tank test, with circuits and free parameters."""
     ambient = _ambient(test)
     circuits = [_circuit(test, run, ambient) for run in runs]
     runs = [replace(run, measurement=_complete_recording(test, run)) for run in runs]
@@ -194,7 +194,7 @@ def _read_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -
 
 
 def _read_channel(address: str, argument: Any, stamps: Any, location: str) -> tuple[Channel, list[Note]]:
-    """Return a channel of arrays, and notes on omitted or merged samples."""
+    """Return a channel from arrays, and notes on samples that were omitted or merged."""
     with ErrorCollector() as errors:
         table = argument if isinstance(argument, Mapping) else {"values": argument}
         read = read_fields(errors, table, OF_ARRAY, location, table="channel")
@@ -221,7 +221,7 @@ def _read_channel(address: str, argument: Any, stamps: Any, location: str) -> tu
 
 
 def _check_course(run: TankRun, ambient_pressure: float) -> None:
-    """Raise an error if a recording is not a charge or discharge."""
+    """Raise an error if the recorded pressure is not that of a charge or a discharge."""
     values, noise = run.pressure.values, max(noise_of(run.pressure.values), 1e-9)
     count = max(3, values.size // 50)
     begin, end = float(np.median(values[:count])), float(np.median(values[-count:]))
@@ -243,7 +243,7 @@ def _check_course(run: TankRun, ambient_pressure: float) -> None:
 
 
 def _check_start(run: TankRun) -> None:
-    """Raise an error if the pressure rests at first although the valve is open."""
+    """Raise an error if the pressure is constant at first although the valve is open."""
     channel = run.pressure
     share = max(6.0 * noise_of(channel.values) / float(np.ptp(channel.values)), 0.002)
     if share > STIRRED:
@@ -305,24 +305,24 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
 
 
 def plausible_wall(volume: float) -> float:
-    """Return the heat capacity of the wall of a light vessel [J/K], an estimate."""
+    """Return an estimate of the heat capacity of the wall of a light vessel [J/K]."""
     return PLAUSIBLE_WALL * AREA_FACTOR * float(volume ** (2.0 / 3.0))
 
 
 def _start_value(argument: Any, common: Any) -> Any:
-    """Return the value of a parameter, or its start value if it is free."""
+    """Return the value of a parameter, or the start value if the parameter is free."""
     if isinstance(argument, Mapping):
         return argument.get("start", common)
     return common if argument == "free" else argument
 
 
 def is_free(argument: Any) -> bool:
-    """Return True if a parameter is free."""
+    """Return True if the argument of a tank test declares a free parameter."""
     return isinstance(argument, Mapping) or argument == "free"
 
 
 def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
-    """Return a start value of C for choked flow and isothermal gas."""
+    """Return a start value of C, calculated for choked flow and gas at constant temperature."""
     channel = run.pressure
     first, last = (_index_of_change(channel, share) for share in (ONSET, COURSE))
     first = min(first, max(0, last - 1))  # one sample can reach both fractions
@@ -338,7 +338,10 @@ def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float
 
 
 def _index_of_change(channel: Channel, share: float) -> int:
-    """Return the index of the first sample at a fraction of the total change."""
+    """Return the index of the first sample at which a fraction of the total change is reached.
+
+    `share` is this fraction.
+    """
     # With few samples use only the first one: at the third, a tank can be half empty.
     begin = np.median(channel.values[: min(3, 1 + channel.time.size // 50)])
     change = np.abs(channel.values - begin)
@@ -347,7 +350,7 @@ def _index_of_change(channel: Channel, share: float) -> int:
 
 
 def _complete_recording(test: TankTest, run: TankRun) -> Measurement:
-    """Return the recording with its start values and the command of the valve."""
+    """Return the recording of a test, with start values and the command of the valve added."""
     start: dict[str, Any] = {"tank.initial_pressure": "free"}
     channels = [_with_lag(test, channel) for channel in run.measurement.channels]
     if test.initial_temperature is None and TEMPERATURE in {c.address for c in run.measurement.channels}:
@@ -422,9 +425,10 @@ def _free_parameters(
 
 
 def _free_offsets(test: TankTest, run: TankRun) -> list[FreeParameter]:
-    """Return the free offset of the pressure sensor.
+    """Return the offset of the pressure sensor if it is free.
 
-    It is free on request, if its uncertainty is stated, or if the valve closes within the recording.
+    The offset is free in three cases: the test requests it, the recording states the uncertainty of the offset, or the
+    valve closes within the recording.
     """
     argument, stated = test.pressure_offset, run.pressure.offset
     if argument == 0.0 or (argument is None and stated is None and run.closes >= run.measurement.duration):
@@ -437,7 +441,10 @@ def _free_offsets(test: TankTest, run: TankRun) -> list[FreeParameter]:
 def _free_supplies(
     address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
 ) -> list[FreeParameter]:
-    """Return one free supply if all charges share it, else one per charge."""
+    """Return the free supply pressures or temperatures of charges.
+
+    If all charges share the value, there is one parameter; otherwise there is one for each charge.
+    """
     if all(run.direction == "charge" for run in runs) and len({str(argument) for argument in arguments}) == 1:
         return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []
     charges = [argument if run.direction == "charge" else None for argument, run in zip(arguments, runs, strict=True)]
@@ -447,7 +454,10 @@ def _free_supplies(
 def _free_by_recording(
     address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
 ) -> list[FreeParameter]:
-    """Return a free parameter for each recording; a single one has no prefix."""
+    """Return one free parameter for each recording.
+
+    If there is only one recording, the name of the parameter has no prefix.
+    """
     names = [run.measurement.name for run in runs]
     parameters = [
         _read_free(address, argument, c, recording=n)

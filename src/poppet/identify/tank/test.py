@@ -1,4 +1,4 @@
-"""Description of a tank test, in Python or in a file."""
+"""Description of a tank test, as Python arguments or as a file."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _RECORDINGS = Field(
 
 @dataclass(frozen=True, kw_only=True)
 class TankTest:
-    r"""Charge and discharge tests of one component with a tank.
+    r"""Description of charge and discharge tests of one component with a tank.
 
     .. math:: \frac{V \dot p}{\kappa - 1} = \pm c_p T_1 q_m(C, b, m) + h A (T_w - T)
 
@@ -76,7 +76,7 @@ class TankTest:
     leak_conductance : number
         Sonic conductance of a leak from the tank to the ambient [m^3/(s Pa)]; default 0.
     pressure_lag : number
-        Time constant of a pressure sensor whose channel does not state one [s]; default 0.
+        Time constant of the pressure sensor [s]; default 0. It applies to channels that state no time constant.
     bore : number
         Diameter of the narrowest section of the component, optional [m]. The conductance cannot exceed that of a nozzle
         of this bore.
@@ -174,7 +174,7 @@ class TankTest:
 
     @property
     def room(self) -> Any:
-        """Ambient temperature, or 20 degC if it is not stated."""
+        """Ambient temperature; 20 degC if the test does not state it."""
         return ROOM if self.ambient_temperature is None else self.ambient_temperature
 
 
@@ -228,7 +228,7 @@ def read_tank_file(path: str | Path) -> TankTest:
 
 
 def read_test(file: TomlFile) -> TankTest:
-    """Return the test of a file."""
+    """Return the tank test that a parsed file describes."""
     with ErrorCollector() as errors:
         data = read_fields(errors, file.content, FILE_FIELDS, table="tank test file")
     title = str(data.get("title", Path(file.name).stem))

@@ -1,1 +1,1 @@
-"""Reports of valve benches and of dynamic limits."""
+"""Reports of bench tests on valves, and of the dynamic limits of a valve."""

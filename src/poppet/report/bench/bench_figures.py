@@ -1,4 +1,7 @@
-"""Figures of a bench: characteristic, resolution, flow, supply, steps and Bode plot, with a reference valve."""
+"""Figures of a bench test: characteristic, resolution, flow, supply, steps and Bode plot.
+
+Each figure can also show the curves of a reference valve.
+"""
 
 from __future__ import annotations
 
@@ -27,16 +30,16 @@ _UP, _DOWN = PALETTE[0], PALETTE[1]
 _OTHER: dict[str, Any] = {"linestyle": (0, (4, 2)), "linewidth": 1.0, "alpha": 0.75}
 _MAX_CASES = 6
 CurveValues = list[tuple[PlottedCurve, Any, Any]]
-"""Curves with abscissas and ordinates in the units of the figure."""
+"""Curves, each with its abscissas and ordinates in the units of the figure."""
 
 
 def curves_of(result: BenchResult | None, test: str) -> list[PlottedCurve]:
-    """Return the curves of a test; without a result there are none."""
+    """Return the curves of one test, or an empty list if there is no result."""
     return list(result.curves.get(test, ())) if result is not None else []
 
 
 def _pair() -> tuple[Figure, tuple[Any, Any]]:
-    """Return a figure with two axes in a row."""
+    """Return a figure with two axes side by side."""
     figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT)
     left, right = (axes_in(figure, edge, _TOP, _HALF, _HIGH) for edge in (_LEFT, _LEFT + _HALF + _GAP))
     return figure, (left, right)
@@ -61,7 +64,7 @@ def _cases(curves: Iterable[PlottedCurve]) -> list[str]:
 
 
 def characteristic_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the characteristic and its distance from the nominal line."""
+    """Draw the characteristic (outlet pressure versus setpoint), and the deviation from the nominal line."""
     figure, (left, right) = _pair()
     colours = {"up": _UP, "down": _DOWN}
     left.plot([0, 100], [0, 100], color=GREY, linewidth=0.8, label="nominal")
@@ -96,7 +99,10 @@ def characteristic_figure(result: BenchResult, reference: BenchResult | None = N
 
 
 def _focus(axes: Any, curves: Sequence[PlottedCurve]) -> None:
-    """Set the ordinates to the evaluated range; a dead zone at zero can exceed them."""
+    """Set the limits of the vertical axis to the values in the evaluated setpoint range.
+
+    Other values, such as a dead zone near zero, can be outside the axis.
+    """
     errors = [c.y - c.x for c in curves]
     evaluated = [d[(c.x >= RANGE[0]) & (c.x <= RANGE[1])] for c, d in zip(curves, errors, strict=True)]
     values = np.concatenate([d for d in evaluated if d.size] or [np.zeros(1)])
@@ -109,7 +115,7 @@ def _focus(axes: Any, curves: Sequence[PlottedCurve]) -> None:
 
 
 def resolution_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the small staircase of the setpoint and the outlet."""
+    """Draw a small staircase of the setpoint, and the outlet pressure that follows it."""
     figure, axes = _single(2.4)
     curves = curves_of(result, "resolution")
     for curve in curves:
@@ -125,7 +131,9 @@ def resolution_figure(result: BenchResult, reference: BenchResult | None = None)
 
 
 def _there_and_back(axes: Any, curves: CurveValues, reference: CurveValues, thick: tuple[str, ...]) -> None:
-    """Draw one colour for each case.
+    """Draw the curves of each case (test condition) in one colour.
+
+    Curves with a name in `thick` are thick; their return curves are thin. The reference valve has no return curves.
 
     Curves with a name in `thick` are thick, their return curves are thin. The reference valve has no return curves.
     """
@@ -142,7 +150,7 @@ def _there_and_back(axes: Any, curves: CurveValues, reference: CurveValues, thic
 
 
 def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw outlet pressure versus forward and relief flow."""
+    """Draw the outlet pressure versus the forward and the relief flow."""
     figure, axes = _single(3.4)
     curves = curves_of(result, "flow")
     unit = readable_unit("kg/s", max((float(np.max(np.abs(c.x), initial=0.0)) for c in curves), default=1.0))
@@ -174,7 +182,10 @@ def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> 
 
 
 def step_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw all steps relative to the change of the outlet; left: up, right: down, one row per volume."""
+    """Draw all step responses of the outlet pressure, relative to its total change.
+
+    Steps up are at the left, steps down at the right. Each load volume has one row of axes.
+    """
     curves = curves_of(result, "step")
     volumes = list(dict.fromkeys(_volume_of(c.case) for c in curves)) or [""]
     sizes = list(dict.fromkeys(_size_of(c.case) for c in curves))[:_MAX_CASES]
@@ -201,17 +212,20 @@ def step_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
 
 
 def _size_of(case: str) -> str:
-    """Return the size of a step without its sign, `80` of `+80 % FS, 1 l`."""
+    """Return the step size in the name of a case, without its sign: `80` for `+80 % FS, 1 l`."""
     return case[1:].partition(" ")[0]
 
 
 def _volume_of(case: str) -> str:
-    """Return the volume of a step with the comma before it, or nothing."""
+    """Return the load volume in the name of a case: `, 1 l` for `+80 % FS, 1 l`.
+
+    The text is empty if the name contains no volume.
+    """
     return case.partition(",")[1] + case.partition(",")[2]
 
 
 def bode_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw gain and phase versus frequency."""
+    """Draw gain and phase of the valve versus frequency."""
     figure, (gain, phase) = _pair()
     curves = curves_of(result, "frequency")
     cases = _cases(curves)

@@ -1,4 +1,4 @@
-"""Report of a valve bench: characteristic values, tests and conditions."""
+"""HTML report of a bench test on a valve: characteristic values, tests and conditions."""
 
 from __future__ import annotations
 
@@ -41,12 +41,18 @@ _STANDARD = (
 
 
 def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
-    """Write the report of a bench; equal results give equal bytes."""
+    """Write the HTML report of a bench test; equal results give equal bytes.
+
+    `other` is the result of a reference valve.
+    """
     return write_page(path, lambda: bench_page(result, other))
 
 
 def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
-    """Return the report of a bench as HTML, with the values of a reference valve if there is one."""
+    """Return the report of a bench test as HTML.
+
+    `other` is the result of a reference valve, whose values are also shown.
+    """
     with style("A report of a bench"):
         tests = [test for test in TESTS if test in result.rows]
         sections = [
@@ -83,7 +89,10 @@ def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list
 
 
 def figure_table(result: BenchResult, reference: BenchResult | None = None) -> ReportTable:
-    """Return every characteristic value with its definition, and the values of a reference valve."""
+    """Return all characteristic values with their definitions.
+
+    The values of a reference valve are in a second column.
+    """
     rows: list[list[Any]] = []
     headings = ["value ± 95 %"] if reference is None else [*map(_short, (result.title, reference.title)), "ratio"]
     for test, definition in TESTS.items():
@@ -102,7 +111,7 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> R
 
 
 def _unbroken(text: str) -> str:
-    """Return a text without line breaks."""
+    """Return a text with non-breaking spaces, so that it stays on one line."""
     return text.replace(" ", "\N{NO-BREAK SPACE}")
 
 
@@ -119,7 +128,7 @@ def _ratio(value: CharacteristicValue | None, reference: CharacteristicValue | N
 
 
 def _case_table(result: BenchResult, test: str) -> ReportTable:
-    """Return the cases of a test."""
+    """Return the results of one test: one row for each case (test condition)."""
     description, rows = DESCRIPTIONS[test], result.rows.get(test, ())
     keys = [key for key in description.columns if any(key in row for row in rows)]
     columns = [description.column(key) for key in keys]
@@ -136,7 +145,7 @@ def _cell(row: Mapping[str, Any], key: str, unit: str) -> str:
 
 
 def _condition_table(result: BenchResult) -> ReportTable:
-    """Return the conditions of the tests."""
+    """Return the conditions under which the tests were made."""
     c = result.conditions
     unit = str(c.get("setpoint_unit", ""))
     formats: tuple[tuple[str, str, Callable[[Any], str]], ...] = (

@@ -1,4 +1,4 @@
-"""Texts of a bench report: headings, captions, verdicts and formatted values."""
+"""Texts of a bench report: headings, captions, verdict sentences and formatted values."""
 
 from __future__ import annotations
 
@@ -39,7 +39,9 @@ _SIGNS = {"at most": "≤ ", "at least": "≥ ", "": ""}
 
 
 def value_text(value: float, unit: str, bound: str = "") -> str:
-    """Return a value with its unit and bound.
+    """Return a value with a readable unit.
+
+    `bound` is `at most` or `at least` if the value is a limit.
 
     Examples
     --------
@@ -54,7 +56,7 @@ def value_text(value: float, unit: str, bound: str = "") -> str:
 
 
 def figure_text(figure: CharacteristicValue | None) -> str:
-    """Return a characteristic value with its 95 % interval; None is a dash.
+    """Return a characteristic value with its 95 % confidence interval, or a dash for None.
 
     The interval is omitted if it is negligible.
 
@@ -78,16 +80,16 @@ def figure_text(figure: CharacteristicValue | None) -> str:
 
 
 def conditions_text(figure: CharacteristicValue) -> str:
-    """Return the conditions of a characteristic value."""
+    """Return the test conditions of a characteristic value as text."""
     units = {"volume": "m^3", "flow": "kg/s", "frequency": "Hz", "lowest_supply": "Pa", "highest_supply": "Pa"}
     c = {key: value_text(value, units[key]) if key in units else value for key, value in figure.conditions.items()}
     return ", ".join(form.format_map(c) for key, form in _CONDITIONS.items() if key in c)
 
 
 class _Sentences(NamedTuple):
-    """Templates filled with characteristic values.
+    """Function object that inserts characteristic values into sentences.
 
-    A sentence is empty if one of its values is missing. A part in brackets is omitted if one of its values is missing.
+    The result is empty if a value is missing. A phrase in square brackets is omitted if one of its values is missing.
     """
 
     figures: Mapping[str, CharacteristicValue]
@@ -100,17 +102,17 @@ class _Sentences(NamedTuple):
         return set(re.findall(r"{(\w+)}", form)) <= set(self.figures)
 
     def value(self, name: str) -> float:
-        """Return a value, or NaN if it is missing."""
+        """Return a characteristic value, or NaN if it is missing."""
         return self.figures[name].value if name in self.figures else math.nan
 
 
 def _bounded(figure: CharacteristicValue) -> str:
-    """Return a value for a sentence, with its bound as words."""
+    """Return a characteristic value for a sentence, for example `at most 0.5 % FS`."""
     return f"{figure.bound} {value_text(figure.value, figure.unit)}".strip()
 
 
 def verdict(result: BenchResult, test: str) -> str:
-    """Return the verdict of a test."""
+    """Return the sentences that assess the results of one test."""
     return " ".join(sentence for sentence in DESCRIPTIONS[test].verdict(_Sentences(result.figures)) if sentence)
 
 
@@ -189,7 +191,7 @@ _HEADINGS = {
 
 
 class SectionText(NamedTuple):
-    """Title, caption, verdict and table columns of a test."""
+    """Texts of the section on one test: title, caption, verdict and table columns."""
 
     title: str
     caption: str
@@ -198,7 +200,10 @@ class SectionText(NamedTuple):
     headings: Mapping[str, str] = MappingProxyType({})
 
     def column(self, key: str) -> tuple[str, str]:
-        """Return heading and unit of a column; the unit of a text is `word`."""
+        """Return the heading and the unit of a table column.
+
+        The unit of a column with texts is `word`.
+        """
         return {**_HEADINGS, **self.headings}.get(key, key.replace("_", " ")), _UNITS.get(key, "% FS")
 
 
@@ -248,4 +253,4 @@ DESCRIPTIONS: Mapping[str, SectionText] = {
         ("frequency", "amplitude", "outlet_amplitude", "gain_db", "phase", "distortion"),
     ),
 }  # fmt: skip
-"""Test to its part of the report."""
+"""Mapping from the name of a test to the texts of its section."""

@@ -1,4 +1,4 @@
-"""Maps of a valve's dynamic limits: bandwidth, step response, ideal parts, stability."""
+"""Maps of the dynamic limits of a valve: bandwidth, step response, ideal parts and stability."""
 
 from __future__ import annotations
 
@@ -38,11 +38,14 @@ SHORT = {
     "load volume": "load",
     CONTROLLER: "controller",
 }
-"""Part to its name in a cell."""
+"""Mapping from the name of a part to the short name in a cell."""
 
 
 def bandwidth_figure(result: LimitsResult) -> Figure:
-    """Draw the bandwidth by load volume and amplitude, with the limiting part in each cell."""
+    """Draw the bandwidth by load volume and amplitude of the setpoint.
+
+    Each cell also names the part that limits the bandwidth.
+    """
     plan = result.plan
     height = len(plan.volumes) * 0.62
     figure, (axes,) = _panels(1, height, _SIDE + 0.35, 0.0)
@@ -58,7 +61,7 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
 
 
 def response_figure(result: LimitsResult) -> Figure:
-    """Draw the frequency of 90 degrees of lag, and the times of steps up and down."""
+    """Draw the frequency at a phase lag of 90 degrees, and the times of steps up and down."""
     plan = result.plan
     phase, up, down = (_array(result.grid(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
     times = np.concatenate([grid[np.isfinite(grid)] for grid in (up, down)])
@@ -79,7 +82,10 @@ def response_figure(result: LimitsResult) -> Figure:
 
 
 def ideal_figure(result: LimitsResult) -> Figure:
-    """Draw the ratio of bandwidths with an ideal and with the real part, for every part."""
+    """Draw the factor by which the bandwidth increases if one part is ideal.
+
+    Each part has a separate map.
+    """
     plan = result.plan
     height = len(plan.volumes) * 0.36
     figure, panels = _panels(2 * _MAX_COLUMNS, height, _SIDE + 0.2, 0.25)
@@ -94,7 +100,10 @@ def ideal_figure(result: LimitsResult) -> Figure:
 
 
 def stability_figure(result: LimitsResult) -> Figure:
-    """Draw the growth rate of the linear model, with the motion of the full model after a disturbance."""
+    """Draw the growth rate of the linear model.
+
+    Each cell also describes the motion of the nonlinear model after a disturbance.
+    """
     from matplotlib.colors import SymLogNorm
 
     norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
@@ -113,7 +122,7 @@ def stability_figure(result: LimitsResult) -> Figure:
 
 
 def hum_figure(result: LimitsResult) -> Figure:
-    """Draw amplitude and frequency of the limit cycles of the complete valve."""
+    """Draw the amplitude and the frequency of the limit cycles (self-excited oscillations) of the complete valve."""
 
     def draw(axes: Any, spring: float) -> Any:
         amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
@@ -133,7 +142,7 @@ def hum_figure(result: LimitsResult) -> Figure:
 
 
 def swing_text(value: float) -> str:
-    """Return an amplitude at the outlet [Pa] as text."""
+    """Return the amplitude of the outlet pressure [Pa] as text."""
     if not math.isfinite(value):
         return "?"
     if value < STILL:
@@ -142,7 +151,10 @@ def swing_text(value: float) -> str:
 
 
 def _limiting(result: LimitsResult) -> list[list[str]]:
-    """Return the limiting part of each cell; for the load, also the second part."""
+    """Return the name of the limiting part for each cell of the map.
+
+    If the load limits the bandwidth, the most important part of the valve is also named if its effect is large enough.
+    """
 
     def word(point: Point | None) -> str:
         if point is None or not point.limiting:
@@ -156,7 +168,7 @@ def _limiting(result: LimitsResult) -> list[list[str]]:
 
 
 class _Line(NamedTuple):
-    """One line of text in every cell of a map."""
+    """Position, size and content of one line of text in every cell of a map."""
 
     up: float  # distance from the centre
     size: float  # of the font
@@ -172,7 +184,10 @@ def _write(axes: Any, values: Array, colour: Callable[[float], str], *lines: _Li
 
 
 def _known(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
-    """Return the text of each cell; a dash if its value is NaN."""
+    """Return a function that gives the text of a cell: a dash if its value is NaN.
+
+    `text` formats all other values.
+    """
     return lambda cell: "-" if math.isnan(values[cell]) else text(float(values[cell]))
 
 
@@ -181,7 +196,7 @@ def _array(grid: list[list[Any]]) -> Array:
 
 
 def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
-    """Return a figure with axes in one row, or in two rows for `2 * _MAX_COLUMNS` maps."""
+    """Return a figure with `count` axes in one row, or in two rows for `2 * _MAX_COLUMNS` axes."""
     columns = _MAX_COLUMNS if count == 2 * _MAX_COLUMNS else count
     rows = count // columns
     figure = new_figure(_WIDTH, rows * (_TOP + height) + _FOOT + 0.1 * (rows - 1))
@@ -194,7 +209,10 @@ def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure
 
 
 def _spring_figure(result: LimitsResult, draw: Callable[[Any, float], Any], label: str) -> Figure:
-    """Draw one map of dampings and volumes for each factor on the spring rates, with a colour bar."""
+    """Draw a map of damping factors and load volumes for each factor on the spring rates.
+
+    `draw` draws one map; `label` is the label of the colour bar.
+    """
     plan = result.plan
     height = len(plan.dampings) * 0.52
     figure, panels = _panels(len(plan.springs), height, _SIDE + 0.2, 0.2)
@@ -215,7 +233,10 @@ def _mesh(axes: Any, values: Array, **options: Any) -> Any:
 def _heat(
     axes: Any, values: Array, limits: tuple[float, float], colours: str = "viridis"
 ) -> tuple[Any, Callable[[float], str]]:
-    """Draw a heat map on a logarithmic scale; return the mesh and a function for the colour of text."""
+    """Draw a map with colours on a logarithmic scale.
+
+    The second result is a function that returns a readable text colour for a value.
+    """
     from matplotlib import colormaps
     from matplotlib.colors import LogNorm
 
@@ -245,7 +266,10 @@ def _liters(plan: LimitsPlan) -> list[str]:
 
 
 def _scales(axes: Any, x_scale: Scale, y_scale: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
-    """Set names and ticks of both axes; inner panels have no labels."""
+    """Set the names and the tick labels of both axes.
+
+    Only the first panel of a row has labels at the left, and only the last row has labels at the bottom.
+    """
     axes.grid(visible=False)
     (x_name, x), (y_name, y) = x_scale, y_scale
     axes.set_xticks(range(len(x)), x if is_last else [])
@@ -262,7 +286,10 @@ def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> N
 
 
 def frequency_text(plan: LimitsPlan, value: float) -> str:
-    """Return a frequency [Hz] as text; 0 and infinite are outside the range of the search."""
+    """Return a frequency [Hz] as text.
+
+    The values 0 and infinity are below and above the range of the search.
+    """
     if value == 0.0:  # below the range
         return f"< {plan.lowest:g}"
     return f"> {plan.highest:g}" if math.isinf(value) else f"{value:.2g}" if value < 100.0 else f"{value:.0f}"
@@ -274,7 +301,7 @@ def time_text(value: float) -> str:
 
 
 def motion_text(motion: str, frequency: float) -> str:
-    """Return the motion of the full model after a disturbance as text."""
+    """Return a text on the motion of the nonlinear model after a disturbance."""
     if motion == OSCILLATES:
         return f"{frequency:.0f} Hz" if math.isfinite(frequency) and frequency > 0.0 else "oscillates"
     return "calm" if motion == DECAYS else motion

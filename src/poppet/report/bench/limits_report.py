@@ -35,12 +35,12 @@ _EXPLANATION = (
 
 
 def write_limits(result: LimitsResult, path: str | Path) -> Path:
-    """Write the report of dynamic limits as a self-contained page."""
+    """Write the report of the dynamic limits of a valve as a self-contained HTML page."""
     return write_page(path, lambda: limits_page(result))
 
 
 def limits_page(result: LimitsResult) -> str:
-    """Return the report of dynamic limits as HTML."""
+    """Return the report of the dynamic limits of a valve as HTML."""
     plan = result.plan
     title = f"{plan.circuit.title or plan.valve}: dynamic limits"
     lead = (

@@ -1,4 +1,7 @@
-"""Layout of a schematic: layers by distance from the supplies, without overlaps."""
+"""Layout of a schematic in layers (columns) without overlapping boxes.
+
+The layer of a part is its distance from the gas supplies, counted in connections.
+"""
 
 from __future__ import annotations
 
@@ -8,12 +11,12 @@ from itertools import accumulate, pairwise
 
 _SWEEPS = 24
 Edge = tuple[str, str, str]
-"""A flow path, one of its ports, and the gas node that is connected to it."""
+"""Edge of the graph: flow path, one port of the flow path, and the gas node at this port."""
 
 
 @dataclass(frozen=True)
 class Graph:
-    """Connections of gas nodes and flow paths; each edge has one of each."""
+    """Graph of a circuit: each edge connects a port of a flow path to a gas node."""
 
     stores: tuple[str, ...]
     passages: tuple[str, ...]
@@ -22,7 +25,7 @@ class Graph:
 
 @dataclass(frozen=True)
 class BoxPosition:
-    """Centre of a box [in], from the lower left, and its layer."""
+    """Layer of a box, and position of its centre from the lower left corner [in]."""
 
     x: float
     y: float
@@ -30,7 +33,9 @@ class BoxPosition:
 
 
 def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
-    """Return the layer of each part: its distance from the supplies, which are among the `fixed` gas nodes.
+    """Return the layer of each part: its distance from the supplies, counted in connections.
+
+    `fixed` contains gas nodes with prescribed pressure, such as the supplies.
 
     Examples
     --------
@@ -63,7 +68,10 @@ def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
 def _spread(
     start: Sequence[str], neighbours: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]
 ) -> None:
-    """Assign layers breadth first from some gas nodes, without the skipped parts."""
+    """Assign layers to all parts that can be reached from the gas nodes `start`.
+
+    The search is breadth-first and does not pass through skipped parts. The results are added to `layers`.
+    """
     layers.update(dict.fromkeys(start, 0))
     queue = list(start)
     while queue:
@@ -75,7 +83,10 @@ def _spread(
 
 
 class Layout:
-    """Positions of boxes in layers; an edge has a waypoint in each layer that it crosses."""
+    """Positions of all boxes of a schematic.
+
+    An edge that crosses layers has a waypoint in each of them.
+    """
 
     def __init__(
         self,
@@ -100,7 +111,7 @@ class Layout:
         self.positions = self._positions()
 
     def _chain(self, edge: Edge) -> list[str]:
-        """Return the names from the flow path to the gas node, including waypoints."""
+        """Return the names along an edge: flow path, waypoints, gas node."""
         passage, port, store = edge
         first, last = self.layers[passage], self.layers[store]
         step = 1 if last > first else -1
@@ -114,7 +125,11 @@ class Layout:
         return [*chain, store]
 
     def _order(self) -> None:
-        """Sort layers by the barycentres of neighbours in sweeps; keep the order with the fewest crossings."""
+        """Sort the boxes within each layer so that few edges cross.
+
+        In several sweeps, boxes are sorted by the mean position of their neighbours. The order with the fewest
+        crossings is used.
+        """
         best, min_crossings = [list(row) for row in self.rows], self._crossings()
         for sweep in range(_SWEEPS):
             layers, back = range(len(self.rows)), -1 if sweep % 2 == 0 else 1
@@ -153,16 +168,19 @@ class Layout:
         return {n: BoxPosition(columns[self.layers[n]], y - floor, self.layers[n]) for n, y in heights.items()}
 
     def _level_height(self, name: str, heights: Mapping[str, float]) -> float:
-        """Return the height of a box at which its edges are horizontal on average."""
+        """Return the height of a box at which the edges to its neighbours are horizontal on average."""
         ends = [heights[neighbour] + self.anchors[neighbour] for neighbour in self.links[name]]
         return sum(ends) / len(ends) - self.anchors[name] if ends else heights[name]
 
     def column_width(self, layer: int) -> float:
-        """Return the width of the widest box of a layer."""
+        """Return the width of the widest box in a layer [in]."""
         return max((self.sizes[name][0] for name in self.rows[layer]), default=0.0)
 
     def _separated(self, row: Sequence[str], targets: Mapping[str, float]) -> dict[str, float]:
-        """Return the heights nearest to the targets, in least squares, without overlaps in a layer."""
+        """Return heights of the boxes in a layer without overlaps.
+
+        The sum of the squared distances from the target heights is minimal.
+        """
         box_heights = [self.sizes[name][1] for name in row]
         offsets = [0.0, *accumulate((a + b) / 2.0 + self.gaps[1] for a, b in pairwise(box_heights))][: len(row)]
         # From the top down: the first box of a row is the highest.

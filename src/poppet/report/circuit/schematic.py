@@ -1,4 +1,4 @@
-"""Schematic of a circuit: gas nodes and flow paths as boxes, connected from port to port."""
+"""Schematic of a circuit: boxes for gas nodes and flow paths, with pipes between their ports."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ BODY = "body"
 
 
 def draw_circuit(circuit: BaseCircuit, path: str | Path | None = None) -> Figure:
-    """Draw a circuit with the gas supplies at the left.
+    """Draw the schematic of a circuit, with the gas supplies at the left.
 
     Notes
     -----
@@ -72,7 +72,10 @@ def draw_circuit(circuit: BaseCircuit, path: str | Path | None = None) -> Figure
 
 
 class EmptyLine(NamedTuple):
-    """Centre and size of an empty line in the box of a part [pt], from the upper left of the figure."""
+    """Position and size of an empty line of text in the box of a part [pt].
+
+    x and y are the centre of the line, measured from the upper left corner of the figure.
+    """
 
     part: str
     x: float
@@ -84,7 +87,10 @@ class EmptyLine(NamedTuple):
 def draw_with_empty_lines(
     circuit: BaseCircuit, counts: Mapping[str, int], min_width: float
 ) -> tuple[Figure, list[EmptyLine]]:
-    """Draw a circuit with empty lines in its boxes, at least `min_width` wide [in]; return the lines too."""
+    """Draw a schematic with empty lines in the boxes, and return the lines too.
+
+    `counts` is the number of empty lines for each part, `min_width` their minimum width [in].
+    """
     with style("A picture of a circuit"):
         schematic = _Schematic(circuit, counts, min_width)
         figure = schematic.draw()
@@ -117,7 +123,7 @@ def signal_caption(circuit: BaseCircuit, address: str) -> str:
 
 
 def part_caption(circuit: BaseCircuit, name: str) -> list[str]:
-    """Return the caption of a part."""
+    """Return the lines of text that describe a part in a schematic."""
     signals = frozenset(key.partition(".")[2] for key in circuit.signals if key.startswith(f"{name}."))
 
     def parameter(local: str) -> float:
@@ -128,7 +134,7 @@ def part_caption(circuit: BaseCircuit, name: str) -> list[str]:
 
 @dataclass(frozen=True)
 class _Box:
-    """Content and size of a box [in]."""
+    """Text, ports and size of a box in a schematic [in]."""
 
     name: str
     lines: tuple[str, ...]
@@ -139,12 +145,12 @@ class _Box:
 
     @property
     def body(self) -> float:
-        """Height without the tags of signals above it."""
+        """Height of the box without the signal tags above it [in]."""
         return self.height - _TAG * len(self.tags)
 
     @property
     def port_height(self) -> float:
-        """Height of the ends of pipes above the centre."""
+        """Height of the pipe ends above the centre of the box [in]."""
         middle = self.body - _PAD - self.symbol_height / 2.0 if self.symbol_height else self.body / 2.0
         return middle - self.height / 2.0
 
@@ -165,7 +171,7 @@ class _Schematic:
         self.ends = self._ends()
 
     def draw(self) -> Figure:
-        """Return the figure."""
+        """Draw all boxes and pipes, and return the figure."""
         positions, notes = self.layout.positions, self._notes()
         right = max(position.x + self.layout.sizes[name][0] / 2.0 for name, position in positions.items())
         top = max(position.y + self.layout.sizes[name][1] / 2.0 for name, position in positions.items())
@@ -238,7 +244,10 @@ class _Schematic:
     # Ends of pipes ----------------------------------------------------------------------------------------
 
     def _ends(self) -> dict[tuple[Edge, str], tuple[float, float]]:
-        """Return the ends of all pipes, in the order of the boxes at their other ends."""
+        """Return the positions of all pipe ends at the boxes.
+
+        At each box, pipe ends are sorted in the order of the boxes at their other ends.
+        """
         groups: dict[tuple[str, bool], list[tuple[float, Edge]]] = defaultdict(list)
         for edge, chain in self.layout.chains.items():
             positions, is_left = self.layout.positions, self.sides[edge]
@@ -284,7 +293,7 @@ class _Schematic:
             self._arrow(edge, points[1], points[2])
 
     def _arrow(self, edge: Edge, start: tuple[float, float], end: tuple[float, float]) -> None:
-        """Draw the direction of positive flow halfway to the next layer."""
+        """Draw an arrow in the direction of positive flow, halfway to the next layer."""
         a, b = complex(*start), complex(*end)
         slope = complex((b - a).real / 2.0, (b - a).imag)  # of the curve at its middle
         ports = [candidate for candidate in self.graph.edges if candidate[0] == edge[0]]
@@ -317,7 +326,10 @@ class _Schematic:
             self._tag(position.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
 
     def _symbol(self, name: str, x: float, y: float) -> None:
-        """Draw the symbol of a part, or a box with a label, about a centre."""
+        """Draw the symbol of a part, centred on x and y.
+
+        A part without a symbol is drawn as a box with a label.
+        """
         part = self.circuit.parts[name]
         is_driven = any(key.startswith(f"{name}.") for key in (*self.circuit.signals, *self.circuit.connections))
         symbol = part.symbol_for(is_driven)
@@ -333,7 +345,7 @@ class _Schematic:
         self._text(x, y, label, min(6.5, 6.5 * 1.9 * _SYMBOL / text_width(label, 6.5)))
 
     def _strokes(self, symbol: Symbol, left: float, bottom: float, size: float, *, is_mirrored: bool = False) -> None:
-        """Draw a symbol into a square box [in]."""
+        """Draw the strokes of a symbol, scaled to a square box of the given size [in]."""
         for stroke in symbol:
             x = [left + size * (1.0 - u if is_mirrored else u) for u, _ in stroke.points]
             y = [bottom + size * v for _, v in stroke.points]
@@ -372,7 +384,10 @@ class _Schematic:
 
 
 def _graph(circuit: BaseCircuit) -> Graph:
-    """Return the graph of a circuit; each connection to the ambient is a node of its own."""
+    """Return the graph of a circuit for the layout.
+
+    Each connection to the ambient is a separate gas node.
+    """
     edges = []
     for name, part in circuit.parts.items():
         for port, store in part.ports().items():

@@ -1,4 +1,4 @@
-"""Figures of an ensemble: yield, bands, histograms, scatter, influence."""
+"""Figures of an ensemble: yield, quantile bands, histograms, scatter plots and tornado charts."""
 
 from __future__ import annotations
 
@@ -34,22 +34,25 @@ _BANDS = (((0.01, 0.99), 0.14, "98 %"), ((0.05, 0.95), 0.22, "90 %"), ((0.25, 0.
 
 
 def in_usual_unit(values: Array, unit: str) -> Array:
-    """Return values in the unit that reports use."""
+    """Convert values from an SI unit to the unit that reports use."""
     return values if unit not in USUAL else np.asarray(convert(values, unit, USUAL[unit]))
 
 
 def usual_unit(unit: str) -> str:
-    """Return the unit that reports use, as printed; empty for a dimensionless quantity."""
+    """Return the unit that reports use for an SI unit, as printed.
+
+    The text is empty for a dimensionless quantity.
+    """
     return "" if unit == "1" else pretty(USUAL.get(unit, unit))
 
 
 def with_unit(name: str, unit: str) -> str:
-    """Return a label with its unit in brackets."""
+    """Return a label followed by its unit in brackets."""
     return f"{name} [{usual_unit(unit)}]".replace(" []", "")
 
 
 def yield_figure(yields: list[Yield]) -> Figure:
-    """Draw a bar and a confidence interval for each requirement."""
+    """Draw the yield of each requirement as a bar with its confidence interval."""
     names = [f"{y.name}: {y.text}" if y.text else "all together" for y in yields]
     left = widest(names, 8.5) + 0.25
     figure = new_figure(WIDTH, _STRIP * len(yields) + 0.75)
@@ -65,14 +68,17 @@ def yield_figure(yields: list[Yield]) -> Figure:
 
 
 def _label_rows(axes: Any, names: list[str], *, is_labelled: bool = True) -> None:
-    """Label horizontal bars from top to bottom."""
+    """Label horizontal bars with names, from top to bottom."""
     axes.set_yticks(range(len(names)), list(reversed(names)) if is_labelled else [""] * len(names))
     axes.set_ylim(-0.6, len(names) - 0.4)
     axes.grid(visible=False, axis="y")
 
 
 def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
-    """Draw quantiles of one output versus time."""
+    """Draw quantiles of one output over all runs versus time.
+
+    `curve` is the address of the output.
+    """
     figure = new_figure(WIDTH, 3.4)
     axes = axes_in(figure, 0.8, 0.3, WIDTH - 1.0, 2.5)
     unit = units[curve]
@@ -88,7 +94,10 @@ def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
 
 
 def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float = 1.9) -> Figure:
-    """Draw small axes in rows of two or three."""
+    """Return a figure with one small panel for each title, in rows of two or three.
+
+    `draw` draws the panel with a given index.
+    """
     columns = 2 if len(titles) in (1, 2, 4) else 3
     rows, width = -(-len(titles) // columns), (WIDTH - 0.8 - (columns - 1) * _GAP) / columns
     figure = new_figure(WIDTH, rows * (height + 0.95))
@@ -101,7 +110,7 @@ def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float =
 
 
 def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
-    """Draw the distribution of every metric with the bounds of the requirements."""
+    """Draw the histogram of every metric, with the bounds of the requirements."""
     metrics = ensemble.plan.metrics
 
     def draw(k: int, axes: Any) -> None:
@@ -117,7 +126,7 @@ def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
 
 
 def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], limits: tuple[float, float]) -> None:
-    """Draw the bounds of a metric that are within or near the limits of the axis."""
+    """Draw the bounds of the requirements on a metric if they are within or near the axis limits."""
     span = limits[1] - limits[0]
     for requirement in ensemble.plan.requirements:
         for _, bound in requirement.bounds if requirement.metric == metric.name else ():
@@ -127,7 +136,7 @@ def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], l
 
 
 def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping[str, str]) -> Figure:
-    """Draw every metric versus the parameter with the largest effect."""
+    """Draw every metric versus the parameter that has the largest effect on it."""
     metrics = ensemble.plan.metrics
     strongest = {name: ranges[0].address for name, ranges in ensemble.tornado().items() if ranges}
     is_good = np.ones(len(rows["done"]), dtype=np.bool_)
@@ -149,7 +158,10 @@ def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping
 
 
 def tornado_figure(metric: Metric, ranges: list[TornadoRange], indices: list[SobolIndex] | None) -> Figure:
-    """Draw the effect of each parameter on a metric, and its Sobol indices if available."""
+    """Draw the effect of each parameter on a metric as a tornado chart.
+
+    Sobol indices are drawn beside the chart if they are available.
+    """
     effects = [effect for effect in ranges if math.isfinite(effect.size)][:MAX_BARS]
     names = [effect.address for effect in effects]
     left = max(widest(names, 8.5) + 0.25, 0.8)
@@ -173,7 +185,7 @@ def tornado_figure(metric: Metric, ranges: list[TornadoRange], indices: list[Sob
 
 
 def _draw_indices(axes: Any, names: list[str], indices: Mapping[str, SobolIndex]) -> None:
-    """Draw first-order and total indices with their intervals."""
+    """Draw the first-order and total Sobol indices with their confidence intervals."""
     for level, name in enumerate(reversed(names)):
         # All parameters of a fit are one factor.
         index = indices.get(name, indices.get("from_fit"))

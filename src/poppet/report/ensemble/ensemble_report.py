@@ -1,4 +1,4 @@
-"""Report of an ensemble: yield, curves, metrics, influence and worst cases."""
+"""HTML report of an ensemble: yield, bands of outputs, metrics, influence of parameters and worst cases."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _METHODS = {
 
 
 def yield_table(ensemble: Ensemble) -> ReportTable:
-    """Return the yield of each requirement with its confidence interval."""
+    """Return the yield of each requirement (fraction of good runs) with its confidence interval."""
     rows = [
         (y.name, y.text or "all requirements", y.good, 100.0 * y.share, f"{100.0 * y.low:.4g} ... {100.0 * y.high:.4g}")
         for y in ensemble.yields()
@@ -46,7 +46,7 @@ def yield_table(ensemble: Ensemble) -> ReportTable:
 
 
 def metric_table(ensemble: Ensemble) -> ReportTable:
-    """Return mean, standard deviation and quantiles of every metric."""
+    """Return the mean, the standard deviation and quantiles of every metric."""
     rows = []
     for s in ensemble.summaries():
         values = s.mean, *(s.quantiles.get(q, math.nan) for q in QUANTILES), s.least, s.greatest
@@ -65,7 +65,7 @@ def _in_usual_unit(value: float, unit: str) -> float:
 
 
 def write_ensemble(ensemble: Ensemble, path: str | Path) -> Path:
-    """Write the report of an ensemble; equal datasets give equal bytes."""
+    """Write the HTML report of an ensemble; equal datasets give equal bytes."""
     return write_page(path, lambda: ensemble_page(ensemble))
 
 

@@ -1,4 +1,4 @@
-"""Report of a sizing: value, margins, and metrics versus the free parameter."""
+"""Report of a sizing: value of the free parameter, margins and metrics."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ _WIDTH, _HEIGHT, _GAP = 10.0, 1.9, 0.35
 
 
 def write_sizing(sizing: Sizing, path: str | Path) -> Path:
-    """Write the report of a sizing as a self-contained page."""
+    """Write the report of a sizing as a self-contained HTML page."""
     return write_page(path, lambda: sizing_page(sizing))
 
 
@@ -46,7 +46,7 @@ def sizing_page(sizing: Sizing) -> str:
 
 
 def sizing_text(sizing: Sizing) -> str:
-    """Return a sizing as text for a terminal."""
+    """Return the result of a sizing as text for a terminal."""
     lines = [sizing.title] if sizing.title else []
     lines.append(_headline(sizing))
     lines += ["", _margin_table(sizing).text()] if sizing.is_met else []
@@ -79,7 +79,10 @@ def _margin_table(sizing: Sizing) -> ReportTable:
 
 
 def curve_figure(sizing: Sizing) -> Figure:
-    """Draw every metric versus the free parameter, and the yield if there are several runs."""
+    """Draw every metric versus the free parameter.
+
+    The yield is also drawn if there are several runs at each value.
+    """
     unit = readable_unit(sizing.unit, float(np.median(sizing.values)))
     x = np.array([scaled(value, sizing.unit, unit) for value in sizing.values])
     rows = [*sizing.metrics, *(["yield"] if sizing.share < 1.0 else [])]

@@ -1,4 +1,4 @@
-"""Figures of the cost: contour over two conductances, profiles, searches."""
+"""Figures of the cost of a fit: contour, profiles and searches."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ LEVELS = (2.296, 5.991)
 
 
 def contour_figure(table: Mapping[str, Any]) -> Figure:
-    """Draw the joint confidence regions of conductance and wall conductance."""
+    """Draw the joint confidence regions of sonic conductance and wall conductance."""
     x, y, rise = (np.asarray(table[key], dtype=float) for key in ("x", "y", "rise"))
     unit = readable_unit(table["x_unit"], float(np.max(np.abs(x))))
     x_values = convert(x, table["x_unit"], unit)
@@ -54,7 +54,10 @@ def contour_figure(table: Mapping[str, Any]) -> Figure:
 
 
 def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
-    """Draw the profile of chi-square along one parameter, with its limit and the parabola of the linear model."""
+    """Draw the profile of chi-square versus one parameter.
+
+    The figure also shows the limit of the 95 % interval and the parabola of the linear model.
+    """
     x, rise, limit = np.asarray(table["x"]), np.asarray(table["rise"]), float(table["limit"])
     unit = readable_unit(table["unit"], float(np.max(np.abs(x))))
 
@@ -88,7 +91,10 @@ def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
 
 
 def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[str, str]]) -> Figure:
-    """Draw the cost at the end of every search, and start and end in the plane of two parameters.
+    """Draw the final cost of every search, and the start and end points of the searches.
+
+    `pair` contains the names and units of two parameters, whose plane shows the points. If it is empty, this panel is
+    omitted.
 
     `pair` contains the names and the units of the parameters; if it is empty, the second panel is omitted.
     """
@@ -125,7 +131,10 @@ def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[st
 
 
 def _set_y_ticks(axes: Any, values: FloatArray) -> FloatArray:
-    """Return the positions of values on the vertical axis, and set the ticks."""
+    """Set the ticks of the vertical axis, and return the positions of the values on it.
+
+    The axis is logarithmic if the values span several decades.
+    """
     positions, ticks = _decades(values)
     if ticks:
         axes.set_yticks(*ticks)
@@ -133,7 +142,9 @@ def _set_y_ticks(axes: Any, values: FloatArray) -> FloatArray:
 
 
 def _decades(values: FloatArray) -> tuple[FloatArray, tuple[FloatArray, list[str]] | None]:
-    """Return positions of sorted values, with ticks at decades if the values span several.
+    """Return the positions of sorted values on an axis.
+
+    If the values span several decades, positions are decimal logarithms, and ticks at decades are returned too.
 
     Zero is one decade below the smallest positive value. Without decades the positions are the values.
     """

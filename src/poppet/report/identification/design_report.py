@@ -23,12 +23,12 @@ _ROW = 0.27
 
 
 def write_design(design: Design, path: str | Path) -> Path:
-    """Write the report of a design as a self-contained page."""
+    """Write the report of an experiment design as a self-contained HTML page."""
     return write_page(path, lambda: design_page(design))
 
 
 def design_page(design: Design) -> str:
-    """Return the report of a design as HTML."""
+    """Return the report of an experiment design as HTML."""
     lead, caption, explanation, reference = (
         sentence(f"identification.design.{key}", {}) for key in ("lead", "caption", "explained", "reference")
     )
@@ -45,7 +45,10 @@ def design_page(design: Design) -> str:
 
 
 def design_text(design: Design, max_findings: int | None = None) -> str:
-    """Return a design as text for a terminal; it always has all findings."""
+    """Return an experiment design as text for a terminal.
+
+    All findings are included; `max_findings` has no effect.
+    """
     n_omitted = len(design.tests) - MAX_CANDIDATES
     lines = [design.title, "Make:", *(f"  {k}. {name}" for k, name in enumerate(design.chosen, start=1)), ""]
     lines += [_joint_table(design).text(), "", _candidate_table(design, MAX_CANDIDATES).text()]
@@ -54,7 +57,7 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
 
 
 def _joint_table(design: Design) -> ReportTable:
-    """Return the expected intervals after all recommended tests."""
+    """Return the expected confidence intervals of the parameters after all recommended tests."""
     rows = []
     for name, p in design.together.items():
         unit = readable_unit(p.unit, p.value)
@@ -65,7 +68,10 @@ def _joint_table(design: Design) -> ReportTable:
 
 
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
-    """Return half of the relative 95 % intervals after each of the best candidates alone."""
+    """Return the expected errors of the parameters after each candidate test alone.
+
+    An error is half of the 95 % interval relative to the value. `n_max` limits the number of candidates.
+    """
     names = next(iter(design.tests.values())).keys()
     rows = [(test, *(_percent(row[name]) for name in names)) for test, row in design.tests.items()]
     columns = numeric(*(f"{name} [%]" for name in names), digits=".2g")
@@ -77,7 +83,10 @@ def _percent(p: Prediction) -> float:
 
 
 def error_figure(design: Design) -> Figure:
-    """Draw the relative 95 % intervals of the best candidates, one panel per parameter."""
+    """Draw the relative 95 % intervals after each of the best candidate tests.
+
+    Each parameter has one panel.
+    """
     tests = dict(list(design.tests.items())[:MAX_CANDIDATES])
     names = list(next(iter(tests.values())))
     left, width, gap = 0.3 + widest([*tests], 8.0), 1.75, 0.2

@@ -1,4 +1,4 @@
-"""Headline, verdicts and next step of an identification, for reports and terminals."""
+"""Headline, verdicts and recommended next step of an identification."""
 
 from __future__ import annotations
 
@@ -32,7 +32,9 @@ NEXT = {
 
 
 def headline(result: Result, *, is_plain: bool = False) -> str:
-    """Return C and b with their errors and a summary of the verdicts; `is_plain` restricts the text to ASCII.
+    """Return the main parameters with their errors, and a summary of the verdicts.
+
+    The main parameters are C and b if they were identified. `is_plain` restricts the text to ASCII.
 
     Examples
     --------
@@ -69,7 +71,10 @@ def _main_names(result: Result) -> list[str]:
 
 
 def _distinct_values(result: Result, name: str) -> list[float]:
-    """Return the values at equivalent optima that differ by more than 2 %, unless the parameter is determined."""
+    """Return the values of a parameter at equivalent optima that differ by more than 2 %.
+
+    The list is empty if the parameter is determined.
+    """
     values: list[float] = []
     if result.parameters[name].verdict != "determined":
         for optimum in result.optima:
@@ -80,7 +85,7 @@ def _distinct_values(result: Result, name: str) -> list[float]:
 
 
 def verdicts(result: Result) -> str:
-    """Return a sentence on the verdicts of all parameters.
+    """Return a sentence on the verdicts of all parameters: how many are determined.
 
     Examples
     --------
@@ -123,7 +128,7 @@ def next_step(result: Result) -> str:
 
 
 def split_notes(notes: Iterable[Note]) -> tuple[list[Note], list[Note]]:
-    """Return the findings, and the notes on reading the recordings."""
+    """Return the notes in two lists: findings, and notes on reading the recordings."""
     major: list[Note] = []
     minor: list[Note] = []
     for note in notes:
@@ -132,7 +137,10 @@ def split_notes(notes: Iterable[Note]) -> tuple[list[Note], list[Note]]:
 
 
 def result_summary(result: Result, max_findings: int | None = None) -> str:
-    """Return a result as text for a terminal, with all findings or a maximum number."""
+    """Return an identification result as text for a terminal.
+
+    `max_findings` limits the number of findings; None selects all.
+    """
     step = next_step(result)
     lines = [result.title] * bool(result.title) + [headline(result, is_plain=True)]
     lines += [f"Next: {step}"] * bool(step) + result.lines()

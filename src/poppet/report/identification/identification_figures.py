@@ -1,4 +1,7 @@
-"""Figures of an identification: measured and modelled channels, residuals, intervals, correlations."""
+"""Figures of an identification: measured and modelled channels, residuals, intervals and correlations.
+
+A channel is a measured quantity of one recording or test.
+"""
 
 from __future__ import annotations
 
@@ -32,7 +35,10 @@ _MODEL, _POINTS = PALETTE[1], PALETTE[0]
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Trace:
-    """Measured and modelled values of one channel; arrays that are not available are empty."""
+    """Measured and modelled values of one channel.
+
+    An array is empty if its values are not available.
+    """
 
     name: str  # as in the result
     unit: str  # SI unit of all values
@@ -51,17 +57,17 @@ class Trace:
 
     @property
     def is_timed(self) -> bool:
-        """True for a recording."""
+        """True if the abscissas are times, as in a recording."""
         return self.x_name == "time"
 
     @property
     def quantity(self) -> str:
-        """Quantity of the values, `pressure`."""
+        """Name of the measured quantity, such as `pressure`."""
         return self.name.rpartition(".")[2].replace("_", " ")
 
     @property
     def residual(self) -> FloatArray:
-        """Model minus measurement at the abscissas of the measurement; empty if one of them is missing."""
+        """Model minus measurement at each measured point; empty if one of them is not available."""
         if not self.model.size or not self.measured.size:
             return np.zeros(0)
         if np.array_equal(self.x, self.curve_x):
@@ -70,16 +76,25 @@ class Trace:
 
 
 def traces_of(result: Result) -> list[Trace]:
-    """Return the channels of a result that can be drawn."""
+    """Return the measured and modelled values of all channels of a result.
+
+    Channels without values are omitted.
+    """
     traces = [_trace(result, name, table) for name, table in result.series.items() if isinstance(table, Mapping)]
     return [trace for trace in traces if trace.measured.size or trace.model.size]
 
 
 def _trace(result: Result, name: str, table: Mapping[str, Any]) -> Trace:
-    """Read a table of samples, or of a curve `x`, `y` with separate points."""
+    """Read one channel from a table of the result.
+
+    The table contains samples, or a curve `x`, `y` with separate measured points.
+    """
 
     def array(key: str, like: FloatArray | None = None) -> FloatArray:
-        """Return a column; it is empty if the column is missing or its size differs from `like`."""
+        """Return a column of the table as an array.
+
+        The array is empty if the column is missing or has another shape than `like`.
+        """
         values = np.asarray(table.get(key, ()), dtype=float)
         return values if values.ndim == 1 and (like is None or values.shape == like.shape) else np.zeros(0)
 
@@ -111,7 +126,10 @@ def channel_figure(
     critical_ratio: Estimate | None = None,
     outliers: Sequence[float] = (),
 ) -> Figure:
-    """Draw measurement, model and residuals of a channel; rings mark the points at `outliers`."""
+    """Draw measurement, model and residuals of one channel.
+
+    Rings mark the measured points with the indices `outliers`.
+    """
     has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= MIN_SAMPLES
     figure = new_figure(_WIDTH, _TOP + _UPPER + _FOOT + has_residuals * (_BETWEEN + _LOWER))
     figure.set_label(trace.name)
@@ -198,14 +216,14 @@ def _draw_channel(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] 
 
 
 def _draw_rings(axes: Any, trace: Trace, values: FloatArray, unit: str, indices: Sequence[int]) -> None:
-    """Mark outliers with rings."""
+    """Mark outliers by rings around their points."""
     if indices:
         x, y = convert(trace.x[indices], trace.x_unit, _x_unit(trace)), convert(values[indices], trace.unit, unit)
         axes.plot(x, y, "o", markersize=11, markerfacecolor="none", color=ACCENT, label="off the law")
 
 
 def legend_above(axes: Any, columns: int, **options: Any) -> None:
-    """Draw a legend above the axes."""
+    """Draw the legend above the axes, with the given number of columns."""
     anchor = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
     axes.legend(**anchor, ncols=columns, borderpad=0.2, borderaxespad=0.1, **options)
 
@@ -233,7 +251,10 @@ def _draw_residuals(axes: Any, trace: Trace) -> None:
 
 
 def residual_deviation(trace: Trace) -> tuple[float, str]:
-    """Return the standard deviation of the residuals, and its source: `noise` or `rms`."""
+    """Return the standard deviation with which residuals are compared, and its source.
+
+    The source is `noise` if the noise is known; otherwise it is `rms`, the root mean square of the residuals.
+    """
     if math.isfinite(trace.sigma) and trace.sigma > 0.0:
         return trace.sigma, "noise"
     finite = trace.residual[np.isfinite(trace.residual)]
@@ -325,7 +346,9 @@ def _draw_interval(axes: Any, name: str, e: Estimate) -> None:
 
 
 def interval_range(e: Estimate) -> tuple[float, float]:
-    """Return the limits of the axis of an interval; they include zero and all values that are not far away.
+    """Return the lower and upper limit of an axis for a confidence interval.
+
+    The range includes zero, and all values that are not far away.
 
     Examples
     --------
@@ -369,7 +392,9 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
 
 
 def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | None:
-    """Return p2/p1 and the effective conductance of the fitted flow path at the mean inlet pressure.
+    """Return the fitted flow law as a curve: pressure ratio p2/p1 and effective conductance.
+
+    The inlet pressure is the mean of the measured inlet pressures.
 
     The result is None if a parameter of the flow law is not known.
     """

@@ -1,4 +1,4 @@
-"""Report of an identification: verdict, parameters, fit, residuals, conditions and sources."""
+"""HTML report of an identification: verdict, parameters, fit, residuals, conditions and sources."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
 def write_identification(result: Result, path: str | Path) -> Path:
-    """Write the report of an identification; equal results give equal bytes."""
+    """Write the HTML report of an identification; equal results give equal bytes."""
     return write_page(path, lambda: identification_page(result))
 
 
@@ -97,7 +97,7 @@ def _findings(result: Result) -> str:
 
 
 def _band_width(trace: figures.Trace) -> str:
-    """Return the maximum half width of the band of a curve as a sentence."""
+    """Return a sentence on the maximum half width of the uncertainty band of a curve."""
     x = trace.x if trace.x.size else trace.curve_x
     is_inside = (trace.curve_x >= np.min(x)) & (trace.curve_x <= np.max(x))
     half = 0.5 * float(np.max((trace.high - trace.low)[is_inside], initial=0.0))
@@ -127,7 +127,7 @@ def _parameters(result: Result) -> list[str | ReportTable]:
 
 
 def _laws(result: Result) -> list[str | ReportTable]:
-    """Return the estimates under each thermal law, with the conductances as bars."""
+    """Return the estimates under each thermal law as a table, and the conductances as bars."""
     if "thermal_laws" not in result.comparison:
         return []
     conductances: dict[str, Estimate] = {}
@@ -232,5 +232,8 @@ def _sources(result: Result, method: MethodReport) -> str:
 
 
 def _text(code: str, **facts: float | str) -> str:
-    """Return a text of the report."""
+    """Return a text of the report by its message code.
+
+    `facts` are the values that are inserted into the text.
+    """
     return sentence(f"identification.{code}", facts)

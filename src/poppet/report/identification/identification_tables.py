@@ -1,4 +1,4 @@
-"""Tables of an identification report: parameters, residuals, comparison, conditions, searches."""
+"""Tables of an identification report: parameters, residuals, comparisons, conditions and searches."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ _MAIN_PARAMETERS = ("sonic_conductance", "effective_area", "critical_ratio", "wa
 
 
 def value_text(value: float, si_unit: str) -> str:
-    """Return a value in a readable unit."""
+    """Return a value with a readable unit."""
     if not math.isfinite(value):
         return number(value)
     unit = readable_unit(si_unit, value)
@@ -97,18 +97,18 @@ def value_text(value: float, si_unit: str) -> str:
 
 
 def error_text(value: float, error: float, si_unit: str) -> str:
-    """Return a value and its standard error in a readable unit."""
+    """Return a value with its standard error and a readable unit."""
     unit = readable_unit(si_unit, value)
     return with_unit(value_with_error(value, error, si_unit, unit), unit)
 
 
 def verdict_word(verdict: str) -> Markup:
-    """Return a verdict as a coloured word."""
+    """Return a verdict as an HTML element with a colour."""
     return Markup(f'<span class="verdict {verdict.replace(" ", "-")}">{html.escape(verdict)}</span>')
 
 
 def estimate_text(e: Estimate) -> str:
-    """Return value and standard error in the unit that suits the value."""
+    """Return an estimate with its standard error and a readable unit."""
     unit = _unit_of(e)
     text = value_with_error(e.value, e.standard_error, e.unit, unit)
     return with_unit(text, unit) if math.isfinite(e.value) else text
@@ -121,7 +121,7 @@ def _unit_of(e: Estimate) -> str:
 
 
 def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
-    """Return every parameter with its value, confidence interval and verdict."""
+    """Return a row for every parameter: value, confidence interval and verdict."""
     estimate, start = numeric("value ± error", "95 % interval"), numeric("relative", "start")
     columns: list[Column | str] = ["parameter", "verdict", *estimate, "unit", *start]
     rows = [_parameter_row(name, e) for name, e in parameters.items()]
@@ -145,7 +145,7 @@ def _parameter_row(name: str, e: Estimate) -> list[str]:
 
 
 def residual_table(result: Result) -> ReportTable:
-    """Return the statistics of model minus measurement for every channel."""
+    """Return statistics of the residuals (model minus measurement) of every channel."""
     noise, validation = (result.conditions.get(key, default) for key, default in (("noise", {}), ("validation", [])))
     rows = []
     for name, r in result.residuals.items():
@@ -159,7 +159,7 @@ def residual_table(result: Result) -> ReportTable:
 
 
 def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> str:
-    """Return a value with the decimals that show three digits of the rms."""
+    """Return a value with its unit, with the decimals at which the rms has three digits."""
     unit = unit or readable_unit(si_unit, rms)
     places = decimals(scaled(rms, si_unit, unit))
     text = number(scaled(value, si_unit, unit), None if places is None else places + 1)
@@ -167,7 +167,7 @@ def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> st
 
 
 def comparison_table(result: Result) -> ReportTable:
-    """Return AICc and residuals of this model and the model it is compared with."""
+    """Return AICc and residuals of this model and of the model with which it is compared."""
     c = result.comparison
     rows = [
         [result.title, f"{c['aicc']:.1f}", str(c.get("free_numbers", "-"))],
@@ -183,7 +183,7 @@ def comparison_table(result: Result) -> ReportTable:
 
 
 def condition_table(result: Result) -> ReportTable:
-    """Return the conditions of the tests and settings of the fit."""
+    """Return the conditions of the tests and the settings of the fit."""
     rows = [
         (_LABELS.get(key, key.replace("_", " ").capitalize()), _condition(result, key, value))
         for key, value in result.conditions.items()
@@ -220,7 +220,7 @@ def _condition_unit(result: Result, name: str) -> str:
 
 
 def plain_text(value: Any, unit: str) -> str:
-    """Return a number, truth value or text as a reader expects it."""
+    """Return a value as text: numbers with a readable unit, truth values as `yes` or `no`."""
     if isinstance(value, Number):
         text = value.display()
         return ": ".join(filter(None, (f"{text}, {value.source.kind}", value.source.locator)))
@@ -230,13 +230,19 @@ def plain_text(value: Any, unit: str) -> str:
 
 
 def main_parameters(result: Result) -> list[str]:
-    """Return the addresses that tables of searches and optima show; without a known one, the first ones."""
+    """Return the addresses of up to four parameters for tables of searches and optima.
+
+    If none of the preferred parameters was fitted, they are the first parameters of the result.
+    """
     names = [name for name in result.parameters if name.rpartition(".")[2] in _MAIN_PARAMETERS]
     return (names or list(result.parameters))[:4]
 
 
 def search_table(result: Result) -> ReportTable:
-    """Return start, end and increase in chi-square of every search."""
+    """Return a row for every search: start point, end point and increase in chi-square.
+
+    The increase is relative to the best search.
+    """
     searches, names = result.conditions["searches"], main_parameters(result)
     min_cost = min(search["cost"] for search in searches)
     rows = []
@@ -251,7 +257,7 @@ def search_table(result: Result) -> ReportTable:
 
 
 def optimum_table(result: Result) -> ReportTable:
-    """Return every equivalent optimum with its confidence intervals."""
+    """Return a row for every equivalent optimum: values with confidence intervals."""
     names, rows = main_parameters(result), []
     for index, optimum in enumerate(result.optima, 1):
         cells = [f"{index}, from {str(optimum['name']).replace('_', ' ')}", f"{2.0 * optimum['excess']:.2g}"]
@@ -263,7 +269,10 @@ def optimum_table(result: Result) -> ReportTable:
 
 
 def alternative_table(result: Result) -> ReportTable:
-    """Return models with other free parameters, and their estimates."""
+    """Return a row for every alternative model: difference in AICc, and estimates.
+
+    An alternative model has other free parameters.
+    """
     names, rows = main_parameters(result), []
     for label, model in result.comparison["alternatives"].items():
         estimates = (model["free"].get(name) for name in names)
@@ -278,7 +287,7 @@ def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Marku
 
 
 def law_table(result: Result) -> ReportTable:
-    """Return the estimates under each thermal law, and the difference in AICc."""
+    """Return a row for every thermal law: AICc above the best law, and estimates."""
     laws, names = result.comparison["thermal_laws"], main_parameters(result)
     min_aicc = min(float(law["aicc"]) for law in laws.values())
     channels = list(next(iter(laws.values()))["rms"])
@@ -297,7 +306,10 @@ def law_table(result: Result) -> ReportTable:
 
 
 def statistics_table(result: Result) -> ReportTable:
-    """Return the tests on the residuals if the method made more than one."""
+    """Return the statistical tests on the residuals.
+
+    The table is empty if the method made only one test.
+    """
     values = [(label, result.comparison[key]) for key, label in _STATISTICS.items() if key in result.comparison]
     monotone = result.comparison.get("monotone")
     if isinstance(monotone, Mapping):
@@ -313,7 +325,10 @@ def _statistic(value: Any) -> str:
 
 
 def correlation_sentence(correlation: Mapping[str, Mapping[str, float]]) -> str:
-    """Return the correlation of two parameters as a sentence; empty if there is none."""
+    """Return a sentence on the correlation of the first pair of estimates.
+
+    The text is empty without correlations.
+    """
     pairs = [(a, b, r) for a, row in correlation.items() for b, r in row.items()]
     if not pairs:
         return ""

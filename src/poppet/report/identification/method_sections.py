@@ -1,4 +1,4 @@
-"""Parts of an identification report that depend on the method.
+"""Sections of an identification report that depend on the identification method.
 
 The declaration of a method names its `MethodReport`. The functions return sections; empty tables are omitted.
 """
@@ -27,7 +27,7 @@ _STANDARD_UNITS = {
 
 
 class MethodReport(NamedTuple):
-    """Sections, sources and summary of a method."""
+    """Sections, references and kind of summary for one identification method."""
 
     models: Callable[[Result], Sequence[Section]] = lambda result: ()  # before the section of the fit
     evidence: Callable[[Result], Sequence[Section]] = lambda result: ()  # after the tests of the fit
@@ -36,7 +36,7 @@ class MethodReport(NamedTuple):
 
 
 def _steady_sections(result: Result) -> list[Section]:
-    """Return the tests of a flow bench or a characteristic."""
+    """Return the sections on a flow bench or a valve characteristic: the results of each test."""
     return [
         Section("Tests at the strokes", _stroke_table(result)),
         Section("Formulas of the standard", _standard_content(result)),
@@ -45,7 +45,7 @@ def _steady_sections(result: Result) -> list[Section]:
 
 
 def _standard_content(result: Result) -> list[ReportTable | str]:
-    """Return the results of the formulas in ISO 6358-1 and of the direct fit."""
+    """Return the results of the formulas in ISO 6358-1, beside those of the direct fit."""
     formulas, rows = result.comparison.get("standard_formulas") or {}, []
     for name, si_unit in _STANDARD_UNITS.items():
         if name not in formulas:
@@ -60,7 +60,7 @@ def _standard_content(result: Result) -> list[ReportTable | str]:
 
 
 def _budget_table(result: Result) -> ReportTable:
-    """Return the contributions to the standard errors."""
+    """Return the contribution of each source of uncertainty to the standard errors."""
     rows = []
     for name, budget in result.comparison.get("uncertainty", {}).items():
         si_unit = result.parameters[name].unit if name in result.parameters else "1"
@@ -74,7 +74,7 @@ def _budget_table(result: Result) -> ReportTable:
 
 
 def _stroke_table(result: Result) -> ReportTable:
-    """Return stroke, C and b of each test."""
+    """Return a row for each test: stroke, C and b."""
     rows = [
         (str(name), plain_text(stroke, "m"), error_text(c, u_c, _CONDUCTANCE), error_text(b, u_b, "1"))
         for name, (stroke, c, b, u_c, u_b) in result.conditions.get("tests", {}).items()
@@ -83,7 +83,7 @@ def _stroke_table(result: Result) -> ReportTable:
 
 
 def _force_sections(result: Result) -> list[Section]:
-    """Return the laws of the force of a muscle, the best first."""
+    """Return the section on the force laws of a muscle, the best law first."""
     axes = result.comparison.get("held_out_by", ())
     rows = [
         (
@@ -105,7 +105,7 @@ def _force_sections(result: Result) -> list[Section]:
 
 
 def _friction_sections(result: Result) -> list[Section]:
-    """Return the friction laws, the recordings and the part for a circuit file."""
+    """Return the sections on friction: laws, recordings, and the part for a circuit file."""
     c = result.comparison
     coordinate = COORDINATES[c["body"]]
     unit, effort = coordinate.effort_unit, coordinate.effort

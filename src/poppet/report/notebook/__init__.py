@@ -14,11 +14,13 @@ CARDS = {
     "poppet.bench.limits.maps.LimitsResult": "limits_card",
     "poppet.ensemble.ensemble_result.Ensemble": "ensemble_card",
 }
-"""Class to the function in `poppet.report.notebook.cards`, which is imported at the first call."""
+"""Mapping from the name of a class to the function in `poppet.report.notebook.cards`, imported at the first call."""
 
 
 def html_of(value: Any) -> str | None:
-    """Return an object as HTML for a notebook, or None if its text suffices.
+    """Return an object as HTML for a notebook.
+
+    The result is None if the plain text of the object suffices.
 
     Examples
     --------

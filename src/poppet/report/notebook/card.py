@@ -20,7 +20,9 @@ MAX_ROWS = 12
 
 
 def card(title: str, lead: str, *blocks: Content) -> str:
-    """Return the output of one object: title and lead are text, blocks are HTML or tables.
+    """Return the HTML output of one object in a notebook.
+
+    `title` and `lead` are text; `blocks` are HTML or tables.
 
     Examples
     --------
@@ -33,11 +35,14 @@ def card(title: str, lead: str, *blocks: Content) -> str:
 
 
 def note_list(notes: Iterable[Note]) -> str:
-    """Return notes as a list that is folded if it is long."""
+    """Return notes as an HTML list.
+
+    A long list is folded: the reader can unfold it.
+    """
     texts = grouped(notes)
     return folded(plural(len(texts), "note"), items(texts), is_open=len(texts) <= 3)
 
 
 def plural(count: int, noun: str) -> str:
-    """Return a number with its noun, `2 notes`."""
+    """Return a count with its noun in singular or plural, such as `2 notes`."""
     return f"{count} {noun}{'s' * (count != 1)}"

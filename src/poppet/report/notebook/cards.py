@@ -1,4 +1,4 @@
-"""HTML output of each class in notebooks.
+"""HTML output (card) of each class in notebooks.
 
 The modules of the classes are imported when an object is displayed, so no function imports more than it needs.
 """
@@ -46,14 +46,14 @@ _COLOURS = {
     "#fdeee4": "color-mix(in srgb, #c2410c 14%, var(--paper))",
     "#c2410c": "color-mix(in srgb, #c2410c 70%, currentColor)",
 }
-"""Colours of the drawing to those of the notebook."""
+"""Mapping from the colours of a schematic to the colours of the notebook."""
 _POINTS_PER_INCH = 72.0
 _SCALE = 1.12
 """Size of a drawing in pixels relative to points."""
 
 
 def circuit_card(circuit: BaseCircuit) -> str:
-    """Return a circuit as HTML: drawing, assumed values and notes."""
+    """Return a circuit as HTML: schematic, assumed values and notes."""
     assumed = {address: number for address, number in circuit.numbers().items() if number.source.kind == "assumed"}
     rows = [(code(address), number.display(), number.source.note) for address, number in assumed.items()]
     table = ReportTable(("parameter", *numeric("value"), "reason"), rows)
@@ -88,7 +88,7 @@ def _drawing(circuit: BaseCircuit) -> str:
 
 
 def recording_card(recording: Recording) -> str:
-    """Return a recording as HTML: plot and extremes of every output."""
+    """Return a recording as HTML: plot, and first, last and extreme values of every output."""
     rows, columns = recording.time.size, len(recording)
     span = f"{recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if rows else "no samples"
     lead = f"Recording: {rows} rows, {columns} series, {span}. {recording.outcome}".rstrip()
@@ -117,7 +117,7 @@ def _series_table(recording: Recording, names: Sequence[str]) -> ReportTable:
 
 
 def linear_card(linear: LinearModel) -> str:
-    """Return a linear model as HTML: sizes, modes and operating point."""
+    """Return a linear model as HTML: numbers of states, inputs and outputs, modes, operating point."""
     from poppet.report.result_tables import mode_table
 
     sample_time = getattr(linear, "sample_time", 0.0)
@@ -135,7 +135,7 @@ def linear_card(linear: LinearModel) -> str:
 
 
 def ensemble_card(ensemble: Ensemble) -> str:
-    """Return an ensemble as HTML: yield and metrics."""
+    """Return an ensemble as HTML: yield of the requirements and statistics of the metrics."""
     from poppet.report.ensemble.ensemble_report import metric_table, yield_table
 
     lead = f"Ensemble of {ensemble.done} runs"
@@ -172,7 +172,10 @@ def bench_card(result: BenchResult) -> str:
 
 
 def limits_card(result: LimitsResult) -> str:
-    """Return dynamic limits as HTML: bandwidth and limiting part by load volume and amplitude."""
+    """Return the dynamic limits of a valve as HTML.
+
+    The table has the bandwidth and the limiting part by load volume and amplitude.
+    """
     plan, rows = result.plan, []
     grid = zip(plan.volumes, result.grid("gain_frequency"), result.grid("limiting"), strict=True)
     for volume, frequencies, parts in grid if result.points else ():

@@ -22,7 +22,7 @@ WIDTH, HEIGHT = 1000, 100
 
 
 def plot(recording: Columns) -> str:
-    """Return panels of the outputs that change, or nothing if all are constant."""
+    """Return an SVG plot of the outputs that change, or an empty text if all are constant."""
     if recording.time.size < 2:
         return ""
     panels, _ = panels_of(shown_series([_thin(recording, name) for name in _lines(recording)], None, None))
@@ -36,14 +36,17 @@ def plot(recording: Columns) -> str:
 
 
 def _lines(recording: Columns) -> list[str]:
-    """Return the names of all curves; internal outputs are omitted if there are others."""
+    """Return the names of the outputs to plot.
+
+    Codes are omitted. Internal outputs are omitted if there are other outputs.
+    """
     pairs = zip(recording.names, recording.units, strict=True)
     lines = [name for name, unit in pairs if looks_of(name, unit, recording[name]) is None]
     return [name for name in lines if name not in recording.inner] or lines
 
 
 def _thin(recording: Columns, name: str) -> Columns:
-    """Return one output with the samples that the plot shows."""
+    """Return one output with only the samples that the plot shows."""
     rows = thinned(recording.time, recording[name], COLUMNS)
     values = recording[name][rows].reshape(1, -1)
     air = recording.ambient_pressure
@@ -51,7 +54,7 @@ def _thin(recording: Columns, name: str) -> Columns:
 
 
 def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
-    """Return one panel: legend, limits of the scale and lines."""
+    """Return one panel of the plot as HTML: legend, limits of the scale and lines."""
     series = _sort_by_part(panel.series)[:MAX_LINES]
     finite = np.concatenate([line.values[np.isfinite(line.values)] for line in series])
     low, high = float(finite.min()), float(finite.max())
@@ -76,7 +79,7 @@ def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> 
 
 
 def _sort_by_part(series: Sequence[Series]) -> list[Series]:
-    """Sort lines so that the first line of each part precedes the second line of any part."""
+    """Sort lines by their rank within a part: first the first lines of all parts, then the second lines."""
     counts: dict[str, int] = {}
     rank: dict[str, int] = {}
     for line in series:
@@ -86,13 +89,15 @@ def _sort_by_part(series: Sequence[Series]) -> list[Series]:
 
 
 def _end(value: float, span: float) -> str:
-    """Return an end of a scale to about a thousandth of its span."""
+    """Return the value at one end of a scale as text, rounded to about a thousandth of the span."""
     decimals = 3 - math.floor(math.log10(span)) if span > 0.0 else 6
     return f"{round(value, decimals):z.6g}"
 
 
 def path(series: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
-    """Return a line as the `d` of an SVG path, with abscissas in thousandths of the width; NaN is a gap.
+    """Return a line as the attribute `d` of an SVG path.
+
+    Abscissas are in thousandths of the width. NaN interrupts the line.
 
     Examples
     --------
@@ -118,7 +123,10 @@ def path(series: Series, span: tuple[float, float], scale: tuple[float, float]) 
 
 
 def _visible_points(x: NDArray[np.int64], y: FloatArray) -> NDArray[np.int64]:
-    """Return the indices of points, without repeated points and without inner points of horizontal lines."""
+    """Return the indices of the points that determine a line.
+
+    Repeated points and inner points of horizontal lines are omitted.
+    """
     y = np.where(np.isfinite(y), y, -1e9)
     distinct = np.flatnonzero((np.diff(x, prepend=-1) != 0) | (np.diff(y, prepend=np.nan) != 0.0))
     y = y[distinct]

@@ -1,1 +1,1 @@
-"""Plots of a page that one can zoom and read off: what a figure shows as numbers, and the scripts that draw them."""
+"""Interactive plots of HTML pages: data of a figure, and the scripts that draw them."""

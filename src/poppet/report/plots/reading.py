@@ -1,4 +1,4 @@
-"""Conversion of figures to data for interactive plots: axes, lines, bands and boxes."""
+"""Conversion of Matplotlib figures to data for interactive plots."""
 
 from __future__ import annotations
 
@@ -17,14 +17,16 @@ if TYPE_CHECKING:
 MAX_POINTS = 4000
 """Maximum number of points of a line in a page; longer lines are reduced to extremes."""
 DIGITS = 5
-"""Decimal digits of a series relative to its range."""
+"""Number of decimal digits of a column, relative to the range of its values."""
 _NO_MARKER = ("None", "none", "", " ", None)
 _ALIGN = {"left": "left", "center": "center", "right": "right"}
 _BASELINE = {"top": "top", "center": "middle", "bottom": "bottom", "baseline": "alphabetic"}
 
 
 def plot_data(figure: Figure) -> dict[str, Any] | None:
-    """Return the data of a figure; None for maps, drawings and other figures without curves.
+    """Return the data of a figure for an interactive plot.
+
+    The result is None for maps, drawings and other figures without curves.
 
     Examples
     --------
@@ -55,7 +57,7 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
 
 
 def _is_still(axes: Any) -> bool:
-    """Return True for axes without readable values: maps, drawings, unknown scales."""
+    """Return True for axes that cannot become interactive: maps, drawings and unknown scales."""
     from matplotlib.collections import LineCollection, PolyCollection
 
     has_known_artists = all(isinstance(artist, LineCollection | PolyCollection) for artist in axes.collections)
@@ -64,21 +66,21 @@ def _is_still(axes: Any) -> bool:
 
 
 def _box(figure: Figure, axes: Any) -> list[float]:
-    """Return left, top, width and height [in]."""
+    """Return the position of axes in a figure: left, top, width and height [in]."""
     width, height = figure.get_size_inches()
     box = axes.get_position()
     return [float(v) for v in (box.x0 * width, (1.0 - box.y1) * height, box.width * width, box.height * height)]
 
 
 class _PixelColumns:
-    """Collection of distinct series."""
+    """Collection of distinct columns of numbers, to which the plots refer by index."""
 
     def __init__(self) -> None:
         self.series: list[Any] = []
         self._indices: dict[bytes, int] = {}
 
     def add(self, values: FloatArray, *, is_log: bool = False) -> int:
-        """Return the index of a series; add it if it is new."""
+        """Add a column of numbers if it is new, and return its index."""
         key = values.tobytes() + bytes([is_log])
         if key not in self._indices:
             self._indices[key] = len(self.series)
@@ -87,7 +89,10 @@ class _PixelColumns:
 
 
 def _stepped(values: FloatArray) -> dict[str, float | int] | None:
-    """Return evenly spaced numbers as start, step and count; None for other series."""
+    """Return evenly spaced numbers as first value, step and count.
+
+    The result is None if the numbers are not evenly spaced.
+    """
     if values.size < 4 or not np.isfinite(values).all() or not values[-1] > values[0]:
         return None
     even = np.linspace(values[0], values[-1], values.size)
@@ -98,7 +103,10 @@ def _stepped(values: FloatArray) -> dict[str, float | int] | None:
 
 
 def _rounded(values: FloatArray, *, is_log: bool = False) -> list[float | None]:
-    """Return numbers with the digits that an enlarged plot can show; NaN becomes None."""
+    """Return numbers rounded to the digits that an enlarged plot can show.
+
+    NaN becomes None.
+    """
     finite = values[np.isfinite(values)]
     size = float(np.ptp(finite)) if finite.size else 0.0
     if is_log or size == 0.0:
@@ -120,7 +128,7 @@ def _panel(axes: Any, columns: _PixelColumns) -> dict[str, Any]:
 
 
 def _group(axes: Any) -> int:
-    """Return the index of the first panel with the same horizontal axis."""
+    """Return the index of the first panel that shares the horizontal axis with these axes."""
     panels: list[Any] = axes.figure.axes
     return min(panels.index(panel) for panel in axes.get_shared_x_axes().get_siblings(axes) if panel in panels)
 
@@ -166,7 +174,7 @@ def _colour(value: Any, alpha: float | None = None) -> dict[str, Any]:
 
 
 def _pen(artist: Any) -> dict[str, Any]:
-    """Return colour, width and dashes of a line."""
+    """Return the colour, the width and the dashes of a line."""
     style = artist.get_linestyle()
     width = float(artist.get_linewidth()) if style not in _NO_MARKER else 0.0
     pen = _colour(artist.get_color(), artist.get_alpha()) | {"width": width}
@@ -175,7 +183,7 @@ def _pen(artist: Any) -> dict[str, Any]:
 
 
 def _lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Return lines with their points, and lines across the whole panel."""
+    """Return the lines of a panel, and the straight lines that cross the whole panel."""
     lines, rules = [], []
     for line in axes.lines:
         entry = {"label": _label(line)} | _pen(line)
@@ -204,7 +212,7 @@ def _lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], lis
 
 
 def _filled(axes: Any, columns: _PixelColumns) -> tuple[list[Any], list[Any], list[Any]]:
-    """Return bands between two lines, boxes, and separate segments."""
+    """Return the filled shapes of a panel: bands between two lines, and boxes; and its separate segments."""
     from matplotlib.collections import LineCollection
     from matplotlib.patches import Rectangle
 
@@ -244,7 +252,7 @@ def _flat(values: Sequence[Any]) -> list[float | None]:
 
 
 def _texts(axes: Any) -> tuple[list[Any], list[Any]]:
-    """Return the texts in a panel and the labels of its rows."""
+    """Return the texts inside a panel, and the labels at its right edge."""
     texts, rows = [], []
     for text in axes.texts:
         x, y = (float(v) for v in text.get_position())

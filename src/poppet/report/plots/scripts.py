@@ -21,7 +21,9 @@ _LOCALE = (
 
 
 def data_element(data: dict[str, Any]) -> str:
-    """Return the data of a figure as an element; the text is escaped for HTML and XML.
+    """Return the data of a figure as an HTML element.
+
+    Special characters are escaped for HTML and XML.
 
     Examples
     --------
@@ -36,7 +38,7 @@ def data_element(data: dict[str, Any]) -> str:
 
 @cache
 def script() -> str:
-    """Return uPlot and the script of the plots."""
+    """Return the JavaScript of the plots: the library uPlot and the script that uses it."""
     folder = files("poppet.report.plots")
     plots = tight((folder / "plots.js").read_text(encoding="utf-8"))
     library = (folder / "uplot" / "uPlot.iife.min.js").read_text(encoding="utf-8")
@@ -44,7 +46,7 @@ def script() -> str:
 
 
 def tight(script: str) -> str:
-    """Return a script without comments and indentation."""
+    """Return a script without its comments and indentation."""
     lines = (line.strip() for line in re.sub(r"/\*.*?\*/", "", script, flags=re.DOTALL).splitlines())
     return "\n".join(filter(None, lines)) + "\n"
 
@@ -57,7 +59,10 @@ def style() -> str:
 
 
 def policy(*scripts: str, computes: bool = False) -> str:
-    """Return a content security policy that permits these scripts only; `computes` permits WebAssembly."""
+    """Return a content security policy that permits only the given scripts.
+
+    With `computes`, the policy also permits WebAssembly.
+    """
     hashes = (base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in scripts)
     allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"
     allowed += " 'wasm-unsafe-eval'" * computes

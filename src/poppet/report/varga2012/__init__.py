@@ -1,1 +1,1 @@
-"""The page on the paper of Varga and Keski-Honkola."""
+"""Report on the paper of Varga and Keski-Honkola (2012)."""

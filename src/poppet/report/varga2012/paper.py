@@ -47,7 +47,7 @@ _TANKS = (
 
 @dataclass(frozen=True)
 class PaperResult:
-    """Findings and files of `write_paper`."""
+    """Results of `write_paper`: findings, tables, statements and written files."""
 
     folder: Path
     files: tuple[Path, ...]  # `report.html` first
@@ -56,7 +56,7 @@ class PaperResult:
     statements: tuple[Statement, ...]  # with their verdicts
 
     def table(self) -> str:
-        """Return tables and statements as text for a terminal."""
+        """Return the tables and the statements as text for a terminal."""
         tables = [f"{table.caption}\n\n{table.text()}" for name, table in self.tables.items() if name != "statements"]
         width = max(len(item.verdict.value) for item in self.statements)
         lines = [f"{item.verdict.value:<{width}}  {item.text} ({item.place})" for item in self.statements]
@@ -108,7 +108,7 @@ def _files(
     tables: Mapping[str, ReportTable],
     checked: Sequence[Statement],
 ) -> Iterator[tuple[str, bytes]]:
-    """Yield name and content of every file, the report first."""
+    """Yield the name and the content of every output file, the report first."""
     svgs = {name: figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
     yield "report.html", _page(results, pictures, tables, checked).encode()
     yield "results.json", (json.dumps(_numbers(results, checked), indent=1) + "\n").encode()
@@ -189,7 +189,7 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Re
 
 
 def _headline(results: runs.Findings, checked: Sequence[Statement]) -> str:
-    """Return the verdict counts and the main results."""
+    """Return the number of statements by verdict, and the main results, as HTML."""
     counts, times = Counter(item.verdict for item in checked), results.fillings
     tally = {"holds": counts[Verdict.HOLDS], "fails": counts[Verdict.FAILS], "unknown": counts[Verdict.OPEN]}
     facts = {
@@ -245,7 +245,7 @@ def _figures(results: runs.Findings) -> Iterator[tuple[str, Figure]]:
 
 
 def figure_3() -> Figure:
-    """Draw the sonic conductance versus stroke."""
+    """Draw the sonic conductance versus the stroke, as in fig. 3 of the paper."""
     figure, axes = _sheet(FIG3_AXES, "sonic conductance C  [1e-8 m³/(s Pa)]")
     strokes = np.concatenate((np.linspace(0.0, 0.03e-3, 121), np.linspace(0.03e-3, 1e-3, 400)))
     printed, closed = library.characteristic("varga2012"), library.characteristic("varga2012.closed")
@@ -269,7 +269,7 @@ def figure_3() -> Figure:
 
 
 def figure_4() -> Figure:
-    """Draw the critical pressure ratio versus stroke."""
+    """Draw the critical pressure ratio versus the stroke, as in fig. 4 of the paper."""
     figure, axes = _sheet(FIG4_AXES, "critical pressure ratio b  [1]")
     strokes = np.linspace(0.0, 1e-3, 500)
     printed = library.characteristic("varga2012")

@@ -49,7 +49,7 @@ _SETTLED = 0.02  # settling band relative to the travel
 
 @dataclass(frozen=True)
 class Filling:
-    """Filling of the tank from 1 to 5 bar under one tank law."""
+    """Result of filling the tank from 1 to 5 bar under one thermal law of the tank."""
 
     law: str
     time: float  # to 5 bar [s]
@@ -60,7 +60,7 @@ class Filling:
 
 @dataclass(frozen=True)
 class WallConductance:
-    """Wall conductances that give the reported temperature rise at one supply pressure."""
+    """Wall conductances at which the temperature rise is as reported, for one supply pressure."""
 
     supply: float  # absolute [Pa]
     for_peak: float  # if the rise is the maximum [W/K]
@@ -70,7 +70,10 @@ class WallConductance:
 
 @dataclass(frozen=True)
 class Findings:
-    """Values of the report; `results.json` contains most of them under these names."""
+    """All values that the report states.
+
+    `results.json` contains most of them under the same names.
+    """
 
     conductances: tuple[float, ...]  # C at `STROKES` [m^3/(s Pa)]
     ratios: tuple[float, ...]  # b at `STROKES`
@@ -97,12 +100,12 @@ class Findings:
 
     @property
     def wall(self) -> WallConductance:
-        """The wall conductances at the supply pressure of the report."""
+        """Wall conductances at the supply pressure that the report assumes."""
         return next(wall for wall in self.walls if wall.supply == SUPPLY)
 
 
 def find(progress: Callable[[str], Any]) -> Findings:
-    """Run all simulations."""
+    """Run all simulations of the report, and return their findings."""
     progress("tank laws")
     exponent = _polytropic_exponent()
     progress("wall conductances")
@@ -142,13 +145,19 @@ def find(progress: Callable[[str], Any]) -> Findings:
 
 
 def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> BaseCircuit:
-    """Return the right half of fig. 5: a supply, the main stage at a fixed stroke, and the tank."""
+    """Return the circuit of a tank filling: a supply, the main stage at a fixed stroke, and the tank.
+
+    It is the right half of fig. 5 of the paper.
+    """
     valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
     return _between(supply, valve, tank, "Filling at a fixed stroke")
 
 
 def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> BaseCircuit:
-    """Return a supply, the main stage with its mechanics, and the tank; port 3 is connected to ambient."""
+    """Return a circuit of a supply, the main stage with its mechanics, and the tank.
+
+    Port 3 is connected to the ambient. `mode` is the model of the mechanics.
+    """
     valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode)
     signals = {} if pilot is None else {"valve.pilot_pressure": pilot}
     return _between(SUPPLY, valve, tank, f"The main stage, {mode} mode, fills the tank", signals)
@@ -176,7 +185,10 @@ def staircase_circuit(**tank: Any) -> BaseCircuit:
 
 
 def suspected() -> Characteristic:
-    """Return the printed polynomials with one changed digit of k5, a hypothesis from fig. 3."""
+    """Return the printed polynomials with one changed digit of the coefficient k5.
+
+    The curves of fig. 3 suggest this misprint.
+    """
     changed = assumed(SUSPECTED_K5, "m^3/(s Pa)", "one digit changed from the printed -2.2269e-6")
     return library.characteristic("varga2012").with_numbers({"sonic_conductance.k5": changed})
 
@@ -202,7 +214,10 @@ def _curve_findings() -> dict[str, Any]:
 
 
 def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[float, float]:
-    """Return stroke [m] and value at the minimum of `sign` times the curve on 0 to 1 mm."""
+    """Return stroke [m] and value at a minimum or maximum of a curve, for strokes from 0 to 1 mm.
+
+    It is the minimum if `sign` is 1, the maximum if it is -1.
+    """
     strokes = np.linspace(0.0, 1e-3, 100_001)
     values = np.asarray(curve(strokes))
     index = int(np.argmin(sign * values))
@@ -210,7 +225,10 @@ def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[fl
 
 
 def _law_deviation(c: float, b: float) -> float:
-    """Return the maximum deviation of eqs (1) and (2) from the flow law outside its laminar range."""
+    """Return the maximum deviation of eqs (1) and (2) of the paper from the flow law.
+
+    The laminar range of the flow law is excluded. The deviation is relative to the choked flow.
+    """
     p1, ratio = SUPPLY, np.linspace(0.0, iso6358.LAMINAR_RATIO, 2001)
     choked = c * p1 * iso6358.REFERENCE_DENSITY
     bracket = 1.0 - ((ratio - b) / (1.0 - b)) ** 2
@@ -294,7 +312,7 @@ def _pressure_drop(wall: float, closing_time: float) -> float:
 
 
 def _settling_time() -> float:
-    """Return the settling time of the stroke in a band of 2 % of its travel."""
+    """Return the time after which the stroke stays within 2 % of its travel from the final value."""
     run = staged("paper", Steps([0.0], [4e5])).simulate(0.05, 1e-5, 1e-6)
     stroke = run["valve.stroke"]
     away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])
@@ -302,7 +320,10 @@ def _settling_time() -> float:
 
 
 def _strokes_by_sign() -> tuple[float, float]:
-    """Return the stroke at 3 bar g by eq. (5), and at rest with k2 (h2 - x) as in fig. 5."""
+    """Return the equilibrium stroke at 3 bar g for both signs of the spring force.
+
+    The first is by eq. (5) of the paper, the second with k2 (h2 - x) as in fig. 5.
+    """
     circuit = staged("paper", Steps([0.0], [4e5]))
     valve: Any = circuit.parts["valve"]
     k1, h1 = float(valve.upper_spring.rate), float(valve.upper_spring.preload)

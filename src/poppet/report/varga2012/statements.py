@@ -1,4 +1,7 @@
-"""Statements of Varga & Keski-Honkola 2012 with their verdicts; the texts are in `messages/paper.toml`."""
+"""Statements of the paper of Varga & Keski-Honkola (2012), with verdicts.
+
+The texts are in `messages/paper.toml`.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ from poppet.report.varga2012.runs import REPORTED_RISE, START_TEMPERATURE, SUPPL
 
 
 class Verdict(enum.Enum):
-    """Verdict on a statement; the value is its text."""
+    """Verdict on a statement of the paper; the value is the printed text."""
 
     HOLDS = "holds"
     FAILS = "does not hold"
@@ -23,7 +26,7 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class Statement:
-    """Statement of the paper: code, verdict and facts of the finding."""
+    """Statement of the paper: code, verdict, and the values in the text of the finding."""
 
     code: str
     verdict: Verdict
@@ -36,17 +39,17 @@ class Statement:
 
     @property
     def place(self) -> str:
-        """Location in the paper."""
+        """Location of the statement in the paper."""
         return sentence(f"{self.code}.place", {})
 
     @property
     def finding(self) -> str:
-        """Finding of the simulation."""
+        """Text on the simulation result that supports the verdict."""
         return sentence(f"{self.code}.finding", self.facts)
 
 
 def statements(results: Findings) -> tuple[Statement, ...]:
-    """Return all statements with their verdicts."""
+    """Return all statements of the paper with their verdicts."""
     verdicts = {True: Verdict.HOLDS, False: Verdict.FAILS, None: Verdict.OPEN}
     return tuple(
         Statement(f"paper.{name}", verdicts[None if holds is None else bool(holds)], facts)
@@ -55,7 +58,10 @@ def statements(results: Findings) -> tuple[Statement, ...]:
 
 
 def _judged(results: Findings) -> Iterator[tuple[str, bool | None, dict[str, Any]]]:
-    """Yield name, truth (None if not decidable) and facts in the units of the text."""
+    """Yield the name, the truth and the facts of each statement.
+
+    The truth is None if the statement cannot be decided. The facts are in the units of the text.
+    """
     c, b, (stroke, largest) = results.conductances, results.ratios, results.largest
     smallest_stroke, smallest = results.smallest_ratio
     fill = results.fillings
@@ -117,7 +123,10 @@ def _judged(results: Findings) -> Iterator[tuple[str, bool | None, dict[str, Any
 
 
 def _staircase(results: Findings) -> tuple[float, float, float]:
-    """Return minimum and maximum pressure of all tanks [bar], and the maximum relative error before the next step."""
+    """Return the minimum and the maximum pressure [bar], and the maximum relative error at the end of a step.
+
+    They are taken over all tanks.
+    """
     run = results.staircase
     required = run["required.pressure"]
     ends = np.append(np.flatnonzero(np.diff(required)), required.size - 1)
