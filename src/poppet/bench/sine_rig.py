@@ -114,7 +114,10 @@ class SineRig:
         )  # fmt: skip
 
     def run(self, amplitude: float, frequency: float, grid: Array) -> RawRun:
-        """Run with a sine added to the constant value of the driven input."""
+        """Run with a sine added to the constant value of the driven input.
+
+        `grid` contains the output times after the start [s].
+        """
         coefficients = constant_coefficients(self.u, self.begin)
         coefficients[0, self.input, 2:4] = amplitude, frequency
         return solve(self._problem(coefficients, self.begin, self.begin + grid, self.x, self.p))

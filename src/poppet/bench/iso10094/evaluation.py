@@ -218,7 +218,10 @@ class Evaluation:
     uncertainties: dict[tuple[int, str], Uncertainty] = field(default_factory=dict)  # by the id of a row and its key
 
     def set_value(self, row: Row, key: str, value: float, uncertainty: Uncertainty) -> None:
-        """Set the value `key` of a row together with its uncertainty."""
+        """Set the value `key` of a row together with its uncertainty.
+
+        The row receives the standard uncertainty under the key with the ending `_uncertainty`.
+        """
         row |= {key: value, f"{key}_uncertainty": uncertainty.standard}
         self.uncertainties[id(row), key] = uncertainty
 
@@ -264,7 +267,10 @@ class Evaluation:
     def add(
         self, name: str, value: float, uncertainty: Uncertainty | None = None, *, bound: str = "", **conditions: Any
     ) -> None:
-        """Add a characteristic value with uncertainty, bound and operating conditions."""
+        """Add a characteristic value with uncertainty, bound and operating conditions.
+
+        If there is neither a bound nor a finite uncertainty, a note states that it could not be determined.
+        """
         definition = self.test.definitions[name]
         figure = CharacteristicValue(float(value), definition.unit, definition.full, bound, conditions)
         if not bound and uncertainty is not None and math.isfinite(uncertainty.standard):

@@ -38,7 +38,10 @@ FAINT = 4.0  # detection limit of a fundamental, in standard errors
 def frequency_trial(
     scale: Scale, volume: float, frequency: float, hold: float, *, mean: float, amplitude: float
 ) -> Trial:
-    """Return a trial with a sinusoidal setpoint about a mean value."""
+    """Return a trial with a sinusoidal setpoint about a mean value.
+
+    `mean` and `amplitude` are in % FS, and `hold` is the settling time of the valve [s].
+    """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
     signal = Sine(float(scale.setpoint(mean)), amplitude * unit, frequency)
@@ -282,7 +285,10 @@ def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
-    """Return the number of periods at the end of a series that have a constant fundamental."""
+    """Return the number of periods at the end of a series that have a constant fundamental.
+
+    `y` is the outlet and `frequency` the frequency of the sine [Hz].
+    """
     total = max(1, math.floor((time[-1] - time[0]) * frequency + 0.02))
     ends = time[-1] - np.arange(total + 1) / frequency
     cuts = np.searchsorted(time, ends + 1e-9 * (time[-1] - time[0]))

@@ -203,7 +203,10 @@ class Lag:
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
-    """Return the lags of all rising sweeps that end in a sufficiently long hold."""
+    """Return the lags of all rising sweeps that end in a sufficiently long hold.
+
+    `x` is the swept quantity, `y` the outlet, and `parts` the branches of the sweep.
+    """
     pairs = zip(parts, [*parts[1:], None], strict=False)
     lags = [lag_of(time, x, y, branch, following) for branch, following in pairs if branch.sign > 0]
     return [lag for lag in lags if lag is not None]

@@ -64,7 +64,10 @@ def supply_trials(pace: Pace) -> list[Trial]:
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """Return a trial with a constant setpoint and no flow at the outlet."""
+    """Return a trial with a constant setpoint and no flow at the outlet.
+
+    `setpoint` is in % FS, and `hold` is the settling time of the valve [s].
+    """
     name, settling = f"rest at {setpoint:g} % FS", 5.0 * hold
     return Trial("leakage", name, held(scale, setpoint), 2.0 * settling, settling, settling / ROWS, volume)
 

@@ -109,7 +109,10 @@ def recorded(
 
 
 def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
-    """Read one recording, and return its record and notes."""
+    """Read one recording, and return its record and notes.
+
+    `table` is the table of the recording in the file, and `ambient` the ambient pressure [Pa].
+    """
     address = f"recordings.{name}"
     if not isinstance(table, Mapping):
         raise InputError("fields.no_table", address, value=table)

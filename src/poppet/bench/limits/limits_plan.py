@@ -112,7 +112,10 @@ def limits_plan(
     amplitudes: Sequence[Any] | None = None, springs: Sequence[float] | None = None,
     dampings: Sequence[float] | None = None,
 ) -> LimitsPlan:  # fmt: skip
-    """Return a complete plan; defaults replace the settings that are None."""
+    """Return a plan for the dynamic limits of a valve in a circuit.
+
+    Defaults replace the settings that are None. `springs` and `dampings` are factors on spring rates and damping.
+    """
     name = _valve(circuit, valve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):

@@ -63,7 +63,10 @@ class Stability:
 
 
 def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: float) -> Stability:
-    """Compute poles and motions for one spring factor, damping factor and volume."""
+    """Compute poles and motions of a valve for one spring rate, damping and volume.
+
+    `spring` and `damping` are factors, and `volume` is the outlet volume [m^3].
+    """
     changes = stage_changes(plan, spring, damping)
     rough = _by_itself(plan, volume, changes)
     note = Note("limits.no_rest", points=None)

@@ -309,7 +309,10 @@ class _MeasurementReader:
         return index
 
     def _time(self, table: Table, value: Any, location: str) -> Any:
-        """Return the times of all samples of a table [s]."""
+        """Return the times of all samples of a table [s].
+
+        `value` is the field `time`, and `location` its address in error messages.
+        """
         spec = value if isinstance(value, Mapping) else {"column": value}
         for key in (field for field in spec if field not in ("column", "unit")):
             near = NameSuggestion(key, ("column", "unit"))

@@ -408,7 +408,10 @@ def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[S
 
 
 def _most_frequent(time: FloatArray, codes: FloatArray, edges: FloatArray) -> FloatArray:
-    """Return the code with the longest total duration in each interval between edges."""
+    """Return the code with the longest total duration in each interval between edges.
+
+    The code `codes[k]` is valid from `time[k]` to the next time.
+    """
     kinds = np.unique(codes[np.isfinite(codes)])
     if not kinds.size:
         return np.full(len(edges) - 1, np.nan)

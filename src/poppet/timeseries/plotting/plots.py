@@ -209,7 +209,10 @@ class Sheet:
             top += _KEY_ROW
 
     def _row(self, handles: Sequence[Any], texts: Sequence[str], y: float, handlelength: float) -> None:
-        """Draw a legend of one line at the height `y`, outside the axes."""
+        """Draw a legend of one line at the height `y`, outside the axes.
+
+        `handles` are the drawn symbols, and `handlelength` is their length.
+        """
         options = {"bbox_to_anchor": (_LEFT / self.across, y), "handlelength": handlelength}
         _legend(self.figure, handles, texts, **options, ncols=len(texts), columnspacing=1.4)
 
