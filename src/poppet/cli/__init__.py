@@ -1,1 +1,4 @@
-"""The command line: one module per command, registered in `poppet.cli.main`."""
+"""Command line of poppet: one module per group of commands.
+
+`poppet.cli.commands` declares all commands.
+"""

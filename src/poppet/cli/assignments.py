@@ -1,4 +1,7 @@
-"""Circuits and recordings as changed by the options --set, --with, --select and --units."""
+"""Functions that apply the options --set, --with, --select and --units.
+
+The first two change a circuit. The other two select outputs of a recording and set their units.
+"""
 
 from __future__ import annotations
 
@@ -17,7 +20,9 @@ if TYPE_CHECKING:
 
 
 def read_value(text: str) -> float | str:
-    """Return a bare number as float [SI] and any other text without its quotes.
+    """Convert the text of a value to a float if it is a number without a unit.
+
+    Such a number is in SI units. Any other text is returned without its quotes.
 
     Examples
     --------
@@ -34,7 +39,7 @@ def read_value(text: str) -> float | str:
 
 
 def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, float | str]:
-    """Return the values of a repeated option by address.
+    """Return the values of a repeated option such as --set, by address.
 
     Examples
     --------
@@ -56,12 +61,15 @@ def read_assignments(texts: Sequence[str], option: str = "--set") -> dict[str, f
 
 
 def split_list(text: str | None) -> list[str]:
-    """Return the members of a list that is separated by commas."""
+    """Return the entries of a list in which commas separate the entries."""
     return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
 
 
 def change_circuit(circuit: BaseCircuit, values: Mapping[str, float | str]) -> tuple[BaseCircuit, list[Note]]:
-    """Return a circuit with changed values, and notes on the changes."""
+    """Return a circuit with changed values, and notes on the changes.
+
+    If a signal drives a changed input, the signal is removed, and a note reports it.
+    """
     from dataclasses import replace
 
     if not values:
@@ -75,7 +83,10 @@ def change_circuit(circuit: BaseCircuit, values: Mapping[str, float | str]) -> t
 
 
 def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircuit, list[Note]]:
-    """Load a circuit file and apply --with and --set; return the circuit and notes on the changes."""
+    """Load a circuit file, and apply the options --with and --set.
+
+    The second result contains notes on the changes.
+    """
     from poppet.circuit.file import load
 
     circuit, notes = with_result(load(path or options.file), options.result)
@@ -84,7 +95,10 @@ def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircu
 
 
 def with_result(circuit: BaseCircuit, path: str | None) -> tuple[BaseCircuit, list[Note]]:
-    """Apply the parameters of --with; return the circuit and a note on doubtful parameters."""
+    """Apply the identified parameters in the file of the option --with to a circuit.
+
+    The second result contains a note if some of the parameters are doubtful.
+    """
     if path is None:
         return circuit, []
     from poppet.identify.parameter_file import with_numbers
@@ -95,7 +109,7 @@ def with_result(circuit: BaseCircuit, path: str | None) -> tuple[BaseCircuit, li
 
 @dataclass(frozen=True)
 class OutputSelection:
-    """Outputs of a recording and their units, as selected by --select and --units."""
+    """Selected outputs of a recording and their units, from the options --select and --units."""
 
     patterns: tuple[str, ...] = ()  # names or patterns; empty for all outputs
     units: tuple[str, ...] = ()  # each for all outputs of its quantity
@@ -103,7 +117,7 @@ class OutputSelection:
 
     @classmethod
     def read(cls, select: str | None, units: str | None) -> OutputSelection:
-        """Read the options `--select` and `--units`."""
+        """Read a selection from the texts of the options `--select` and `--units`."""
         from poppet.core.units import check_unit
 
         # `bar,mm` is valid for all outputs of a quantity, `tank.pressure=psi` for one; a list can contain both.
@@ -116,7 +130,7 @@ class OutputSelection:
         return cls(tuple(split_list(select)), general_units, unit_by_name)
 
     def apply(self, recording: Recording) -> Recording:
-        """Return the selected outputs in the selected units."""
+        """Return the recording with only the selected outputs, in the selected units."""
         if self.patterns:
             recording = recording.select(self.patterns)
         # Names last: they override the units of a quantity.

@@ -1,4 +1,7 @@
-"""`poppet bench` and `poppet bench limits`: characteristic values and dynamic limits of a pressure valve."""
+"""Commands `poppet bench` and `poppet bench limits`.
+
+They determine the characteristic values and the dynamic limits of a pressure valve.
+"""
 
 from __future__ import annotations
 
@@ -22,11 +25,14 @@ if TYPE_CHECKING:
     from poppet.bench.iso10094.evaluation import BenchSettings
 
 CIRCUIT_OPTIONS = ("valve", "volume", "supply", "sweep_time", "frequencies", "values", "result")
-"""Options that have no effect on recordings."""
+"""Options that apply only to a circuit: they have no effect if recordings are evaluated."""
 
 
 def run_bench_command(options: argparse.Namespace) -> int:
-    """Determine the characteristic values of a valve from a circuit, recordings or a result file."""
+    """Determine the characteristic values of a valve.
+
+    The input is a circuit, recordings or a result file.
+    """
     from dataclasses import replace
 
     from poppet.bench.iso10094.bench_result import compared
@@ -61,7 +67,10 @@ def run_bench_command(options: argparse.Namespace) -> int:
 def _prepare(
     options: argparse.Namespace, path: Path, values: list[str], *, is_comparison: bool
 ) -> Callable[[BenchProgress], BenchResult]:
-    """Return a function that gives the result of a file: a result, recordings, or a circuit to be tested."""
+    """Return a function that provides the bench result for a file.
+
+    The function returns the result of a result file or of recordings, or it runs the tests on a circuit.
+    """
     from poppet.bench.iso10094.bench_result import is_result, read_bench_result
     from poppet.core.toml_file import TomlFile
 
@@ -158,7 +167,10 @@ def _tests(options: argparse.Namespace) -> list[str]:
 
 
 def bench_summary(result: BenchResult) -> str:
-    """Return the characteristic values of a result, with those of its comparison, and the notes."""
+    """Return the characteristic values and the notes of a bench result as text.
+
+    The values of the valve with which it was compared are in a second column.
+    """
     lines = [result.title]
     compared_rows = result.comparison.get("figures", {})
     # A characteristic value of the comparison alone has a dash in the first column.
@@ -185,7 +197,10 @@ def bench_summary(result: BenchResult) -> str:
 
 
 def find_bench_limits(options: argparse.Namespace) -> int:
-    """Find the part that limits a valve, by load volume, amplitude, springs and damping."""
+    """Determine which part of a valve limits the bandwidth.
+
+    The analysis varies load volume, amplitude, spring rates and damping.
+    """
     from poppet.bench.limits.maps import DONE, find_limits, limits_plan
 
     circuit, _ = load_circuit(options)
@@ -209,7 +224,7 @@ def find_bench_limits(options: argparse.Namespace) -> int:
 
 
 def limits_summary(result: Any) -> str:
-    """Return the table of bandwidths and limiting parts, and the findings."""
+    """Return a table of bandwidths with the limiting parts, followed by the findings."""
     plan = result.plan
     head = ["-3 dB [Hz]", *(f"{a / 1e3:.3g} kPa" for a in plan.amplitudes)]
     bandwidths, parts = result.grid("gain_frequency"), result.grid("limiting")

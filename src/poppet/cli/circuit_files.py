@@ -1,4 +1,7 @@
-"""`poppet check`, `new`, `show`, `draw` and `schema`: circuit files without a run."""
+"""Commands that read or write circuit files without a simulation.
+
+They are `poppet check`, `new`, `show`, `draw` and `schema`.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +27,7 @@ TEMPLATES = {path.stem: path for path in sorted(Path(__file__).with_name("templa
 
 
 def check_files(options: argparse.Namespace) -> None:
-    """Report all errors of circuit files without running them."""
+    """Report all errors in circuit files, without a simulation."""
     problems: list[InputError] = []
     # An error in one file does not prevent the check of the others.
     for file in options.files:
@@ -63,7 +66,10 @@ def _check_file(file: str) -> None:
 
 
 def _count_outputs(circuit: BaseCircuit) -> int:
-    """Return the number of outputs; check stop conditions and output times without compiling the model."""
+    """Return the number of outputs of a circuit, and check its stop conditions and output times.
+
+    The model is not compiled.
+    """
     from poppet.circuit.stop_conditions import parse_stop_condition
     from poppet.circuit.trace import trace
 
@@ -77,7 +83,7 @@ def _count_outputs(circuit: BaseCircuit) -> int:
 
 
 def write_template(options: argparse.Namespace) -> None:
-    """Write a template of a circuit file, or list the templates."""
+    """Write a template of a circuit file, or list the available templates."""
     name = options.template
     if name is None:
         width = max(map(len, TEMPLATES))
@@ -99,7 +105,7 @@ def write_template(options: argparse.Namespace) -> None:
 
 
 def show_parameters(options: argparse.Namespace) -> None:
-    """Print the parameters of a circuit by source."""
+    """Print all parameters of a circuit, grouped by the source of their values."""
     if options.kind is not None and options.kind not in KINDS:
         near = NameSuggestion(options.kind, KINDS)
         raise InputError("fields.not_an_option", "--kind", value=options.kind, meaning="kind of source", near=near)
@@ -130,7 +136,7 @@ def _json_entry(address: str, number: Number, ambient_pressure: float) -> dict[s
 
 
 def _source_text(kind: str, numbers: dict[str, Number], ambient_pressure: float) -> str:
-    """Return the table of the parameters of one kind of source."""
+    """Return a table of the parameters whose values have one kind of source, as text."""
     if not numbers:
         return f"{kind}: none"
     rows = []
@@ -143,7 +149,7 @@ def _source_text(kind: str, numbers: dict[str, Number], ambient_pressure: float)
 
 
 def draw_schematic(options: argparse.Namespace) -> None:
-    """Draw the schematic of a circuit."""
+    """Draw the schematic of the circuit in a file."""
     from poppet.circuit.file import load
     from poppet.report.circuit.schematic import draw_circuit
 
@@ -153,7 +159,7 @@ def draw_schematic(options: argparse.Namespace) -> None:
 
 
 def write_schema(options: argparse.Namespace) -> None:
-    """Write the JSON schema of circuit files."""
+    """Write the JSON schema of circuit files, which editors use to check a file."""
     from poppet.core.files import write_whole
     from poppet.ensemble.ensemble_schema import file_schema
 

@@ -1,4 +1,7 @@
-"""Declarations of all commands: the parsers, the help, the tables of the documentation and tests come from here."""
+"""Declarations of all commands.
+
+The parsers, the help, tables of the documentation and tests are made from these declarations.
+"""
 
 from __future__ import annotations
 
@@ -14,7 +17,7 @@ from poppet.identify.methods import METHODS, Method
 RECORDINGS = (".csv", ".parquet", ".mat")
 PICTURES = (".png", ".svg", ".pdf")
 SIZES = {"C": "m^3/(s Pa)", "Kv": "", "Cv": "", "qNn": "l/min ANR", "area": "mm^2"}
-"""Names of flow capacities, with the default unit of the output of `poppet convert`."""
+"""Flow capacities by name, with the default unit in which `poppet convert` prints the result."""
 
 VALVE = Option("--valve NAME", "part under test; required if the circuit has several valves")
 RESULT = Option("-o, --output FILE", "write the result", (".toml", ".json"))
@@ -359,7 +362,7 @@ _COMMANDS = {
 
 
 def target_command(target: Target) -> Command:
-    """Return the command of an export target."""
+    """Return the declaration of the command for an export target."""
     output = (
         Option("-o, --output FILE", "output file", target.suffixes, keywords={"required": not target.is_printable})
         if target.suffixes
@@ -375,7 +378,10 @@ def target_command(target: Target) -> Command:
 
 
 def identify_command(methods: Iterable[Method]) -> Command:
-    """Return the command of the identification methods, with the options that they declare."""
+    """Return the declaration of the command `identify`.
+
+    It includes the options that each identification method declares.
+    """
     methods = tuple(methods)
     options = {item.option.usage: item.option for method in methods for item in method.options}
     actions = {
@@ -409,7 +415,10 @@ def _with_plugins(targets: Iterable[Target], methods: Iterable[Method]) -> dict[
 
 
 def all_commands() -> dict[str, Command]:
-    """Return all commands, with targets and methods of other packages."""
+    """Return the declarations of all commands by name.
+
+    They include export targets and identification methods of other installed packages.
+    """
     return _with_plugins(TARGETS.values(), METHODS.values())
 
 

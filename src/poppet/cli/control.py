@@ -1,4 +1,4 @@
-"""`poppet control`: tuning of controllers on the linear model, and comparison of controllers on one plant."""
+"""Command `poppet control`: controller tuning on the linear model, and comparison of controllers on one plant."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ if TYPE_CHECKING:
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Tune a controller or compare controllers."""
+    """Tune a controller, or compare several controllers."""
     return _tune(options) if options.action == "tune" else _compare(options)
 
 
 def _load_circuits(options: argparse.Namespace) -> dict[str, BaseCircuit]:
-    """Return the circuits by the names of their files."""
+    """Load the circuits of all files, and return them by file name without suffix."""
     circuits: dict[str, BaseCircuit] = {}
     for path in options.files:
         name = Path(path).stem

@@ -1,4 +1,4 @@
-"""`poppet convert`: units, and measures of the flow capacity."""
+"""Command `poppet convert`: conversion of units and of flow capacities such as C, Kv and Cv."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ if TYPE_CHECKING:
     from poppet.laws.iso6358 import Conductance
 
 _NAMES = {name.casefold(): name for name in SIZES} | {"effective_area": "area"}
-"""Names of flow capacities in lower case."""
+"""Mapping from the lower-case name of a flow capacity to its name."""
 _SI = {"C": "m^3/(s Pa)", "qNn": "m^3/s ANR", "area": "m^2"}
 _SECOND_UNITS = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
-"""Units in which the result is repeated."""
+"""Second unit in which the result of a conversion is also printed, by flow capacity."""
 
 
 def execute(options: argparse.Namespace) -> None:
-    """Convert a value to another unit or another measure of the flow capacity."""
+    """Convert a value to another unit, or to another flow capacity."""
     number, unit = _split_value(options.value)
     if not options.to.strip():
         raise UnitError("convert.no_target", sizes=tuple(SIZES))
@@ -51,7 +51,10 @@ def execute(options: argparse.Namespace) -> None:
 
 
 def _state_reference(unit: str, to: str) -> tuple[list[str], list[str]]:
-    """Return both units with the reference state of volume flows, and notes on assumed states."""
+    """Add the reference state (for example ANR) to both units if they measure volume flow.
+
+    The second result contains notes on reference states that were assumed.
+    """
     from poppet.core.units import counted_at, with_state
 
     # A conversion between volume flows needs no reference state.
@@ -63,7 +66,7 @@ def _state_reference(unit: str, to: str) -> tuple[list[str], list[str]]:
 
 
 def _split_value(text: str) -> tuple[float, str]:
-    """Return number and unit."""
+    """Split a text into a number and its unit."""
     # A regular expression, because `float` would also accept `nan`, `inf` and `1_000`.
     match = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
     if not match:
@@ -102,7 +105,10 @@ def _ambient_pressure(text: str | None) -> float | None:
 
 
 def _gas(name: str | None) -> tuple[str, dict[str, float]]:
-    """Return the name, and the isentropic exponent and gas constant; both are empty for air."""
+    """Return the name of a gas, and its isentropic exponent and gas constant.
+
+    Both results are empty for air.
+    """
     from poppet import library
 
     if name is None:
@@ -113,7 +119,10 @@ def _gas(name: str | None) -> tuple[str, dict[str, float]]:
 
 
 def _capacity_of(unit: str) -> str | None:
-    """Return the flow capacity of a unit or name, or None."""
+    """Return the flow capacity to which a unit or name belongs, such as `C` or `qNn`.
+
+    The result is None if there is no such flow capacity.
+    """
     from poppet.core.units import counted_at, same_dimension
 
     if unit.casefold() in _NAMES:
@@ -126,7 +135,10 @@ def _capacity_of(unit: str) -> str | None:
 
 
 def _convert_unit(number: float, unit: str, to: str, ambient: float | None) -> list[str]:
-    """Return the lines of a conversion between units."""
+    """Convert a value to another unit, and return the lines to print.
+
+    `ambient` is the ambient pressure for gauge values; None selects the default.
+    """
     from poppet.core.units import ANR, NORMAL, check_unit, convert, counted_at, same_dimension
 
     check_unit(unit)
@@ -149,14 +161,17 @@ def _convert_unit(number: float, unit: str, to: str, ambient: float | None) -> l
 
 
 def _is_gauge(unit: str) -> bool:
-    """Return True if the unit marks a gauge pressure, which depends on the ambient pressure."""
+    """Return True if the unit is that of a gauge pressure.
+
+    The conversion then depends on the ambient pressure.
+    """
     from poppet.core.units import convert, same_dimension
 
     return same_dimension(unit, "Pa") and convert(0.0, unit, "Pa", ambient_pressure=1e5) != 0.0
 
 
 class _Context(NamedTuple):
-    """Options that conversions between flow capacities depend on."""
+    """Options on which the conversion between flow capacities depends."""
 
     critical_ratio: float | None
     ambient: float | None
@@ -174,7 +189,10 @@ class _Context(NamedTuple):
         return {"atmosphere": self.ambient} if capacity == "qNn" and self.ambient is not None else {}
 
     def factors_from_air(self, capacity: str) -> tuple[float, float]:
-        """Return factor and shift from C and b with air or water to those with the gas; (1, 0) if not required."""
+        """Return the factor and the shift that convert C and b from air or water to the selected gas.
+
+        They are 1 and 0 if no conversion is required.
+        """
         from poppet.laws import iso6358
 
         is_of_air = self.gas and capacity in ("Kv", "Cv", "qNn")
@@ -182,7 +200,7 @@ class _Context(NamedTuple):
 
 
 def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str, str], context: _Context) -> list[str]:
-    """Return the lines of a conversion between two flow capacities, by C and b."""
+    """Convert a value to another flow capacity by way of C and b, and return the lines to print."""
     from poppet.core.units import ANR, convert
 
     (source_name, source_unit), (target_name, target_unit) = source, target
@@ -210,7 +228,7 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
 
 
 def _conductance(capacity: str, value: float, context: _Context) -> Conductance:
-    """Return C and b of a flow capacity in SI, with a note on the conversion."""
+    """Convert a flow capacity in SI units to C and b, with a note on the conversion."""
     from poppet.laws import iso6358
 
     b = context.critical_ratio
@@ -235,7 +253,7 @@ def _conductance(capacity: str, value: float, context: _Context) -> Conductance:
 
 
 def _capacity(capacity: str, conductance: Conductance, context: _Context) -> float:
-    """Return a flow capacity in SI."""
+    """Convert C and b to a flow capacity in SI units."""
     from poppet.laws import iso6358
 
     factor, shift = context.factors_from_air(capacity)

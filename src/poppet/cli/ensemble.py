@@ -1,4 +1,4 @@
-"""`poppet ensemble` and `poppet size`: runs of a circuit file with uncertain parameters, and sizing."""
+"""Commands `poppet ensemble` (runs with uncertain parameters) and `poppet size` (sizing of a parameter)."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def run_ensemble(options: argparse.Namespace) -> int:
-    """Run a circuit file with uncertain parameters."""
+    """Run the circuit of a file many times with uncertain parameters."""
     from poppet.core.toml_file import TomlFile
     from poppet.ensemble import plan_of, run_plan
 
@@ -53,7 +53,7 @@ def run_ensemble(options: argparse.Namespace) -> int:
 
 
 def ensemble_summary(ensemble: Ensemble) -> str:
-    """Return the tables of yields and metrics."""
+    """Return the tables of yields and metrics of an ensemble as text."""
     from poppet.report.ensemble.ensemble_report import metric_table, yield_table
 
     lines = [ensemble.plan.circuit.title] if ensemble.plan.circuit.title else []

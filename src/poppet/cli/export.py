@@ -1,4 +1,7 @@
-"""`poppet export`, `poppet live`: list, run and check the export targets."""
+"""Commands `poppet export` and `poppet live`.
+
+They list, write and check the exports of a circuit.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,7 @@ from poppet.deploy.targets import TARGETS, CircuitSource
 
 
 def list_targets(options: argparse.Namespace) -> int:
-    """List the export targets."""
+    """Print the names and descriptions of all export targets."""
     from poppet.cli.commands import COMMANDS
 
     targets = {target.command: target.summary for target in TARGETS.values()}
@@ -29,7 +32,7 @@ def list_targets(options: argparse.Namespace) -> int:
 
 
 def write_target(options: argparse.Namespace) -> None:
-    """Export a circuit with the target of the command."""
+    """Export a circuit to the target that the command names."""
     target = TARGETS[options.command.rpartition(" ")[2]]
     if options.output is None and not target.is_printable:
         raise InputError("deploy.no_folder_named")
@@ -57,7 +60,7 @@ def write_target(options: argparse.Namespace) -> None:
 
 
 def check_targets(options: argparse.Namespace) -> int:
-    """Run a circuit with every export target and compare the results with the kernel."""
+    """Run a circuit with every export target, and compare the results with those of the kernel."""
     from poppet.circuit.file import load
     from poppet.deploy.fmu.importers import fmi_version, read_circuit
     from poppet.deploy.parity.parity_report import not_run_notes, results_table, write_parity

@@ -1,4 +1,4 @@
-"""`poppet identify`: parameters with confidence intervals from recordings."""
+"""Command `poppet identify`: estimation of parameters with confidence intervals from recordings."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from poppet.core.errors import OutOfRangeError
 from poppet.identify.methods import METHODS, imported
 
 FINDINGS = 3
-"""Number of findings that are printed without `--all`."""
+"""Maximum number of findings that are printed without the option `--all`."""
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run the command."""
+    """Run an identification method, and print or write the result."""
     if options.bootstrap < 0:
         raise OutOfRangeError("cli.bootstrap", count=options.bootstrap)
     require_matplotlib(options.report)

@@ -1,4 +1,4 @@
-"""`poppet linearise`: linear model of a circuit at an operating point."""
+"""Command `poppet linearise`: linear model of a circuit at an operating point."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from poppet.core.note_groups import grouped
 from poppet.core.number_format import aligned
 
 ZERO = 1e-12
-"""Magnitude below which an eigenvalue over one sample counts as zero."""
+"""Magnitude up to which an eigenvalue of a sampled model counts as zero."""
 
 
 def linearise_file(options: argparse.Namespace) -> None:
-    """Print the linear model of a circuit and write it to a file."""
+    """Print the linear model of a circuit, and write it to a file if one is specified."""
     from poppet.timeseries.recording import Recording
 
     circuit, _ = load_circuit(options)
@@ -50,7 +50,7 @@ def _model_text(linear: Any, units: dict[str, str]) -> str:
 
 
 def _eigenvalue_text(linear: Any) -> str:
-    """Return the eigenvalues of a sampled model, with the number of zero eigenvalues."""
+    """Return a line with the nonzero eigenvalues of a sampled model, and the number of zero eigenvalues."""
     values = [complex(z) for z in linear.eigenvalues()]
     nonzero = [z for z in values if abs(z) > ZERO and z.imag >= 0.0]
     n_zero = sum(abs(z) <= ZERO for z in values)

@@ -1,4 +1,6 @@
-"""Entry point of the command line: finds the command and turns errors into messages and exit codes.
+"""Entry point of the command line.
+
+It runs the requested command, and converts errors to messages and exit codes.
 
 Nothing heavy is imported here, because `poppet --help` must be fast.
 """
@@ -31,7 +33,9 @@ PROGRAM = Command(
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line.
+    """Run the command line with the given arguments, and return the exit code.
+
+    The default arguments are those of the program.
 
     Examples
     --------
@@ -88,7 +92,7 @@ def command_parser(name: str) -> CommandParser:
 
 
 def split_command(arguments: list[str]) -> tuple[str, list[str]]:
-    """Return the command, of one or two words, and its arguments.
+    """Split arguments into the name of the command, of one or two words, and the remaining arguments.
 
     Examples
     --------
@@ -123,7 +127,7 @@ def _dispatch(arguments: list[str]) -> int:
 
 
 def _run_program(arguments: list[str]) -> int:
-    """Print the help or the version."""
+    """Print the help or the version of the program, and return the exit code."""
     parser, commands = CommandParser("", PROGRAM), all_commands()
     width = max(map(len, commands))
     lines = (f"{name:<{width}}  {command.summary}" for name, command in commands.items())
@@ -145,7 +149,7 @@ def _run_program(arguments: list[str]) -> int:
 
 
 def _report(text: str, code: int, prefix: str = "error: ") -> int:
-    """Print lines to the standard error and return the exit code."""
+    """Print a message to the standard error, and return the exit code."""
     with contextlib.suppress(OSError):
         for line in text.splitlines():
             print(f"{prefix}{printable(line)}", file=sys.stderr)
@@ -158,7 +162,10 @@ def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
 
 
 def _tolerate_narrow_encodings() -> None:
-    """Print ? for characters that the terminal cannot print; replace closed streams by buffers."""
+    """Adapt the output streams to terminals with a limited character set.
+
+    Characters that the terminal cannot print become question marks. Buffers replace closed streams.
+    """
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
             setattr(sys, name, io.StringIO())

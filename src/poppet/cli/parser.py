@@ -1,4 +1,4 @@
-"""Parser of a command, made from its declaration."""
+"""Parser of the command line, made from the declaration of a command."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 
 class Command(NamedTuple):
-    """Declaration of a command: parser, help, documentation and tests are made from it."""
+    """Declaration of a command, from which its parser, help, documentation and tests are made."""
 
     summary: str
     function: str  # `module:function` of `poppet.cli`; it takes the parsed options and returns an exit code or None
@@ -26,7 +26,7 @@ class Command(NamedTuple):
 
     @property
     def options(self) -> tuple[Option, ...]:
-        """Options and arguments; every command has `--quiet`."""
+        """All options and arguments of the command, including `--quiet`."""
         return (*self.arguments, QUIET)
 
 
@@ -53,7 +53,10 @@ class CommandParser(argparse.ArgumentParser):
             groups[option.group].add_argument(*(option.names or [option.name]), **option.argparse_keywords())
 
     def read(self, arguments: Sequence[str]) -> argparse.Namespace:
-        """Parse the arguments of the command and check the files that it writes."""
+        """Parse the arguments of the command.
+
+        The names of output files are checked before the command starts.
+        """
         arguments = self._rename(arguments)
         self._reject_unknown(arguments)
         # `parse_args` would end the program with its own message.
@@ -68,7 +71,7 @@ class CommandParser(argparse.ArgumentParser):
         return options
 
     def _rename(self, arguments: Sequence[str]) -> list[str]:
-        """Replace old names of options, with a note."""
+        """Replace old names of options by their present names, with a note."""
         new_names = {old: option.names[-1] for option in self.options for old in option.old_names}
         renamed = []
         for argument in arguments:
@@ -91,7 +94,7 @@ class CommandParser(argparse.ArgumentParser):
                 raise InputError("cli.option.unknown", option=name, program=self.prog, near=near)
 
     def _reject_misplaced(self, options: argparse.Namespace) -> None:
-        """Reject options that are limited to other actions of the command."""
+        """Reject options that belong to another action of the command."""
         action = getattr(options, self.options[0].name, "") if self.options else ""
         facts: dict[str, Any] = {"command": self.command, "action": action}
         collect(
@@ -119,12 +122,15 @@ class CommandParser(argparse.ArgumentParser):
             paths.add(realpath(path))
 
     def error(self, message: str) -> NoReturn:
-        """Raise the message that argparse would print."""
+        """Raise an error with the message that argparse would otherwise print."""
         raise InputError("cli.usage", program=self.prog, message=message)
 
 
 def output_path(text: str, formats: Sequence[str]) -> Path:
-    """Return the path of an output file, checked before any computation."""
+    """Return the path of an output file.
+
+    The path and the format are checked before any computation.
+    """
     from pathlib import Path
 
     path = Path(text)

@@ -1,4 +1,4 @@
-"""`poppet plot`: recordings in common axes."""
+"""Command `poppet plot`: curves of several recordings in common axes."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from poppet.cli.parser import output_path
 
 
 def plot_files(options: argparse.Namespace) -> None:
-    """Plot recordings in common axes."""
+    """Plot the recordings of several files in common axes."""
     paths = options.recordings
     output = options.output or output_path(f"{Path(paths[0]).stem}.png", PICTURES)
     selection = OutputSelection.read(options.select, options.units)

@@ -1,4 +1,7 @@
-"""Progress on the terminal: a bar, a count or a text, for commands that take longer than a second."""
+"""Progress display on the terminal for commands that take longer than a second.
+
+The display is a bar, a count or a text.
+"""
 
 from __future__ import annotations
 
@@ -10,13 +13,16 @@ from types import TracebackType
 from typing import Any, Self
 
 PATIENCE = 1.0
-"""Time before the first display [s]."""
+"""Time from the start of a command to the first display of progress [s]."""
 RUN_KINDS = {"runs": "runs", "tornado": "more for the tornado", "indices": "more for Sobol indices"}
-"""Texts for the kinds of runs of an ensemble."""
+"""Printed texts for the kinds of runs of an ensemble, by kind."""
 
 
 class _Display:
-    """Line on the standard error, if that is a terminal and --quiet is not set."""
+    """Line on the standard error that shows the progress of a command.
+
+    Nothing is shown if the standard error is not a terminal, or with the option --quiet.
+    """
 
     def __init__(self, *, is_quiet: bool = False) -> None:
         # A log file would be full of bars, and so would the output of a notebook cell.
@@ -36,14 +42,14 @@ class _Display:
 
     @property
     def elapsed(self) -> float:
-        """Time since the start [s]."""
+        """Time since the start of the command [s]."""
         return time.monotonic() - self.start_time
 
     def _is_due(self) -> bool:
         return self.is_shown and self.elapsed >= PATIENCE
 
     def _show_text(self, text: str) -> None:
-        """Show a spinner with a text."""
+        """Show a text with a spinner."""
         if self._line is None:
             from rich.console import Console
 
@@ -52,7 +58,10 @@ class _Display:
         self._line.update(text)
 
     def _show_bar(self, done: float, total: float, text: str) -> None:
-        """Show a bar with a text."""
+        """Show a progress bar with a text.
+
+        `done` and `total` are the completed and the total amount of work.
+        """
         if self._line is None:
             from rich.console import Console
             from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
@@ -65,57 +74,60 @@ class _Display:
 
 
 class RunProgress(_Display):
-    """Simulated time of a run."""
+    """Progress of a simulation, shown as simulated time."""
 
     def __init__(self, duration: float, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
         self.duration = duration
 
     def __call__(self, simulated_time: float) -> None:
-        """Show the simulated time [s]."""
+        """Show the simulated time [s] that has been reached."""
         if self._is_due():
             self._show_bar(simulated_time, self.duration, f"{simulated_time:.4g} of {self.duration:.4g} s")
 
 
 class PointProgress(_Display):
-    """Number of computed points of a map."""
+    """Progress of a map, shown as the number of computed points."""
 
     def __call__(self, done: int, total: int, following: str) -> None:
-        """Show the number of computed points and the following point."""
+        """Show the number of computed points, and the point that is computed next."""
         if self._is_due():
             self._show_bar(done, total, f"{done} of {total}, {following}; Ctrl-C keeps the computed points")
 
 
 class FitProgress(_Display):
-    """Number of evaluations of a fit."""
+    """Progress of a fit, shown as the number of evaluations and the lowest cost."""
 
     def __call__(self, count: int, cost: float) -> None:
-        """Show the number of evaluations and the lowest cost."""
+        """Show the number of evaluations and the lowest cost so far."""
         if self._is_due():
             self._show_text(f"{count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
 
     def stages(self, stage: str, done: int, total: int) -> None:
-        """Show the progress of a stage after the search, and the elapsed time."""
+        """Show the progress of a computation after the search, and the elapsed time."""
         if self._is_due():
             self._show_text(f"{done} of {total} {stage}, {self.elapsed:.0f} s; Ctrl-C keeps the fit")
 
 
 class BenchProgress(_Display):
-    """Name of the current test."""
+    """Progress of a bench, shown as the name of the current test."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
         self._count = 0
 
     def __call__(self, test: str) -> None:
-        """Show the test that starts now."""
+        """Show the name of the test that starts now."""
         self._count += 1
         if self._is_due():
             self._show_text(f"{test} (run {self._count}); Ctrl-C keeps the completed tests")
 
 
 class Spinner(_Display):
-    """Text with a spinner, for work without callbacks; a timer shows it."""
+    """Text with a spinner, for a computation that does not report progress.
+
+    A timer starts the display.
+    """
 
     def __init__(self, text: str, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
@@ -129,7 +141,7 @@ class Spinner(_Display):
         return self
 
     def __call__(self, text: str) -> None:
-        """Show the current operation and the elapsed time."""
+        """Show the name of the current operation, and the elapsed time."""
         if self._is_due():
             self._show_text(f"{text}, {self.elapsed:.0f} s")
 
@@ -144,14 +156,17 @@ class Spinner(_Display):
 
 
 class EnsembleProgress(_Display):
-    """Number and rate of the runs of an ensemble."""
+    """Progress of an ensemble, shown as the number of completed runs and runs per second."""
 
     def __init__(self, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
         self._kind, self._n_stored, self._kind_start = "", 0, self.start_time
 
     def __call__(self, done: int, total: int, kind: str) -> None:
-        """Show the number of runs of a kind; the rate excludes runs that were stored before."""
+        """Show the number of completed runs of one kind.
+
+        The rate excludes runs that were stored before the start.
+        """
         if kind != self._kind:
             self._kind, self._n_stored, self._kind_start = kind, done, time.monotonic()
         if self._is_due():

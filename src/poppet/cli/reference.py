@@ -1,4 +1,7 @@
-"""`poppet library`, `explain` and `paper`: published data, codes, and the published figures."""
+"""Commands `poppet library`, `explain` and `paper`.
+
+They show published data, explain message codes, and reproduce published figures.
+"""
 
 from __future__ import annotations
 
@@ -10,7 +13,7 @@ from poppet.core.errors import InputError, NameSuggestion
 
 
 def show_library(options: argparse.Namespace) -> None:
-    """List the sets, characteristics and gases of the library, or describe one."""
+    """Print the data sets, characteristics and gases of the library, or one of them in detail."""
     from poppet import library
 
     if options.name is not None:
@@ -26,7 +29,10 @@ def show_library(options: argparse.Namespace) -> None:
 
 
 def explain_codes(options: argparse.Namespace) -> None:
-    """Print cause, example and remedy of codes, or list the codes with a common first part."""
+    """Print the cause, an example and the remedy of message codes.
+
+    The first part of a code lists all codes that begin with it. Without codes, the topics are listed.
+    """
     from poppet.core.explanations import renamed_codes
     from poppet.core.message_format import every_code, topics
 
@@ -49,7 +55,10 @@ def explain_codes(options: argparse.Namespace) -> None:
 
 
 def _explanation(code: str) -> str:
-    """Return cause, example and remedy of a code; the text of a note contains its remedy."""
+    """Return the cause, an example and the remedy of a message code.
+
+    The text of a note already contains its remedy.
+    """
     from poppet.core.explanations import example_texts, stored_examples
     from poppet.core.message_format import plain, template
 

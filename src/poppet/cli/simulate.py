@@ -1,4 +1,4 @@
-"""`poppet simulate`: run a circuit file."""
+"""Command `poppet simulate`: simulation of a circuit file."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ _RUN_OPTIONS = {
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Run a circuit file; print or write the recording."""
+    """Simulate a circuit file, and print or write the recording."""
     import numpy as np
 
     from poppet.core.toml_file import TomlFile
@@ -60,7 +60,10 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _load_changed(options: argparse.Namespace) -> tuple[BaseCircuit, set[str], list[Note]]:
-    """Return the circuit with the changes of the command line, the changed addresses, and notes."""
+    """Load a circuit, and apply the changes of the command line.
+
+    The results are the circuit, the addresses of the changed values, and notes.
+    """
     from poppet.circuit.file import load
 
     circuit, result_notes = with_result(load(options.file), options.result)
@@ -81,7 +84,7 @@ def _load_changed(options: argparse.Namespace) -> tuple[BaseCircuit, set[str], l
 
 
 def _write(recording: Recording, selection: OutputSelection, options: argparse.Namespace, circuit: BaseCircuit) -> None:
-    """Write the files of the options and print the summary."""
+    """Write the output files that the options specify, and print the summary of the run."""
     selected = selection.apply(recording)
     if options.output and not selected.time.size:
         text = f"{options.output}: not written, there are no rows. {recording.outcome}"

@@ -1,4 +1,4 @@
-"""Texts that commands print about recordings and results."""
+"""Texts about recordings and results that several commands print."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def in_usual_units(recording: Recording) -> Recording:
 
 
 def output_table(recording: Recording) -> str:
-    """Return a table with the first, last, minimum and maximum value of every output."""
+    """Return a table with the first, last, minimum and maximum value of every output, as text."""
     rows = [["series", "unit", "first", "last", "min", "max"]]
     for name, unit, values in zip(recording.names, recording.units, recording.values, strict=True):
         low, high = values.min(), values.max()
@@ -33,7 +33,7 @@ def output_table(recording: Recording) -> str:
 
 
 def balance_sentence(recording: Recording) -> str:
-    """Return a sentence on the mass and energy balances."""
+    """Return a sentence on the errors of the mass and energy balances."""
     # An empty gas node without flow has no allowed residual.
     balances = [balance for balance in recording.residuals if balance.allowed > 0.0]
     if not balances:
@@ -47,7 +47,7 @@ def balance_sentence(recording: Recording) -> str:
 
 
 def run_summary(recording: Recording) -> str:
-    """Return the summary of a run without an output file."""
+    """Return the summary of a simulation that is printed if no output file is written."""
     lines = [recording.title] if recording.title else []
     lines.append(recording.outcome)
     lines += ["", load_summary(recording)] if recording.figures else []
@@ -60,7 +60,7 @@ def run_summary(recording: Recording) -> str:
 
 
 def load_summary(recording: Recording) -> str:
-    """Return the stroke and energy tables of a run with loads."""
+    """Return the tables of strokes and energy of a simulation with mechanical loads."""
     from poppet.report.result_tables import ENERGY, STROKES, energy_table, stroke_table
 
     metrics = recording.figures
@@ -69,26 +69,29 @@ def load_summary(recording: Recording) -> str:
 
 
 def extent(recording: Recording) -> str:
-    """Return the number of rows and outputs and the time span of a recording."""
+    """Return a text on the size of a recording: rows, outputs and time span."""
     span = f", {recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if recording.time.size else ""
     return f"{recording.time.size} row{'s' * (recording.time.size != 1)}, {len(recording)} series{span}"
 
 
 def print_notes(notes: Iterable[Note]) -> None:
-    """Print notes to the standard error, similar ones in one line."""
+    """Print notes to the standard error; similar notes share one line."""
     for note in grouped(notes):
         print(f"note: {note}", file=sys.stderr)
 
 
 def print_written(*paths: Path | None) -> None:
-    """Print the names of written files."""
+    """Print the names of the files that a command has written."""
     for path in paths:
         if path is not None:
             print(f"{path}: written.")
 
 
 def require_matplotlib(*paths: Path | None) -> None:
-    """Fail before the computation if Matplotlib is required and missing."""
+    """Raise an error if a figure is requested and Matplotlib is not installed.
+
+    The check is made before the computation.
+    """
     if any(paths):
         from poppet.timeseries.plotting.figures import style
 
@@ -98,7 +101,10 @@ def require_matplotlib(*paths: Path | None) -> None:
 def write_result(
     options: argparse.Namespace, result: Any, text: str, write_report: Callable[[Path], Any], *files: Path | None
 ) -> None:
-    """Write a result and its report to the files of the options, and print the text and the file names."""
+    """Write a result and its report to the files that the options specify.
+
+    The text and the file names are printed.
+    """
     if options.output:
         result.save(options.output)
     if options.report:

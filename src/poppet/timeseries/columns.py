@@ -67,9 +67,9 @@ class Columns(HtmlMixin):
         time : (n,) array
             Finite, strictly increasing [s].
         series : mapping
-            Map from `name [unit]`, or from a name whose unit is in `units`, to an (n,) array.
+            Mapping from `name [unit]`, or from a name whose unit is in `units`, to an (n,) array.
         units : mapping, optional
-            Map from name to unit. A series without a unit in its heading or in `units` has the empty unit.
+            Mapping from name to unit. A series without a unit in its heading or in `units` has the empty unit.
         title : str, optional
             Title of the recording.
         notes : tuple of Note or str, optional

@@ -39,7 +39,7 @@ class Recording(Columns):
     outcome : Note or str, optional
         Termination reason of the run.
     statistics : mapping, optional
-        Counts of the run.
+        Counts of the simulation, for example of solver steps.
     residuals : tuple or callable, optional
         Residuals of the mass and energy balances, or a function that computes them on first use.
     ambient_pressure : float, optional
@@ -161,7 +161,7 @@ class Recording(Columns):
         ----------
         units : mapping or sequence of str
             Mapping from name or pattern to unit, or a list of units. A unit in a list applies to all series of the same
-        quantity.
+            quantity.
 
         Returns
         -------

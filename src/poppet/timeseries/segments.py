@@ -29,7 +29,7 @@ class SegmentTable:
     Parameters
     ----------
     start : (n,) array
-        Start of each segment, strictly increasing from 0 [s].
+        t_k, the start of each segment, strictly increasing from 0 [s].
     value : (n,) array
         v, in the unit of the signal.
     slope : (n,) array
@@ -86,7 +86,7 @@ class SegmentTable:
         Parameters
         ----------
         name : str
-            Name of the signal, for an error.
+            Name of the signal for error messages.
 
         Returns
         -------
@@ -171,7 +171,7 @@ class Signal(ABC):
         end : float
             End of the requested time, positive [s].
         duration : float or None
-            Duration of the run, for kinds that depend on it [s].
+            Duration of the run, for kinds of signals that depend on the duration [s].
 
         Returns
         -------

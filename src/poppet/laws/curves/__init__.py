@@ -1,4 +1,4 @@
-"""Characteristics with a domain: curves over a stroke, and the C(x), b(x) of a variable passage."""
+"""Flow characteristics of variable flow paths: C and b as functions of the stroke."""
 
 from poppet.laws.curves.characteristic import EDGES, Characteristic
 from poppet.laws.curves.curve import Curve, rising_intervals

@@ -1,4 +1,4 @@
-"""Flow characteristic of a variable passage: C(x), b(x), domain, edge policy and closing law."""
+"""Flow characteristic of a variable flow path: C and b as functions of the stroke."""
 
 from __future__ import annotations
 
@@ -24,11 +24,11 @@ GIVEN = Source("given")
 OUTSIDE_TOLERANCE = 0.01
 """Distance beyond the domain, relative to its width, from which a note is given [1]."""
 STOP_PLAY = 0.05
-"""The same at a side with an end stop within the domain; the overtravel is the deflection of the stop [1].
+"""Distance for the note at a side with an end stop within the domain; the stop deflects by this distance [1].
 
 A deflection of 0.05 mm takes 2.5 kN at the stops of the library, more than 100 times the force of the springs."""
 ANYWHERE = (-math.inf, math.inf)
-"""End stops of a stroke without end stops [m]."""
+"""Positions of the end stops of a stroke that is not limited [m]."""
 
 _CURVES = {"sonic_conductance": ("C", "m^3/(s Pa)"), "critical_ratio": ("b", "")}
 
@@ -55,7 +55,7 @@ class Characteristic:
     closing : Number, optional
         Width of the closing law: C falls to zero from this stroke to stroke 0 and is zero below [m].
     monotone : bool
-        If True, the running maximum of C replaces C, so a larger stroke never reduces it.
+        If True, the running maximum of C replaces C, so a larger stroke never reduces C.
     name : str
         Name for messages, `varga2012`.
     source : Source, optional
@@ -99,7 +99,7 @@ class Characteristic:
         x : float, array or symbol
             Stroke [m].
         parameters : mapping of str to float or symbol, optional
-            Values under the names of `parameters()`; the characteristic's own when not given.
+            Mapping from the names of `parameters()` to values; default the values of this characteristic.
 
         Returns
         -------
@@ -109,7 +109,7 @@ class Characteristic:
         Raises
         ------
         OutOfRangeError
-            The stroke lies outside the domain and the edge policy is `error`.
+            If the stroke is outside the domain and the edge policy is `error`.
         """
         values = self._own if parameters is None else parameters
         x = self._operand(x, "sonic_conductance")
@@ -126,7 +126,7 @@ class Characteristic:
         x : float, array or symbol
             Stroke [m].
         parameters : mapping of str to float or symbol, optional
-            Values under the names of `parameters()`; the characteristic's own when not given.
+            Mapping from the names of `parameters()` to values; default the values of this characteristic.
 
         Returns
         -------
@@ -136,7 +136,7 @@ class Characteristic:
         Raises
         ------
         OutOfRangeError
-            The stroke lies outside the domain and the edge policy is `error`.
+            If the stroke is outside the domain and the edge policy is `error`.
         """
         values = self._own if parameters is None else parameters
         x = self._operand(x, "critical_ratio")
@@ -148,14 +148,19 @@ class Characteristic:
         return numbers if self.closing is None else {**numbers, "closing": self.closing}
 
     def parameters(self) -> dict[str, float]:
-        """Return the run-time values of a compiled model: parameters in SI and derived values.
+        """Return the run-time values of the characteristic by name.
+
+        These are the parameters in SI and values derived from them.
 
         The names do not depend on the values, so a changed parameter does not change the compiled model.
         """
         return dict(self._own)
 
     def structure(self) -> Hashable:
-        """Return the compiled properties; equal structures can share a compiled model."""
+        """Return a hashable key of the compiled model.
+
+        Characteristics with equal keys can share a compiled model.
+        """
         curves = self.sonic_conductance.structure(), self.critical_ratio.structure()
         return (*curves, self._bounded, self.monotone, self.closing is not None)
 
@@ -179,7 +184,7 @@ class Characteristic:
         return replace(self, **curves, closing=changes.get("closing", self.closing))
 
     def limits(self, stops: tuple[float, float] = ANYWHERE) -> tuple[float, float]:
-        """Return the strokes beyond which a run has left the domain.
+        """Return the lowest and the highest stroke that a run may reach without a note.
 
         Parameters
         ----------
@@ -199,7 +204,7 @@ class Characteristic:
         return self._lowest - play[0] * (high - low), high + play[1] * (high - low)
 
     def outside(self, x_min: float, x_max: float, stops: tuple[float, float] = ANYWHERE) -> Note | None:
-        """Return the note for a run whose strokes left the domain.
+        """Return a note if the strokes of a run exceed the domain, else None.
 
         Parameters
         ----------
@@ -259,9 +264,9 @@ class Characteristic:
         return clip(x, parameters["domain_start"], parameters["domain_end"]) if self._bounded else x
 
     def _rises(self) -> dict[str, float]:
-        """Return the intervals in which the running maximum of C rises.
+        """Return the ends of the intervals in which the running maximum of C increases.
 
-        Their number is the maximum for any values of the parameters.
+        The count of intervals is the maximum for any values of the parameters. Unused intervals are outside the domain.
         """
         low, high = self.domain
         rises = rising_intervals(self.sonic_conductance, low, high) or [(low, low)]
@@ -273,7 +278,7 @@ class Characteristic:
         return values
 
     def _highest_up_to(self, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """Return the stroke up to `x` with the largest C.
+        """Return the stroke up to `x` at which C has its maximum.
 
         This is `x` on a rise, and the end of the last rise on a plateau.
         """
@@ -286,7 +291,7 @@ class Characteristic:
         return stroke
 
     def _operand(self, x: Any, curve: str) -> Any:
-        """Return `x` as a value for calculation; reject invalid numbers."""
+        """Convert a stroke to a value for calculation; reject invalid values."""
         if is_symbolic(x):
             return x
         values = np.atleast_1d(np.asarray(x, dtype=float))
@@ -339,7 +344,7 @@ class Characteristic:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 
     def _value_problems(self) -> Iterable[InputError]:
-        """Yield errors for C < 0 or b outside 0..1 in the domain.
+        """Yield an error for each negative C or b outside 0..1 in the domain.
 
         Extreme values occur at the ends of the domain or at turning points.
         """
@@ -369,7 +374,10 @@ def _under(prefix: str, values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _millimetres(x: float) -> str:
-    """Format a stroke with enough digits to show that 1.0001 mm is outside 1.00 mm."""
+    """Format a stroke in millimetres with sufficient digits.
+
+    For example, 1.0001 mm must differ from a limit of 1.00 mm.
+    """
     value = 1e3 * x
     if value == 0.0:
         return "0"

@@ -1,4 +1,4 @@
-"""Interface of scalar functions of a stroke, with the rises of their running maximum."""
+"""Interface of curves: scalar functions of a stroke."""
 
 from __future__ import annotations
 
@@ -13,24 +13,27 @@ from poppet.core.provenance import Number
 
 
 class Curve(ABC):
-    """Scalar function of a stroke."""
+    """Base class of scalar functions of a stroke."""
 
     known: ClassVar[str]
-    """Origin of the range in a report: `C(x)` "was fitted"."""
+    """Verb in messages about the range of the curve, for example "was fitted"."""
     extrapolates: ClassVar[bool] = False
     """True if the formula gives a meaningless value beyond the range, which an error can show."""
 
     @abstractmethod
     def numbers(self) -> dict[str, Number]:
-        """Return the parameters of the curve by the last part of their address, `k1`."""
+        """Return the parameters of the curve by name, such as `k1`."""
 
     @abstractmethod
     def parameters(self) -> dict[str, float]:
-        """Return the arguments of `evaluate`: parameters in SI and derived values."""
+        """Return the run-time values of the curve by name.
+
+        These are the parameters in SI and values derived from them.
+        """
 
     @abstractmethod
     def evaluate(self, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """Return the value at a stroke for given parameters.
+        """Return the value of the curve at a stroke for given parameters.
 
         Parameters
         ----------
@@ -57,26 +60,32 @@ class Curve(ABC):
         Returns
         -------
         tuple of float
-            Strokes in ascending order, strictly between the two [m].
+            Strokes in ascending order, strictly between `low` and `high` [m].
         """
 
     @property
     @abstractmethod
     def pieces(self) -> int:
-        """Return an upper bound of the number of monotone pieces for any parameter values."""
+        """Return an upper bound of the count of monotone pieces for any parameter values."""
 
     @property
     def support(self) -> tuple[float, float]:
-        """Return the first and last stroke with known values [m]; for a formula, all strokes."""
+        """Return the lowest and the highest stroke with known values [m].
+
+        For a formula, the values are known at all strokes.
+        """
         return (-math.inf, math.inf)
 
     @abstractmethod
     def structure(self) -> Hashable:
-        """Return the compiled properties; equal structures differ only in run-time parameters."""
+        """Return a hashable key of the compiled curve.
+
+        Curves with equal keys differ only in run-time parameters.
+        """
 
     @abstractmethod
     def _with_values(self, values: Sequence[Number]) -> Self:
-        """Return the curve with other parameters, in the order of `numbers()`."""
+        """Return a copy of the curve with other parameters, in the order of `numbers()`."""
 
     def with_numbers(self, changes: Mapping[str, Number]) -> Self:
         """Return the curve with some parameters replaced.
@@ -98,12 +107,12 @@ class Curve(ABC):
         return self._with_values(list({**numbers, **changes}.values()))
 
     def __call__(self, x: Any) -> Any:
-        """Return the value at stroke `x` [m]."""
+        """Return the value of the curve at stroke `x` [m]."""
         return self.evaluate(x, self.parameters())
 
 
 def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float, float]]:
-    """Return the intervals in which the running maximum of a curve rises.
+    """Return the intervals of the stroke in which the running maximum of a curve increases.
 
     Parameters
     ----------
@@ -142,7 +151,10 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
 
 
 def _crossing(curve: Curve, level: float, left: float, right: float) -> float:
-    """Return the stroke at which a rising piece reaches `level`, to the last bit."""
+    """Return the stroke at which an increasing piece of a curve reaches `level`.
+
+    The result is exact to the last bit.
+    """
     while True:
         middle = 0.5 * (left + right)
         if not left < middle < right:

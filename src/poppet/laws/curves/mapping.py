@@ -1,4 +1,4 @@
-"""Reader of characteristics in tables of a circuit file."""
+"""Reader of flow characteristics from tables of a circuit file."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ _LETTERS = {"sonic_conductance": "k", "critical_ratio": "p"}
 
 
 def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Characteristic:
-    """Read a characteristic from a table of a circuit file.
+    """Read a flow characteristic from a table of a circuit file.
 
     Parameters
     ----------
     table : mapping of str to object
         `kind` is `constant`, `polynomial` (coefficients from the highest power down, `argument_unit`,
         `domain`) or `table` (`stroke`). `sonic_conductance` and `critical_ratio` are lists; a single value
-        stands for a constant. Optional: `edge`, `closing`, `monotone`, `source` (a kind, then after a comma
-        where to look it up), `note`.
+        is a constant curve. Optional fields are `edge`, `closing`, `monotone`, `source` (kind of source, comma,
+        reference) and `note`.
     name : str
         Name of the characteristic for messages.
 
@@ -81,7 +81,7 @@ def characteristic_from_mapping(table: Mapping[str, Any], *, name: str) -> Chara
 
 
 class _CharacteristicReader:
-    """Reader of the fields of one table, with a list of their errors."""
+    """Reader of the fields of one characteristic table that collects all errors."""
 
     def __init__(self, table: Mapping[str, Any], name: str, kind: str) -> None:
         self.table, self.name, self.kind = table, name, kind
@@ -89,11 +89,11 @@ class _CharacteristicReader:
         self.source = self._source()
 
     def complain(self, code: str, field: str, **facts: Any) -> None:
-        """Add an error with the address of the field."""
+        """Add an error with the address of a field."""
         self.errors.add(code, f"{self.name}.{field}", field=field, **facts)
 
     def complain_missing(self, field: str, meaning: str, example: str = "") -> None:
-        """Add the error of a missing field."""
+        """Add an error for a missing field."""
         self.errors.extend([missing_field(f"{self.name}.{field}", Field(meaning=meaning, example=example))])
 
     def refuse_unknown(self) -> None:
@@ -110,7 +110,10 @@ class _CharacteristicReader:
         return None
 
     def numbers(self, field: str, unit: str) -> tuple[Number, ...] | None:
-        """Return the entries of a list as numbers, or None if any entry is invalid."""
+        """Return the entries of a list as numbers.
+
+        The whole result is None if any entry is invalid.
+        """
         read = [self.number(entry, unit, f"{field}[{i}]") for i, entry in enumerate(self.table[field])]
         numbers = tuple(number for number in read if number is not None)
         return numbers if len(numbers) == len(read) else None
@@ -137,7 +140,10 @@ class _CharacteristicReader:
         return None if self._strokes is None else TableCurve(self._strokes, numbers)
 
     def domain(self) -> tuple[float, float]:
-        """Return the stated domain; for a table, the range of its strokes."""
+        """Return the domain of the characteristic.
+
+        For a table of points, it is the range of the strokes.
+        """
         unbounded = (-math.inf, math.inf)
         if self.kind == "table":
             return (self._strokes[0], self._strokes[-1]) if self._strokes else unbounded
@@ -153,7 +159,7 @@ class _CharacteristicReader:
         return unbounded if numbers is None else (float(numbers[0]), float(numbers[1]))
 
     def common(self) -> dict[str, Any]:
-        """Return the fields of all kinds by their names in `Characteristic`."""
+        """Return the arguments of `Characteristic` that are independent of the kind of table."""
         closing = self.number(self.table["closing"], "m", "closing") if "closing" in self.table else None
         monotone = self.table.get("monotone", False)
         if not isinstance(monotone, bool):
@@ -194,7 +200,10 @@ class _CharacteristicReader:
 
     @cached_property
     def _strokes(self) -> tuple[float, ...] | None:
-        """Return the strokes of a table, None if they are invalid."""
+        """Return the strokes of a table of points.
+
+        The whole result is None if any stroke is invalid.
+        """
         if not _is_list(self.table.get("stroke")):
             if "stroke" in self.table:
                 self.complain("curves.not_strokes", "stroke", value=self.table["stroke"])

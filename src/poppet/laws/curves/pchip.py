@@ -1,4 +1,4 @@
-"""Slopes of a monotone piecewise cubic."""
+"""Slopes of a monotone piecewise cubic interpolation (PCHIP)."""
 
 from __future__ import annotations
 
@@ -9,9 +9,10 @@ import numpy as np
 
 
 def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
-    r"""Return the slopes of the monotone piecewise cubic at its knots.
+    r"""Return the slopes of a monotone piecewise cubic interpolation at its knots.
 
-    Inside, the weighted harmonic mean of the neighbouring chords' slopes m (zero where they differ in sign),
+    At an inner knot, the slope d is the weighted harmonic mean of the slopes m of the neighbouring chords. It is zero
+    if these differ in sign.
 
     .. math:: d_i = \frac{w_1 + w_2}{w_1/m_{i-1} + w_2/m_i},\quad
               w_1 = 2 h_i + h_{i-1},\quad w_2 = h_i + 2 h_{i-1}
@@ -30,8 +31,8 @@ def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
 
     Notes
     -----
-    The slopes equal those of scipy.interpolate.PchipInterpolator. At the ends stands the slope of the
-    parabola through three points, limited so that the first segment stays monotone.
+    The slopes equal those of scipy.interpolate.PchipInterpolator. At the ends, the slope is that of
+    the parabola through three points, limited so that the first and the last segment are monotone.
 
     References
     ----------
@@ -52,7 +53,7 @@ def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
 
 
 def _harmonic(h0: float, h1: float, m0: float, m1: float) -> float:
-    # A level tangent at an extremum of the points is what keeps the curve from overshooting them.
+    # A zero slope at an extremum of the points prevents overshoot of the curve.
     if m0 == 0.0 or m1 == 0.0 or (m0 > 0.0) != (m1 > 0.0):
         return 0.0
     w1, w2 = 2.0 * h1 + h0, h1 + 2.0 * h0
@@ -60,7 +61,10 @@ def _harmonic(h0: float, h1: float, m0: float, m1: float) -> float:
 
 
 def _end_slope(h0: float, h1: float, m0: float, m1: float) -> float:
-    """Return the three-point slope at an end, limited so that the first segment stays monotone."""
+    """Return the three-point slope at an end of the interpolation.
+
+    It is limited so that the first segment is monotone.
+    """
     slope = ((2.0 * h0 + h1) * m0 - h0 * m1) / (h0 + h1)
     if np.sign(slope) != np.sign(m0):
         return 0.0

@@ -1,8 +1,7 @@
-"""Scalar functions of a stroke: a constant, a polynomial, a monotone table.
+"""Curves over a stroke: a constant, a polynomial and a monotone table.
 
-Each is written once for floats, NumPy arrays and CasADi symbols; its numbers may be symbols as well, so that
-a compiled model takes them as run-time values. What lies outside a curve's range is the business of the
-`Characteristic` that owns it.
+Each curve accepts floats, NumPy arrays and CasADi symbols. The parameters can be symbols too, because a compiled model
+reads them at run time. `Characteristic` treats strokes outside the range of a curve.
 """
 
 from __future__ import annotations
@@ -25,12 +24,12 @@ from poppet.laws.curves.pchip import pchip_slopes
 @final
 @dataclass(frozen=True)
 class ConstantCurve(Curve):
-    """The same value at every stroke.
+    """Curve with the same value at every stroke.
 
     Parameters
     ----------
     value : Number
-        The value, in its own unit.
+        Value of the curve in any unit.
 
     Examples
     --------
@@ -68,18 +67,18 @@ class ConstantCurve(Curve):
 @final
 @dataclass(frozen=True)
 class PolynomialCurve(Curve):
-    r"""A polynomial of the scaled stroke.
+    r"""Curve that is a polynomial of the scaled stroke.
 
     .. math:: y(x) = \sum_{i=1}^{n} k_i\, (s x)^{n-i}
 
     Parameters
     ----------
     coefficients : tuple of Number
-        Highest power first. The argument `s x` is a pure number, so each has the unit of the result.
+        Coefficients, highest power first. The argument `s x` has no unit, so all have the unit of the result.
     argument_scale : float
-        The factor s that turns a stroke in metres into the polynomial's argument, 1000 for millimetres [1/m].
+        Factor s from the stroke to the argument of the polynomial, 1000 for an argument in millimetres [1/m].
     letter : str
-        First letter of the numbers' names: `k1`, `k2`, ...
+        First letter of the names of the coefficients: `k1`, `k2`, ...
 
     Examples
     --------
@@ -120,7 +119,7 @@ class PolynomialCurve(Curve):
         slope = np.polyder(np.array([float(number) for number in self.coefficients]))
         reach = max(abs(low), abs(high)) * self.argument_scale
         terms = np.abs(slope) * reach ** np.arange(len(slope) - 1, -1, -1.0)
-        # A leading term too small to be felt in the domain only spoils the companion matrix.
+        # A leading term that is negligible in the domain would only make the companion matrix ill-conditioned.
         felt = np.flatnonzero(terms > 1e-15 * np.max(terms, initial=0.0))
         roots = np.roots(slope[felt[0] :] if felt.size else slope[:0])
         real = roots.real[np.abs(roots.imag) <= 1e-9 * np.abs(roots)] / self.argument_scale
@@ -140,7 +139,7 @@ class PolynomialCurve(Curve):
 @final
 @dataclass(frozen=True)
 class TableCurve(Curve):
-    r"""A monotone piecewise cubic (PCHIP) through points, held at its end values beyond them.
+    r"""Monotone piecewise cubic (PCHIP) through points, constant beyond the first and last point.
 
     On each segment, with :math:`t = (x - x_i)/h_i` and the chord :math:`\Delta_i = y_{i+1} - y_i`,
 
@@ -156,8 +155,8 @@ class TableCurve(Curve):
 
     Notes
     -----
-    The curve is C1, has no extremum between two knots and never overshoots the points. It is summed over the
-    segments instead of searched, so that it traces into a branch-free expression.
+    The curve is C1, has no extremum between two knots and does not overshoot the points. Its value is a sum over all
+    segments, without a search, because symbols need an expression without branches.
 
     References
     ----------
@@ -202,7 +201,10 @@ class TableCurve(Curve):
         return value
 
     def _rise(self, i: int, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """Return the contribution of segment `i`: 0 to the left of it, its chord to the right of it."""
+        """Return the contribution of segment `i` to the value at `x`.
+
+        It is 0 to the left of the segment, and the difference of the end values to the right.
+        """
         left, right = parameters[f"x{i}"], parameters[f"x{i + 1}"]
         width = right - left
         # At a knot, the derivatives of both neighbours must add up to one derivative. CasADi halves it at ties

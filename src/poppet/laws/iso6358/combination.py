@@ -1,8 +1,6 @@
 """Combinations of flow paths in series and in parallel, and tubes: total C and b.
 
 All formulas are those of the 1989 edition: subsonic index 0.5 and no cracking pressure.
-
-All forms are those of the 1989 edition: subsonic index 0.5 and no cracking pressure.
 """
 
 from __future__ import annotations
@@ -215,7 +213,7 @@ def tube(length: float, diameter: float) -> tuple[float, float]:
 
 
 def divided(conductance: float, critical_ratio: float, weights: Sequence[float]) -> list[tuple[float, float]]:
-    r"""Divide a long flow path into shorter ones in series; return C and b of each.
+    r"""Divide a long flow path into shorter ones in series; return C and b of each piece.
 
     .. math:: \frac{1 - b_i}{C_i^2} = \frac{w_i}{\sum w} \, \frac{1 - b}{C^2}, \qquad
               C_i = \min(k, k_\mathrm{end}) \, C
@@ -263,16 +261,16 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
 
 
 def _pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
-    """Return C and b of pieces for given pressure drops at small flow.
+    """Return C and b of pieces whose pressure drops at small flow are given.
 
-    The outer pieces have the given C as far as b allows it.
+    The first and the last piece have the given C if b is not below 0.
     """
     sizes = [first, *[min(first, last)] * (len(drops) - 2), last]
     return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
 
 
 def _excess(pieces: Sequence[tuple[float, float]]) -> float:
-    """Return the flow capacity of the last piece above the flow 1.
+    """Return the flow capacity of the last piece in excess of the flow 1.
 
     The result is negative if the capacity is smaller, and -1 if another piece is choked.
     """
@@ -281,7 +279,10 @@ def _excess(pieces: Sequence[tuple[float, float]]) -> float:
 
 
 def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:
-    """Return the outlet pressure for an upstream pressure of 1, None if a piece is choked."""
+    """Return the outlet pressure of pieces in series for an upstream pressure of 1.
+
+    The result is None if any piece is choked.
+    """
     pressure = 1.0
     for size, ratio in pieces:
         share = flow / (size * pressure)
@@ -292,7 +293,7 @@ def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> floa
 
 
 def _bisected(low: float, high: float, rising: Callable[[float], float]) -> float:
-    """Return the root of a rising function by bisection."""
+    """Return the root of an increasing function by bisection."""
     for _ in range(40):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if rising(middle) < 0.0 else (low, middle)
@@ -300,7 +301,10 @@ def _bisected(low: float, high: float, rising: Callable[[float], float]) -> floa
 
 
 def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the flow paths as a list; report all errors with the index of the flow path."""
+    """Return the flow paths as a list of checked pairs of C and b.
+
+    All errors are reported together, each with the index of the flow path.
+    """
     pairs = list(passages)
     if not pairs:
         raise InputError("iso6358.no_passages", "passages")

@@ -1,6 +1,6 @@
-"""Sonic conductance from and to what catalogues print: effective area, Kv, Cv, nominal flow qNn.
+"""Conversions between sonic conductance and catalogue values: effective area, Kv, Cv and nominal flow qNn.
 
-A single catalogue number cannot give both C and b. Where b has to be assumed the result says so.
+A single catalogue value cannot determine both C and b. If b is assumed, the result has a note.
 """
 
 from __future__ import annotations
@@ -47,7 +47,7 @@ _DOMAINS = NOZZLE_DOMAINS | {
 
 @dataclass(frozen=True)
 class Conductance:
-    """C and b of a passage, and how they came about.
+    """C and b of a flow path that result from a conversion.
 
     Parameters
     ----------
@@ -56,9 +56,9 @@ class Conductance:
     critical_ratio : float
         b.
     note : str
-        Which definition was used, and what was assumed.
+        Definition of the catalogue value, and assumptions.
     critical_ratio_assumed : bool
-        True when b was not given.
+        True if b was not given.
 
     Examples
     --------
@@ -79,7 +79,9 @@ def conductance_from_effective_area(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
     gas_constant: float = AIR_GAS_CONSTANT,
 ) -> Conductance:
-    r"""Return the sonic conductance of an effective area, by its choked flow.
+    r"""Return the sonic conductance that corresponds to an effective area.
+
+    Both have the same choked flow.
 
     .. math::
 
@@ -91,7 +93,7 @@ def conductance_from_effective_area(
     effective_area : float
         Area of the ideal nozzle with the same choked flow [m^2].
     critical_ratio : float, optional
-        b; that of the isentropic nozzle (0.5283 for air) when not given.
+        b; by default that of the isentropic nozzle (0.5283 for air).
     isentropic_exponent, gas_constant : float, optional
         Ratio of specific heats, above 1, and specific gas constant [J/(kg K)].
 
@@ -102,8 +104,8 @@ def conductance_from_effective_area(
 
     Notes
     -----
-    0.1992 dm3/(s bar) per mm2 for air. Real valves choke at lower pressure ratios than a nozzle, so a b of
-    0.5283 gives too much subsonic flow.
+    For air, C is 0.1992 dm3/(s bar) per mm2. Real valves choke at lower pressure ratios than a nozzle, so b = 0.5283
+    gives too much subsonic flow.
 
     Examples
     --------
@@ -117,7 +119,7 @@ def conductance_from_effective_area(
     )
     note = f"isentropic nozzle with exponent {isentropic_exponent:g}"
     conductance = effective_area * _conductance_per_area(isentropic_exponent, gas_constant)
-    # The choked flow alone fixes C, so that a b that is given changes nothing else.
+    # The choked flow alone determines C; a given b has no effect on C.
     if critical_ratio is not None:
         return Conductance(conductance, critical_ratio, note, False)
     ratio = nozzle_critical_ratio(isentropic_exponent)
@@ -130,7 +132,9 @@ def effective_area_from_conductance(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
     gas_constant: float = AIR_GAS_CONSTANT,
 ) -> float:
-    r"""Return the area of the ideal nozzle with the same choked flow.
+    r"""Return the effective area of a flow path.
+
+    It is the area of the ideal nozzle with the same choked flow.
 
     .. math::
 
@@ -183,11 +187,11 @@ def factors_from_air(isentropic_exponent: float, gas_constant: float) -> tuple[f
 
     Notes
     -----
-    Choked flow goes with that of a nozzle. At small pressure drops the flow is that of a liquid of the gas's
-    density, q^2 = 2 C^2 rho_0^2 T_0 p dp/((1 - b) T), in which kappa has no part: the second equation. The jet is
-    taken to contract as that of air. Against an ideal nozzle whose C and b (0.5283) were measured with air the flow
-    of helium errs by up to 0.6 % of the choked flow, that of carbon dioxide and methane by 0.2 %; with b kept it
-    would be 3.1 %, 1.7 % and 1.5 %.
+    The choked flow is proportional to that of a nozzle, which gives the first equation. At small pressure drops the
+    flow is that of a liquid with the density of the gas, q^2 = 2 C^2 rho_0^2 T_0 p dp/((1 - b) T). It does not depend
+    on kappa, which gives the second equation. The contraction of the jet is assumed to be that with air. For an ideal
+    nozzle with C and b (0.5283) for air, the error of the flow is up to 0.6 % of the choked flow for helium and 0.2 %
+    for carbon dioxide and methane. With the b of air it would be 3.1 %, 1.7 % and 1.5 %.
 
     Examples
     --------
@@ -205,7 +209,9 @@ def factors_from_air(isentropic_exponent: float, gas_constant: float) -> tuple[f
 def conductance_from_flow_coefficient_cv(
     flow_coefficient_cv: float, *, critical_ratio: float | None = None, definition: Definition = "pneumatic"
 ) -> Conductance:
-    r"""Return the sonic conductance from the flow coefficient Cv, equal at small pressure drops.
+    r"""Return the sonic conductance that corresponds to the flow coefficient Cv.
+
+    Both give the same flow at small pressure drops.
 
     .. math::
 
@@ -217,7 +223,7 @@ def conductance_from_flow_coefficient_cv(
     flow_coefficient_cv : float
         Cv, US gal/min of water at 1 psi.
     critical_ratio : float, optional
-        b; 0.3 is assumed when not given, and the result says so.
+        b; by default 0.3 is assumed, and the result has a note.
     definition : str, optional
         "pneumatic": Cv of a pneumatic catalogue, Q = 114.5 Cv sqrt(dp p2/T1) in dm3/s ANR, bar, K.
         "small_dp": Cv of a liquid test; the law is valid for a gas if its density is nearly constant.
@@ -229,10 +235,10 @@ def conductance_from_flow_coefficient_cv(
 
     Notes
     -----
-    C and b are those with air; with another gas see `factors_from_air`.
+    C and b are valid for air. For another gas see `factors_from_air`.
 
-    The definitions differ by 4.5 %: C/Cv = 4.73 sqrt(1 - b) and 4.94 sqrt(1 - b), C in dm3/(s bar). The
-    pneumatic one is the default because that is what valve catalogues print.
+    The results of the two definitions differ by 4.5 %: C/Cv = 4.73 sqrt(1 - b) (pneumatic) and 4.94 sqrt(1 - b)
+    (small_dp), with C in dm3/(s bar). The pneumatic definition is the default because valve catalogues use it.
 
     Examples
     --------
@@ -246,7 +252,7 @@ def conductance_from_flow_coefficient_cv(
 def conductance_from_flow_coefficient_kv(
     flow_coefficient_kv: float, *, critical_ratio: float | None = None, definition: Definition = "pneumatic"
 ) -> Conductance:
-    r"""Return the sonic conductance from the flow coefficient Kv.
+    r"""Return the sonic conductance that corresponds to the flow coefficient Kv.
 
     All other properties are those of `conductance_from_flow_coefficient_cv`.
 
@@ -257,7 +263,7 @@ def conductance_from_flow_coefficient_kv(
     flow_coefficient_kv : float
         Kv, m^3/h of water at 1 bar.
     critical_ratio : float, optional
-        b; 0.3 is assumed when not given, and the result says so.
+        b; by default 0.3 is assumed, and the result has a note.
     definition : str, optional
         "pneumatic" or "small_dp", see `conductance_from_flow_coefficient_cv`.
 
@@ -279,7 +285,7 @@ def conductance_from_flow_coefficient_kv(
 def flow_coefficient_cv_from_conductance(
     sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
 ) -> float:
-    r"""Return the flow coefficient Cv of a passage.
+    r"""Return the flow coefficient Cv of a flow path with given C and b.
 
     .. math:: C_v = C/(C/C_v)
 
@@ -307,7 +313,7 @@ def flow_coefficient_cv_from_conductance(
 def flow_coefficient_kv_from_conductance(
     sonic_conductance: float, critical_ratio: float, *, definition: Definition = "pneumatic"
 ) -> float:
-    r"""Return the flow coefficient Kv of a passage.
+    r"""Return the flow coefficient Kv of a flow path with given C and b.
 
     .. math:: K_v = 0.865\, C_v
 
@@ -338,7 +344,9 @@ def conductance_from_nominal_flow(
     subsonic_index: float = 0.5,
     atmosphere: float = STANDARD_ATMOSPHERE,
 ) -> Conductance:
-    r"""Return the sonic conductance from the nominal flow qNn, stated from 6 bar to 5 bar gauge at 20 degC.
+    r"""Return the sonic conductance that corresponds to the nominal flow qNn.
+
+    The nominal flow is the flow from 6 bar to 5 bar gauge at 20 degC.
 
     .. math:: C = q_{Nn} \Big/ \frac{q_m(C = 1;\ 6\,\text{bar g},\ 5\,\text{bar g},\ T_0)}{\rho_0}
 
@@ -347,7 +355,7 @@ def conductance_from_nominal_flow(
     nominal_flow : float
         Volume flow rate referred to ANR [m^3/s].
     critical_ratio : float, optional
-        b; 0.3 is assumed when not given, and the result says so.
+        b; by default 0.3 is assumed, and the result has a note.
     subsonic_index, atmosphere : float, optional
         m, and the absolute pressure of the atmosphere to which the gauge pressures refer [Pa].
 
@@ -358,10 +366,10 @@ def conductance_from_nominal_flow(
 
     Notes
     -----
-    C and b are those with air; with another gas see `factors_from_air`.
+    C and b are valid for air. For another gas see `factors_from_air`.
 
-    Catalogues seldom state their atmosphere; between 1.0 and 1.01325 bar C differs by 0.1 %. The assumed b
-    weighs more: from b = 0.2 to 0.5 C falls by 18 %.
+    Catalogues seldom state the atmosphere of the gauge pressures. Between 1.0 and 1.01325 bar, C differs by 0.1 %. The
+    assumed b has a larger effect: from b = 0.2 to 0.5, C decreases by 18 %.
 
     References
     ----------
@@ -387,7 +395,9 @@ def nominal_flow_from_conductance(
     subsonic_index: float = 0.5,
     atmosphere: float = STANDARD_ATMOSPHERE,
 ) -> float:
-    r"""Return the nominal flow qNn of a passage, from 6 bar to 5 bar gauge at 20 degC.
+    r"""Return the nominal flow qNn of a flow path.
+
+    The nominal flow is the flow from 6 bar to 5 bar gauge at 20 degC.
 
     .. math:: q_{Nn} = q_m(6\,\text{bar g},\ 5\,\text{bar g},\ T_0)/\rho_0
 
@@ -413,7 +423,7 @@ def nominal_flow_from_conductance(
 
 
 def volume_from_mass_flow_rate(mass_flow_rate: float, atmosphere: ReferenceAtmosphere = ANR) -> float:
-    r"""Return the volume flow rate of a mass flow rate at a reference atmosphere.
+    r"""Convert a mass flow rate to a volume flow rate at a reference atmosphere.
 
     .. math:: Q = q_m/\rho_\mathrm{ref}
 
@@ -431,7 +441,8 @@ def volume_from_mass_flow_rate(mass_flow_rate: float, atmosphere: ReferenceAtmos
 
     Notes
     -----
-    The same air in both atmospheres: 1 m3 ANR = 0.9196 m3 normal. Dry air would be 1.1884 and 1.2929 kg/m3.
+    1 m3 ANR is 0.9196 m3 in the normal atmosphere, because both use the same moist air. The densities of dry air would
+    be 1.1884 and 1.2929 kg/m3.
 
     Examples
     --------
@@ -442,7 +453,7 @@ def volume_from_mass_flow_rate(mass_flow_rate: float, atmosphere: ReferenceAtmos
 
 
 def mass_from_volume_flow_rate(volume_flow_rate: float, atmosphere: ReferenceAtmosphere = ANR) -> float:
-    r"""Return the mass flow rate of a volume flow rate at a reference atmosphere.
+    r"""Convert a volume flow rate at a reference atmosphere to a mass flow rate.
 
     .. math:: q_m = \rho_\mathrm{ref} Q
 
@@ -473,7 +484,10 @@ _DEFINITIONS: dict[str, str] = {
 
 
 def _given_or_assumed(critical_ratio: float | None) -> tuple[float, str]:
-    """Return the critical ratio and the text on its origin for the note."""
+    """Return the critical ratio and a text on its origin for a note.
+
+    If no ratio is given, a typical value is assumed.
+    """
     if critical_ratio is not None:
         return critical_ratio, ""
     return ASSUMED_CRITICAL_RATIO, f"; b = {ASSUMED_CRITICAL_RATIO} is assumed: one number cannot give C and b"
@@ -510,7 +524,7 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
 
 
 def _nominal_flow_per_conductance(critical_ratio: float, subsonic_index: float, atmosphere: float) -> float:
-    """Return the volume flow rate ANR of a passage with C = 1 at the nominal pressures [Pa]."""
+    """Return the nominal flow (ANR) per sonic conductance of a flow path [Pa]."""
     # The law is linear in C, and both nominal pressures lie well outside the regularised zone.
     flow = flow_law(
         NOMINAL_INLET_GAUGE + atmosphere,

@@ -1,10 +1,7 @@
-"""Valid ranges of the arguments of a flow law.
+"""Valid ranges of the arguments of the flow law.
 
 Symbols are not checked, because their values are unknown while a model is traced. The check costs one comparison for a
 float and two reductions for an array.
-
-Symbols are never checked: their values are unknown when a model is traced. Floats cost a comparison, arrays
-two reductions.
 """
 
 from __future__ import annotations
@@ -20,11 +17,9 @@ from poppet.core.symbolic import is_symbolic
 
 @dataclass(frozen=True)
 class Domain:
-    """Valid interval of an argument; ends are included unless `open_low` or `open_high`.
+    """Valid interval of an argument; the ends are included unless `open_low` or `open_high`.
 
     `code` is the code of the error for a value outside the interval.
-
-    `code` names the mistake of a value outside: what is wrong with it and what to do.
     """
 
     code: str
@@ -35,7 +30,7 @@ class Domain:
     open_high: bool = True
 
     def holds(self, value: Any) -> Any:
-        """Return True for values inside the interval; NaN is outside."""
+        """Return True for values inside the interval; the result for NaN is False."""
         is_above = value > self.low if self.open_low else value >= self.low
         is_below = value < self.high if self.open_high else value <= self.high
         return is_above & is_below
@@ -61,7 +56,10 @@ DOMAINS: dict[str, Domain] = {
 
 
 def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
-    """Return the error of an invalid value, for an array that of its first invalid element."""
+    """Return the error of an invalid value, or None.
+
+    For an array, it is the error of the first invalid element.
+    """
     if type(value) is float:  # fast path for the most frequent type
         return None if domain.holds(value) else _outside(name, value, domain)
     if value is None or is_symbolic(value):
@@ -75,13 +73,16 @@ def problem(name: str, value: Any, domain: Domain) -> OutOfRangeError | None:
 
 
 def check(values: dict[str, Any], domains: dict[str, Domain] = DOMAINS) -> None:
-    """Raise `OutOfRangeError` for all values outside the domains of their names."""
+    """Raise `OutOfRangeError` if any value is outside the domain for its name."""
     errors = (problem(name, value, domains[name]) for name, value in values.items())
     collect([error for error in errors if error is not None])
 
 
 def refuse_where(is_invalid: Any, name: str, value: Any, unit: str, code: str) -> None:
-    """Raise `OutOfRangeError` for the first element at which `is_invalid` is true."""
+    """Raise `OutOfRangeError` if `is_invalid` is true for any element.
+
+    The error refers to the first such element of `value`.
+    """
     flags, values = np.broadcast_arrays(np.asarray(is_invalid), np.asarray(value, dtype=float))
     if not flags.any():
         return

@@ -1,4 +1,4 @@
-"""Evaluation of formulas for floats, arrays and symbols: checks, broadcasting, blocks."""
+"""Evaluation of formulas for floats, arrays and symbols, with checks and broadcasting."""
 
 from __future__ import annotations
 
@@ -18,7 +18,10 @@ _BLOCK = 8192
 def evaluate(
     law: Callable[..., tuple[Any, ...]], arguments: dict[str, Any], domains: dict[str, Domain] = DOMAINS
 ) -> tuple[Any, ...]:
-    """Check the arguments, then evaluate the law directly or, for arrays, in blocks."""
+    """Check the arguments, then evaluate a formula.
+
+    Arrays are evaluated in blocks that fit into the cache.
+    """
     values = {name: plain(value) for name, value in arguments.items()}
     check(values, domains)
     arrays = {name: value for name, value in values.items() if isinstance(value, np.ndarray)}
@@ -26,7 +29,10 @@ def evaluate(
 
 
 def plain(value: Any) -> Any:
-    """Return sequences as float arrays, zero-dimensional arrays and integers as floats, symbols unchanged."""
+    """Convert arguments to the types for evaluation.
+
+    Sequences become float arrays. Integers and zero-dimensional arrays become floats. Symbols are unchanged.
+    """
     if type(value) is float or value is None or is_symbolic(value):
         return value
     array = np.asarray(value, dtype=float)
@@ -34,7 +40,7 @@ def plain(value: Any) -> Any:
 
 
 def _in_blocks(law: Callable[..., tuple[Any, ...]], values: dict[str, Any], arrays: dict[str, Any]) -> tuple[Any, ...]:
-    """Evaluate element by element in blocks that fit into the cache."""
+    """Evaluate a formula for arrays in blocks that fit into the cache."""
     shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     flat = {name: np.broadcast_to(array, shape).reshape(-1) for name, array in arrays.items()}
     size = math.prod(shape)

@@ -1,10 +1,7 @@
-"""Flow law solved for one of its pressures, and flow parameters from a measured point.
+"""Inverse flow law: pressures from a flow, and flow parameters from a measured point.
 
 The functions accept floats and arrays. They use closed forms where these exist. The regularised zone, subsonic indices
 other than 0.5 and cracking pressures need bisection, because the law is monotone in each pressure.
-
-Floats and arrays only. Closed forms where they exist; the regularised zone, exponents other than 0.5 and
-cracking pressures are solved by bisection, because the law is monotone in each pressure.
 """
 
 from __future__ import annotations
@@ -42,7 +39,7 @@ def downstream_pressure(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Return the downstream pressure of a flow path with a given flow.
+    r"""Return the downstream pressure at which a flow path has a given flow.
 
     .. math::
 
@@ -62,24 +59,24 @@ def downstream_pressure(
     laminar_ratio : float or array, optional
         Pressure ratio at which the regularised zone begins; inside it the regularised law is inverted.
     one_way : bool, optional
-        A check valve.
+        True for a check valve: no flow from side 2 to side 1.
     reference_density, reference_temperature : float or array, optional
         Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
     Returns
     -------
     float or array
-        Absolute downstream pressure; for zero flow the lowest one that stops it [Pa].
+        Absolute downstream pressure; for zero flow the lowest one without flow [Pa].
 
     Raises
     ------
     OutOfRangeError
-        For a choked flow, which leaves p2 undetermined (anything from 0 to b p1), and for more than that.
+        If the flow is choked, because p2 can then have any value from 0 to b p1, or exceeds the choked flow.
 
     Notes
     -----
-    Close to choking, the flow is insensitive to p2: a relative error e of the flow becomes one of about sqrt(2
-    e) in p2/p1.
+    Close to choking, the flow is insensitive to p2: a relative error e of the flow causes a relative error of
+    about sqrt(2 e) of p2/p1.
 
     Examples
     --------
@@ -123,7 +120,9 @@ def upstream_pressure(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Return the upstream pressure for a given flow and downstream pressure.
+    r"""Return the upstream pressure at which a flow path has a given flow.
+
+    The downstream pressure is known.
 
     With :math:`\pi = q_m/(C \rho_0 \sqrt{T_0/T_1})`, m = 0.5 and no cracking pressure
 
@@ -134,7 +133,7 @@ def upstream_pressure(
     Parameters
     ----------
     mass_flow_rate : float or array
-        From the upstream side 1 to the downstream side 2, not below zero [kg/s].
+        Mass flow rate from the upstream side 1 to the downstream side 2, not negative [kg/s].
     pressure_2, temperature_1 : float or array
         Absolute pressure downstream [Pa], stagnation temperature upstream [K].
     sonic_conductance, critical_ratio : float or array
@@ -144,18 +143,18 @@ def upstream_pressure(
     laminar_ratio : float or array, optional
         Pressure ratio at which the regularised zone begins; inside it the regularised law is inverted.
     one_way : bool, optional
-        A check valve.
+        True for a check valve: no flow from side 2 to side 1.
     reference_density, reference_temperature : float or array, optional
         Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
     Returns
     -------
     float or array
-        Absolute upstream pressure; for zero flow the highest one that does not start it [Pa].
+        Absolute upstream pressure; for zero flow the highest one without flow [Pa].
 
     Notes
     -----
-    Unlike the downstream pressure it is determined by every flow: a choked flow is proportional to it.
+    The upstream pressure is unique for each flow, because choked flow is proportional to it.
 
     Examples
     --------
@@ -179,7 +178,7 @@ def upstream_pressure(
     if np.any(number["subsonic_index"] != 0.5) or np.any(number["cracking_pressure"] != 0.0):
         return plain(_upstream_by_bisection(choking, number, one_way))
     upstream = _upstream_in_closed_form(choking, number)
-    # The zone's edge belongs to the closed form: there both laws agree, and the bisection costs more.
+    # At the edge of the zone both laws agree; the closed form is faster than the bisection.
     in_zone = number["pressure_2"] > number["laminar_ratio"] * upstream
     if in_zone.any():
         upstream = np.where(in_zone, _upstream_by_bisection(choking, number, one_way), upstream)
@@ -208,7 +207,7 @@ def sonic_conductance_from_flow(
     Parameters
     ----------
     mass_flow_rate : float or array
-        Measured, positive from port 1 to port 2 [kg/s].
+        Measured mass flow rate, positive from port 1 to port 2 [kg/s].
     pressure_1, pressure_2 : float or array
         Absolute pressures at the ports [Pa].
     temperature_1 : float or array
@@ -216,13 +215,13 @@ def sonic_conductance_from_flow(
     temperature_2 : float or array, optional
         Stagnation temperature at port 2; as `temperature_1` when not given [K].
     critical_ratio : float or array
-        b; without influence on a choked point.
+        b; it has no effect for a choked flow.
     subsonic_index, cracking_pressure : float or array, optional
         m, and the pressure drop below which the passage is closed [Pa].
     laminar_ratio : float or array, optional
         Pressure ratio at which the regularised zone begins.
     one_way : bool, optional
-        A check valve.
+        True for a check valve: no flow from side 2 to side 1.
     reference_density, reference_temperature : float or array, optional
         Density [kg/m^3] and temperature [K] of the reference atmosphere.
 
@@ -234,7 +233,7 @@ def sonic_conductance_from_flow(
     Raises
     ------
     OutOfRangeError
-        Where the passage is closed at these pressures, or the flow runs against the pressure drop.
+        If the flow path is closed at these pressures, or the flow is opposite to the pressure drop.
 
     Notes
     -----
@@ -273,14 +272,14 @@ def effective_conductance(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> Any:
-    r"""Return the sonic conductance that gives the flow if choked.
+    r"""Return the sonic conductance at which a measured flow would be choked.
 
     .. math:: C_e = \frac{q_m}{\rho_0 p_1 \sqrt{T_0/T_1}}
 
     Parameters
     ----------
     mass_flow_rate : float or array
-        From the upstream to the downstream side [kg/s].
+        Mass flow rate from the upstream to the downstream side [kg/s].
     pressure_1, temperature_1 : float or array
         Absolute pressure, above zero [Pa], and stagnation temperature [K] upstream.
     reference_density, reference_temperature : float or array, optional
@@ -314,7 +313,7 @@ def effective_conductance(
 
 
 def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_index: Any = 0.5) -> Any:
-    r"""Return the critical pressure ratio from one subsonic point of a flow bench.
+    r"""Return the critical pressure ratio b from one measured point of subsonic flow.
 
     .. math:: b = \frac{r - s}{1 - s} = 1 - \frac{1 - r}{1 - s}, \quad s = \sqrt{1 - \varphi^{1/m}}
 
@@ -334,12 +333,13 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     Raises
     ------
     OutOfRangeError
-        For a choked or closed point, and for one that lies below every ellipse (b would be negative).
+        If the point is choked or closed, or if b would be negative.
 
     Notes
     -----
-    No cracking pressure. The uncertainty is u(b)^2 = (u_r/(1 - s))^2 + ((1 - r)/(1 - s)^2 (phi/s) u_phi)^2
-    for m = 0.5: points near r = 1 and near phi = 1 say least about b.
+    The cracking pressure is assumed to be zero. For m = 0.5 the uncertainty is
+    u(b)^2 = (u_r/(1 - s))^2 + ((1 - r)/(1 - s)^2 (phi/s) u_phi)^2. Points near r = 1 and near phi = 1 are least
+    informative on b.
 
     References
     ----------
@@ -360,7 +360,10 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
 
 
 def _checked_arrays(arguments: dict[str, Any], domains: dict[str, Domain] = _DOMAINS) -> dict[str, Any]:
-    """Check all arguments and return them as float arrays, zero-dimensional for floats."""
+    """Check all arguments and return them as float arrays.
+
+    A float becomes a zero-dimensional array.
+    """
     check(arguments, domains)
     return {name: np.asarray(value, dtype=float) for name, value in arguments.items()}
 
@@ -371,7 +374,10 @@ def _choked_flow_per_pressure(number: dict[str, Any]) -> Any:
 
 
 def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
-    """Return the pressure drop that carries the fraction `ratio` < 1 of the choked flow [Pa]."""
+    """Return the pressure drop at which the flow is the fraction `ratio` of the choked flow [Pa].
+
+    `ratio` is below 1.
+    """
     width = 1.0 - number["laminar_ratio"]
     cracking = number["cracking_pressure"] / number["pressure_1"]
     span, edge, slope = edge_of_zone(number["critical_ratio"], number["subsonic_index"], cracking, width)
@@ -392,7 +398,7 @@ def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
 
 
 def _upstream_in_closed_form(choking: Any, number: dict[str, Any]) -> Any:
-    """Return the upstream pressure outside the zone for m = 0.5 [Pa].
+    """Return the upstream pressure for m = 0.5 outside the regularised zone [Pa].
 
     `choking` is the upstream pressure that gives the flow if choked.
     """
@@ -421,7 +427,7 @@ def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) 
 
 
 def _rising_root(function: Callable[[Any], Any], target: Any, low: Any, high: Any) -> Any:
-    """Return the argument at which a rising function reaches `target`, by bisection."""
+    """Return the argument at which an increasing function reaches `target`, by bisection."""
     # Not Newton's method: the slope of the law is zero where a flow path closes.
     for _ in range(60):
         middle = 0.5 * (low + high)

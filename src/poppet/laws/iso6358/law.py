@@ -1,4 +1,4 @@
-"""The flow law of ISO 6358 between two gas states, both ways, regularised (C1) near equal pressures."""
+"""Flow law of ISO 6358 for both directions, regularised (C1) near equal pressures."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ def mass_flow_rate(
     temperature_1 : float, array or symbol
         Stagnation temperature of the gas at port 1 [K].
     temperature_2 : float, array or symbol, optional
-        Stagnation temperature of the gas at port 2; as `temperature_1` when not given [K].
+        Stagnation temperature of the gas at port 2; default `temperature_1` [K].
     sonic_conductance : float, array or symbol
         C, mass flow rate of the choked passage per reference density and upstream pressure [m^3/(s Pa)].
     critical_ratio : float, array or symbol
@@ -64,12 +64,12 @@ def mass_flow_rate(
     subsonic_index : float, array or symbol, optional
         m, the exponent of the subsonic law, 0 < m <= 3; 0.5 is the ellipse of the 1989 edition.
     cracking_pressure : float, array or symbol, optional
-        Pressure drop below which the passage is closed; in both senses unless `one_way` [Pa].
+        Pressure drop below which the flow path is closed, in both directions unless `one_way` [Pa].
     laminar_ratio : float, array or symbol, optional
         Pressure ratio at which the regularised zone begins (less the cracking pressure over the upstream
         pressure).
     one_way : bool, optional
-        A check valve: no flow from port 2 to port 1.
+        True for a check valve: no flow from port 2 to port 1.
     reference_density : float, array or symbol, optional
         Density in the reference atmosphere [kg/m^3].
     reference_temperature : float, array or symbol, optional
@@ -83,27 +83,26 @@ def mass_flow_rate(
     Raises
     ------
     OutOfRangeError
-        For a float or array outside its domain, a negative (gauge?) pressure for example. Symbols are not
+        If a float or array is outside its domain, for example a negative (gauge) pressure. Symbols are not
         checked.
 
     Notes
     -----
-    Outside the zone this is the standard's law. Inside, with z running from 0 (closing) to 1 (edge) and s the
-    law's logarithmic slope at the edge, the edge's flow is multiplied by a cubic: the first passes through
-    zero flow, equal both ways; the second is for a cracking pressure or `one_way` and closes with zero slope.
-    Both are C1.
+    Outside the regularised zone this is the law of the standard. Inside, the flow at the edge of the zone is
+    multiplied by a cubic of z, which is 0 at closing and 1 at the edge; s is the logarithmic slope of the law at the
+    edge. The first cubic passes through zero flow and is equal in both directions. The second one is for a cracking
+    pressure or `one_way` and closes with zero slope. Both are C1.
 
     .. math::
 
         z \left[1 + (1 - z^2)\,\tfrac{1 - s}{2}\right], \qquad z^2 \left[1 + (1 - z)(2 - s)\right]
 
-    The zone is 1 - laminar_ratio wide in p2/p1. A passage with b above laminar_ratio goes from choked to the
-    zone.
+    The width of the zone in p2/p1 is 1 - laminar_ratio. If b is above laminar_ratio, the zone adjoins choked flow.
 
-    Measured for b = 0.3, m = 0.5 (tests/order): the pressure of a tank filled isothermally errs by at most
-    0.112 (1 - laminar_ratio) of the supply pressure, first order in the width; inside the zone the flow errs
-    by at most 1.1 % of the choked flow with 0.999 and 2.4 % with 0.995, falling with the square root of the
-    width, because the law itself starts with infinite slope. Outside there is no error.
+    Errors for b = 0.3, m = 0.5 (tests/order): the pressure error of a tank that is filled isothermally is at most
+    0.112 (1 - laminar_ratio) of the supply pressure, first order in the width. Inside the zone, the error of the flow
+    is at most 1.1 % of the choked flow for a laminar_ratio of 0.999, and 2.4 % for 0.995. It decreases with the square
+    root of the width, because the slope of the law is infinite at equal pressures. Outside the zone there is no error.
 
     The gas is ideal and the flow quasi-steady. The standard excludes components with internal feedback
     (regulators): for those C and b hold at one fixed opening.
@@ -156,7 +155,7 @@ def flow(
     reference_density: Any = REFERENCE_DENSITY,
     reference_temperature: Any = REFERENCE_TEMPERATURE,
 ) -> tuple[Any, Any]:
-    r"""Return the mass flow rate and the temperature of the flow.
+    r"""Return the mass flow rate and the stagnation temperature of the flow.
 
     .. math:: (q_m, T_\mathrm{up})
 
@@ -169,7 +168,7 @@ def flow(
     temperature_1 : float, array or symbol
         Stagnation temperature of the gas at port 1 [K].
     temperature_2 : float, array or symbol, optional
-        Stagnation temperature of the gas at port 2; as `temperature_1` when not given [K].
+        Stagnation temperature of the gas at port 2; default `temperature_1` [K].
     sonic_conductance : float, array or symbol
         C, mass flow rate of the choked passage per reference density and upstream pressure [m^3/(s Pa)].
     critical_ratio : float, array or symbol
@@ -177,7 +176,7 @@ def flow(
     subsonic_index : float, array or symbol, optional
         m, the exponent of the subsonic law, 0 < m <= 3.
     cracking_pressure : float, array or symbol, optional
-        Pressure drop below which the passage is closed; in both senses unless `one_way` [Pa].
+        Pressure drop below which the flow path is closed, in both directions unless `one_way` [Pa].
     laminar_ratio : float, array or symbol, optional
         Pressure ratio at which the regularised zone begins.
     one_way : bool, optional
@@ -192,7 +191,7 @@ def flow(
     mass_flow_rate : float, array or symbol
         Positive from port 1 to port 2 [kg/s].
     upstream_temperature : float, array or symbol
-        Stagnation temperature of what flows, rounded over a thousandth of the regularised zone [K].
+        Stagnation temperature of the flow, smoothed over a thousandth of the regularised zone [K].
 
     Notes
     -----
@@ -226,7 +225,7 @@ def flow(
 def upstream_temperature(
     pressure_1: Any, pressure_2: Any, temperature_1: Any, temperature_2: Any, *, laminar_ratio: Any = LAMINAR_RATIO
 ) -> Any:
-    r"""Return the stagnation temperature of the flow.
+    r"""Return the stagnation temperature of the gas that flows through a flow path.
 
     It is the temperature of the upstream side, smoothed at flow reversal.
 
@@ -256,13 +255,14 @@ def upstream_temperature(
 
     Notes
     -----
-    The turn is a thousand times narrower than the zone of the flow (1e-6 of the pressure with the default): slow
-    flow lives in that zone for long, and a temperature rounded over all of it is 1.4 K off in a 2 l tank filled
-    in 10 s. With no rounding at all, stiff networks of very unequal temperatures chatter at zero flow (one of
-    1000 random ones).
+    The range of smoothing is a thousand times narrower than the regularised zone (1e-6 of the pressure with the
+    default). Slow flows remain in that zone for long: smoothing over the complete zone gave an error of 1.4 K in a
+    2 l tank that is filled in 10 s. Without smoothing, 1 of 1000 random stiff networks with very different
+    temperatures chattered at zero flow.
 
-    T_still is, to the fourth order in (T1 - T2)/(T1 + T2), the one temperature at which gas that passes between
-    equal pressures destroys no entropy either way, so the second law holds through the turn (tests/laws).
+    T_still approximates, to the fourth order in (T1 - T2)/(T1 + T2), the only temperature at which flow between equal
+    pressures does not decrease the entropy in either direction. The second law is therefore also fulfilled at flow
+    reversal (tests/laws).
 
     Examples
     --------
@@ -293,7 +293,7 @@ REGIMES: dict[int, str] = {
     2: "subsonic",
     3: "choked",
 }
-"""What the codes of `flow_regime` mean; "laminar" is the regularised zone, whatever the Reynolds number."""
+"""Meaning of the codes of `flow_regime`; "laminar" is the regularised zone at any Reynolds number."""
 
 
 def flow_regime(
@@ -305,7 +305,7 @@ def flow_regime(
     laminar_ratio: Any = LAMINAR_RATIO,
     one_way: bool = False,
 ) -> Any:
-    r"""Return the branch of the flow law as a code of `REGIMES`.
+    r"""Return the regime of the flow (choked, subsonic, laminar, closed) as a code of `REGIMES`.
 
     .. math::
 
@@ -334,7 +334,7 @@ def flow_regime(
 
     Notes
     -----
-    The zone has precedence over choking where b exceeds laminar_ratio.
+    If b exceeds laminar_ratio, the regularised zone has precedence over choking.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The law of ISO 6358 read the other way: the drop that belongs to a flow, for gas that has inertia."""
+"""Pressure loss of an ISO 6358 flow path for a given flow of gas with inertia."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ from poppet.laws.iso6358.regularisation import carried_temperature
 
 
 def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critical_ratio: Any) -> Any:
-    r"""Return K, the coefficient of the loss :math:`K q |q|` that equals p1 - p2.
+    r"""Return the coefficient K of the pressure loss K q |q| of a flow path.
 
-    The flow is that of ISO 6358 with m = 0.5.
+    The loss equals the pressure difference p1 - p2 if q is the flow of ISO 6358 with m = 0.5.
 
     .. math:: K = \frac{(1 - b)\, p_1}{q_c^2} \frac{\max(1, x)}{2 - \min(1, x)}, \qquad
               x = \frac{|p_1 - p_2|}{(1 - b)\, p_1}
@@ -23,19 +23,19 @@ def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critica
     pressure_1, pressure_2 : float, array or symbol
         Absolute pressures at the ports [Pa].
     choked_flow : float, array or symbol
-        Mass flow rate when choked with the higher pressure upstream [kg/s].
+        Choked mass flow rate with the higher pressure upstream [kg/s].
     critical_ratio : float, array or symbol
         b.
 
     Returns
     -------
     float, array or symbol
-        [Pa s^2/kg^2].
+        Coefficient K [Pa s^2/kg^2].
 
     Notes
     -----
-    Finite at equal pressures, where the flow law itself has an infinite slope. Beyond choking (x > 1) it grows with
-    the drop, so that no drop holds a flow above the choked one for long.
+    K is finite at equal pressures, where the slope of the flow law is infinite. Beyond choking (x > 1) K increases with
+    the drop, so no drop can sustain a flow above the choked flow.
 
     Examples
     --------
@@ -50,25 +50,26 @@ def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critica
 
 
 def temperature_of_flow(mass_flow_rate: Any, choked_flow: Any, temperature_1: Any, temperature_2: Any) -> Any:
-    """Return the stagnation temperature of a flow that is a state.
+    """Return the stagnation temperature of a flow whose mass flow rate is a state.
 
     It is the temperature of the upstream side, smoothed at flow reversal.
 
     Parameters
     ----------
     mass_flow_rate, choked_flow : float, array or symbol
-        Flow from 1 to 2, and the choked flow, to which the width of the turn refers: 1e-3 of it [kg/s].
+        Mass flow rate from port 1 to port 2, and choked mass flow rate; the range of smoothing is 1e-3 of it [kg/s].
     temperature_1, temperature_2 : float, array or symbol
         Stagnation temperatures at the ports [K].
 
     Returns
     -------
     float, array or symbol
-        [K].
+        Temperature [K].
 
     Notes
     -----
-    As `upstream_temperature`, which goes by the pressures: gas with inertia flows on against them.
+    The upstream side results from the sign of the flow. `upstream_temperature` uses the pressures instead, but gas with
+    inertia can flow against the pressure drop.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""The ideal nozzle: exact isentropic flow through an effective area, for which ISO 6358 has an ellipse."""
+"""Isentropic flow through an ideal nozzle, which the ellipse of ISO 6358 approximates."""
 
 from __future__ import annotations
 
@@ -20,7 +20,9 @@ NOZZLE_DOMAINS = DOMAINS | {
 
 
 def nozzle_critical_ratio(isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT) -> float:
-    r"""Return the pressure ratio at and below which an ideal nozzle is choked.
+    r"""Return the critical pressure ratio of an ideal nozzle.
+
+    The nozzle is choked at this ratio p2/p1 and below.
 
     .. math:: b = \left(\frac{2}{\kappa + 1}\right)^{\kappa/(\kappa - 1)}
 
@@ -46,7 +48,7 @@ def nozzle_critical_ratio(isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT) 
 def nozzle_choked_flux(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT, gas_constant: float = AIR_GAS_CONSTANT
 ) -> float:
-    r"""Return the choked mass flow rate of an ideal nozzle per area and pressure, times sqrt(T).
+    r"""Return the choked mass flow rate of an ideal nozzle, normalised by area, pressure and temperature.
 
     .. math:: \frac{q_m \sqrt{T_1}}{A\,p_1} = \sqrt{\frac{\kappa}{R}}
               \left(\frac{2}{\kappa + 1}\right)^{(\kappa + 1)/(2 (\kappa - 1))}
@@ -81,7 +83,7 @@ def nozzle_mass_flow_rate(
     isentropic_exponent: float = AIR_ISENTROPIC_EXPONENT,
     gas_constant: float = AIR_GAS_CONSTANT,
 ) -> Any:
-    r"""Return the mass flow rate through an ideal nozzle, positive from port 1 to port 2.
+    r"""Return the mass flow rate of an ideal nozzle, positive from port 1 to port 2.
 
     .. math::
 
@@ -96,7 +98,7 @@ def nozzle_mass_flow_rate(
     temperature_1 : float, array or symbol
         Stagnation temperature of the gas at port 1 [K].
     temperature_2 : float, array or symbol, optional
-        Stagnation temperature of the gas at port 2; as `temperature_1` when not given [K].
+        Stagnation temperature of the gas at port 2; default `temperature_1` [K].
     effective_area : float, array or symbol
         Area of the throat times its discharge coefficient [m^2].
     isentropic_exponent, gas_constant : float, optional
@@ -109,8 +111,9 @@ def nozzle_mass_flow_rate(
 
     Notes
     -----
-    Isentropic flow of an ideal gas with constant specific heats. The slope is infinite at equal pressures and
-    nothing is regularised: this is a law to compare with, for a simulation convert the area into C and b. The
+    Isentropic flow of an ideal gas with constant specific heats. The slope is infinite at equal
+    pressures, because the law is not regularised. It is a reference for comparisons; for a simulation, convert the
+    area to C and b. The
     ellipse of ISO 6358 with b = 0.5283 differs by at most 0.152 % of the choked flow, at p2/p1 = 0.872.
 
     References
@@ -146,7 +149,7 @@ def _nozzle(
     kappa = isentropic_exponent
     upstream = maximum(pressure_1, pressure_2)
     ratio = minimum(pressure_1, pressure_2) / maximum(upstream, _VACUUM)
-    # Choking is the clip: below the critical ratio the throat keeps its state.
+    # The limit of the ratio represents choking: below it the state in the throat is constant.
     ratio = clip(ratio, nozzle_critical_ratio(kappa), 1.0)
     throat = ratio ** (2.0 / kappa) * (1.0 - ratio ** ((kappa - 1.0) / kappa))
     forward = pressure_1 >= pressure_2

@@ -1,8 +1,8 @@
-"""The flow law as formulas, written once for floats, arrays and symbols; nothing is checked here.
+"""Formulas of the flow law for floats, arrays and symbols; arguments are not checked.
 
-Everything near closing is a function of one quantity, the excess pressure drop over the upstream pressure,
-`(|p1 - p2| - cracking_pressure)/p_up`. Written with it the ellipse `1 - u^2` becomes `x (2 - x)`, which loses
-no digits near equal pressures, and the traced expression stays small.
+Near closing, all formulas depend on one quantity, `(|p1 - p2| - cracking_pressure)/p_up`. It is the excess pressure
+drop divided by the upstream pressure. The ellipse `1 - u^2` is then `x (2 - x)`. This form loses no digits near equal
+pressures and keeps the traced expression small.
 """
 
 from __future__ import annotations
@@ -23,16 +23,21 @@ error of 1.4 K in a 2 l tank after 10 s. Without smoothing, some stiff networks 
 
 
 def upstream_pressure_and_drop(pressure_1: Any, pressure_2: Any) -> tuple[Any, Any]:
-    """Return the upstream pressure [Pa] and the signed relative drop, -1 ... 1, 0 in a vacuum."""
+    """Return the upstream pressure [Pa] and the signed pressure drop relative to it.
+
+    The relative drop is -1 ... 1, and 0 in a vacuum.
+    """
     upstream = maximum(maximum(pressure_1, pressure_2), _VACUUM)
     return upstream, (pressure_1 - pressure_2) / upstream
 
 
 def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width: Any) -> tuple[Any, Any, Any]:
-    """Return span of the subsonic branch, edge of the zone, and logarithmic slope at this edge.
+    """Return the span of the subsonic branch and the edge of the regularised zone.
 
-    With b inside the zone the span is the zone itself: edge 1, slope 0, so that the choked flow closes
-    directly.
+    The third result is the logarithmic slope of the law at this edge.
+
+    If b is inside the zone, the span is the width of the zone, the edge is 1 and the slope is 0. The flow is then
+    choked up to the edge of the zone.
 
     Parameters
     ----------
@@ -41,14 +46,14 @@ def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width:
     subsonic_index : float, array or symbol
         m.
     cracking : float, array or symbol
-        Cracking pressure over upstream pressure.
+        Cracking pressure divided by the upstream pressure.
     width : float, array or symbol
         Width of the zone in p2/p1.
 
     Returns
     -------
     span, edge, slope : float, array or symbol
-        See above.
+        Span in p2/p1, edge as a fraction of the span, and slope at the edge.
     """
     span = maximum(1.0 - cracking - critical_ratio, width)
     edge = width / span
@@ -56,7 +61,7 @@ def edge_of_zone(critical_ratio: Any, subsonic_index: Any, cracking: Any, width:
 
 
 def ellipse(position: Any, subsonic_index: Any) -> Any:
-    """Return `(1 - u^2)^m` from `1 - u`.
+    """Return `(1 - u^2)^m` for the argument `position` = `1 - u`.
 
     A symbol keeps the power, which a printer can replace by a root for m = 0.5.
     """
@@ -67,12 +72,15 @@ def ellipse(position: Any, subsonic_index: Any) -> Any:
 
 
 def through_zero(z: Any, slope: Any) -> Any:
-    """Return an odd cubic with value 1 and slope `slope` at z = 1."""
+    """Return an odd cubic of z with value 1 and slope `slope` at z = 1."""
     return z * (1.0 + (1.0 - z * z) * (0.5 - 0.5 * slope))
 
 
 def closing(z: Any, slope: Any) -> Any:
-    """Return a cubic with zero value and slope at z = 0, value 1 and slope `slope` at z = 1."""
+    """Return a cubic of z that closes with zero slope at z = 0.
+
+    At z = 1 the value is 1 and the slope is `slope`.
+    """
     return z * z * (1.0 + (1.0 - z) * (2.0 - slope))
 
 
@@ -86,7 +94,7 @@ def flow_ratio(
     cracking_pressure: Any,
     one_way: bool,
 ) -> Any:
-    """Return the signed flow relative to the choked flow, -1 ... 1.
+    """Return the signed mass flow rate relative to the choked flow, -1 ... 1.
 
     `z` is `drop` relative to the width of the zone, limited to -1 ... 1.
     """
@@ -125,7 +133,7 @@ def mass_flow_and_temperature(
     reference_temperature: Any,
     one_way: bool,
 ) -> tuple[Any, ...]:
-    """Return mass flow rate and upstream temperature by the flow law."""
+    """Return mass flow rate and upstream temperature by the regularised flow law."""
     width = 1.0 - laminar_ratio
     upstream, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
     z = clip(drop / width, -1.0, 1.0)
@@ -153,7 +161,10 @@ def carried_temperature(z: Any, temperature_1: Any, temperature_2: Any) -> Any:
 def upstream_temperature_between(
     pressure_1: Any, pressure_2: Any, temperature_1: Any, temperature_2: Any, laminar_ratio: Any
 ) -> tuple[Any, ...]:
-    """Return the temperature of the flow without computing the flow."""
+    """Return the temperature of the flow between two gas states.
+
+    The mass flow rate is not computed.
+    """
     _, drop = upstream_pressure_and_drop(pressure_1, pressure_2)
     return (carried_temperature(clip(drop / (1.0 - laminar_ratio), -1.0, 1.0), temperature_1, temperature_2),)
 
@@ -161,7 +172,7 @@ def upstream_temperature_between(
 def regime_code(
     pressure_1: Any, pressure_2: Any, critical_ratio: Any, cracking_pressure: Any, laminar_ratio: Any, one_way: bool
 ) -> tuple[Any, ...]:
-    """Return the code of the flow regime.
+    """Return the code of the flow regime, negative for flow from port 2 to port 1.
 
     The conditions use products in place of ratios, so a vacuum is no special case.
     """

@@ -1,1 +1,1 @@
-"""Laws of gas, heat transfer and contact, each one function for floats, arrays and symbols."""
+"""Laws of gas, heat transfer, contact and muscles for floats, arrays and symbols."""

@@ -1,4 +1,4 @@
-"""Contact and friction: end stops, seats, Stribeck friction."""
+"""Laws of contact and friction: end stops, valve seats and Stribeck friction."""
 
 from __future__ import annotations
 
@@ -7,11 +7,11 @@ from typing import Any
 from poppet.core.symbolic import exp, maximum, smoothstep, sqrt, tanh
 
 SMALLEST_PENETRATION = 1e-15
-"""Below it the power 3/2 goes over into a line, so that its derivative is finite at first touch [m]."""
+"""Depth below which a line replaces the power 3/2, because the derivative must be finite at first contact [m]."""
 
 
 def saturation(value: Any) -> Any:
-    r"""Smooth saturation between -1 and 1.
+    r"""Return a smooth saturation function with values between -1 and 1.
 
     .. math:: \frac{s}{\sqrt{1 + s^2}}
 
@@ -34,15 +34,15 @@ def saturation(value: Any) -> Any:
 
 
 def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipation: Any) -> Any:
-    r"""Return the force of an end stop.
+    r"""Return the contact force of an end stop on a body.
 
     .. math:: F = k\, d^{3/2} \left(1 + \frac{s}{\sqrt{1 + s^2}}\right),\quad s = \lambda\, \dot d
 
     Parameters
     ----------
     penetration, penetration_rate : float, array or symbol
-        Depth d by which the body is pressed into the stop, negative while it is apart [m], and the speed at
-        which it grows [m/s].
+        Depth d of penetration of the body into the stop, negative without contact [m], and its rate of change
+        [m/s].
     stiffness, dissipation : float, array or symbol
         Contact stiffness k [N/m^1.5], and dissipation coefficient, the inverse of the speed at which damping
         saturates [s/m].
@@ -54,10 +54,10 @@ def stop_force(penetration: Any, penetration_rate: Any, stiffness: Any, dissipat
 
     Notes
     -----
-    Hunt and Crossley's factor is :math:`1 + s`; it pulls the body back when it leaves faster than the inverse
-    of the dissipation. The bounded factor used here has the same slope at rest, stays between 0 and 2, and
-    takes energy out of every contact. Not valid where the force has to be right at each speed: it is a stop,
-    not a material.
+    Hunt and Crossley's factor is :math:`1 + s`; it gives a pulling force if the body leaves the stop faster
+    than the inverse of the dissipation. The bounded factor of this function has the same slope at zero speed, is
+    between 0 and 2, and dissipates energy in each contact. The force is not accurate at all speeds: the law
+    describes a stop, not a material.
 
     References
     ----------
@@ -84,18 +84,19 @@ def seat_fraction(stroke: Any, width: Any) -> Any:
     Parameters
     ----------
     stroke : float, array or symbol
-        Stroke x of the plate; the poppet is off its seat when it is positive [m].
+        Stroke x of the plate; for positive x the poppet is off its seat [m].
     width : float, array or symbol
         Width w of the zone below zero over which the seat takes the force [m].
 
     Returns
     -------
     float, array or symbol
-        0 below -width, where the seat carries all, 1 from stroke 0 up [1].
+        0 below -width, where the seat carries the force, and 1 for strokes of 0 and above [1].
 
     Notes
     -----
-    The ramp replaces the jump of a rigid seat; a force between the two sides holds the plate inside the zone.
+    The ramp replaces the discontinuity of a rigid seat. If the load is between the forces at its ends, the plate is
+    at rest inside the ramp.
 
     Examples
     --------
@@ -113,7 +114,7 @@ def stribeck_friction(
     transition_velocity: Any,
     viscous_damping: Any,
 ) -> Any:
-    r"""Return the friction force of a sliding seal.
+    r"""Return the friction force of a sliding seal by the Stribeck curve.
 
     .. math:: F = \left[F_c + (F_s - F_c) e^{-(v/v_s)^2}\right] \tanh(v/v_t) + \sigma_2 v
 
@@ -125,7 +126,7 @@ def stribeck_friction(
         Friction :math:`F_c` at moderate speed and break-away force :math:`F_s` [N].
     stribeck_velocity, transition_velocity : float, array or symbol
         Speeds :math:`v_s`, over which friction falls from the break-away to the Coulomb value, and :math:`v_t`,
-        over which the sign change is spread [m/s].
+        over which the sign of the friction changes [m/s].
     viscous_damping : float, array or symbol
         Viscous coefficient :math:`\sigma_2` [N s/m].
 
@@ -136,8 +137,8 @@ def stribeck_friction(
 
     Notes
     -----
-    At rest the force is zero: a body under less than the break-away force creeps at a speed of the order of
-    the transition velocity instead of sticking.
+    At zero speed the force is zero. A body under a load below the break-away force therefore does not stick: it
+    creeps at a speed of the order of the transition velocity.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Dry friction that sticks: the LuGre model, and the level that it slides at."""
+"""Dry friction with sticking: the LuGre model and its steady friction."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from poppet.core.symbolic import exp
 
 
 def sliding_level(velocity: Any, coulomb_force: Any, static_force: Any, stribeck_velocity: Any) -> Any:
-    r"""Return the dry friction at a steady speed, without its sign.
+    r"""Return the magnitude of dry friction at a constant sliding speed.
 
     .. math:: g(v) = F_c + (F_s - F_c)\, e^{-(v/v_s)^2}
 
@@ -19,12 +19,12 @@ def sliding_level(velocity: Any, coulomb_force: Any, static_force: Any, stribeck
     coulomb_force, static_force : float, array or symbol
         Friction at moderate speed and break-away force [N], or torques [N m].
     stribeck_velocity : float, array or symbol
-        Speed over which friction falls from the one to the other [m/s] or [rad/s].
+        Speed over which friction falls from the break-away to the Coulomb value [m/s] or [rad/s].
 
     Returns
     -------
     float, array or symbol
-        [N] or [N m].
+        Magnitude of the friction [N] or [N m].
 
     References
     ----------
@@ -39,7 +39,7 @@ def sliding_level(velocity: Any, coulomb_force: Any, static_force: Any, stribeck
 
 
 def bristle_rate(deflection: Any, velocity: Any, level: Any, stiffness: Any) -> Any:
-    r"""Return the rate of the bristle deflection of the LuGre model.
+    r"""Return the rate of change of the bristle deflection in the LuGre model.
 
     .. math:: \dot z = v - \frac{\sigma_0 |v|}{g(v)}\, z
 
@@ -55,7 +55,7 @@ def bristle_rate(deflection: Any, velocity: Any, level: Any, stiffness: Any) -> 
     Returns
     -------
     float, array or symbol
-        [m/s]; zero where the bristles are bent as far as the speed bends them, z = g/sigma_0.
+        Rate [m/s]; zero at the steady deflection, |z| = g/sigma_0.
 
     References
     ----------
@@ -72,7 +72,7 @@ def bristle_rate(deflection: Any, velocity: Any, level: Any, stiffness: Any) -> 
 def lugre_force(
     deflection: Any, deflection_rate: Any, velocity: Any, stiffness: Any, damping: Any, stribeck_velocity: Any
 ) -> Any:
-    r"""Return the friction of the LuGre model without its viscous part.
+    r"""Return the friction force of the LuGre model without the viscous term.
 
     .. math:: F = \sigma_0 z + \sigma_1 e^{-(v/v_s)^2}\, \dot z
 
@@ -83,7 +83,7 @@ def lugre_force(
     stiffness, damping : float, array or symbol
         Bristle stiffness :math:`\sigma_0` [N/m] and damping :math:`\sigma_1` [N s/m].
     stribeck_velocity : float, array or symbol
-        Speed over which the damping fades [m/s].
+        Speed over which the damping decreases [m/s].
 
     Returns
     -------
@@ -92,12 +92,12 @@ def lugre_force(
 
     Notes
     -----
-    With a constant damping the model gives energy out at moderate speeds; one that fades with the speed does not as
-    long as :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`.
+    With a constant damping the model generates energy at moderate speeds. With the decreasing damping it does not if
+    :math:`\sigma_1 e^{-(v/v_s)^2} \le 4 g(v)/|v|`.
 
     References
     ----------
-    Olsson 1996, thesis, Lund, for the damping that fades; Barahona & Canudas de Wit 2002, ACC, for its passivity.
+    Olsson 1996, thesis, Lund, for the decreasing damping; Barahona & Canudas de Wit 2002, ACC, for its passivity.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Ideal gas with constant heat capacities."""
+"""Laws of an ideal gas with constant heat capacities."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def mass(pressure: Any, volume: Any, temperature: Any, gas_constant: Any = AIR_G
 
     Notes
     -----
-    The laws of this module hold within 1 % for air up to about 20 bar at room temperature.
+    The laws of this module are accurate within 1 % for air up to about 20 bar at room temperature.
 
     Examples
     --------
@@ -50,7 +50,7 @@ def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_G
     pressure, volume, mass : float, array or symbol
         Absolute pressure p [Pa], volume V [m^3], mass m of the gas [kg].
     gas_constant : float, array or symbol
-        Specific gas constant R, air when not given [J/(kg K)].
+        Specific gas constant R, default that of air [J/(kg K)].
 
     Returns
     -------
@@ -66,7 +66,7 @@ def temperature(pressure: Any, volume: Any, mass: Any, gas_constant: Any = AIR_G
 
 
 def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT) -> Any:
-    r"""Return the density of the gas.
+    r"""Return the density of an ideal gas.
 
     .. math:: \varrho = \frac{p}{R T}
 
@@ -75,7 +75,7 @@ def density(pressure: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTAN
     pressure, temperature : float, array or symbol
         Absolute pressure p [Pa], temperature T [K].
     gas_constant : float, array or symbol
-        Specific gas constant R, air when not given [J/(kg K)].
+        Specific gas constant R, default that of air [J/(kg K)].
 
     Returns
     -------
@@ -148,7 +148,7 @@ def internal_energy(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the internal energy of a mass of gas, zero at 0 K.
+    r"""Return the internal energy of a mass of gas relative to 0 K.
 
     .. math:: U = m c_v T = \frac{p V}{\kappa - 1}
 
@@ -178,21 +178,21 @@ def enthalpy_flow(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the enthalpy that a flow of gas carries, zero at 0 K.
+    r"""Return the enthalpy flow rate of a gas flow relative to 0 K.
 
     .. math:: \dot H = q_m c_p T
 
     Parameters
     ----------
     mass_flow_rate, temperature : float, array or symbol
-        Mass flow rate q_m [kg/s], and stagnation temperature T of the gas where it comes from [K].
+        Mass flow rate q_m [kg/s], and upstream stagnation temperature T of the gas [K].
     gas_constant, isentropic_exponent : float, array or symbol
         Specific gas constant R [J/(kg K)] and ratio of the heat capacities [1].
 
     Returns
     -------
     float, array or symbol
-        Enthalpy flow, of the sign of the mass flow rate [W].
+        Enthalpy flow rate; its sign is that of the mass flow rate [W].
 
     Examples
     --------

@@ -15,13 +15,13 @@ from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT, d
 GRAVITY = 9.80665
 """Standard acceleration of free fall, ISO 80000-3 [m/s^2]."""
 SMALLEST_DIFFERENCE = 0.01
-"""Rounds |T - T_wall| off near zero, where its powers have infinite slopes; 5e-5 of the value at 1 K [K]."""
+"""Smoothing of |T - T_wall| near zero, where its powers have infinite slopes; 5e-5 of the value at 1 K [K]."""
 SMALLEST_REYNOLDS = 10.0
-"""Rounds the jet's Reynolds number off near zero flow; 7e-5 of the value at Re = 1000 [1]."""
+"""Smoothing of the Reynolds number of the jet near zero flow; 7e-5 of the value at Re = 1000 [1]."""
 
 
 class Sutherland(NamedTuple):
-    """Coefficients of Sutherland's law.
+    """Coefficients of Sutherland's law for viscosity or thermal conductivity of a gas.
 
     Parameters
     ----------
@@ -30,7 +30,7 @@ class Sutherland(NamedTuple):
     reference_temperature, sutherland_temperature : float
         Temperature of the reference value, and Sutherland's constant [K].
     source : str
-        Work and table.
+        Title and table of the source.
     """
 
     reference_value: float
@@ -53,12 +53,12 @@ def sutherland(temperature: Any, law: Sutherland) -> Any:
     temperature : float, array or symbol
         Temperature T [K].
     law : Sutherland
-        The gas's coefficients.
+        Coefficients of the gas.
 
     Returns
     -------
     float, array or symbol
-        In the unit of the reference value, [Pa s] or [W/(m K)].
+        Viscosity [Pa s] or conductivity [W/(m K)], the quantity of the reference value.
 
     Notes
     -----
@@ -89,7 +89,7 @@ def natural_conductance(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the wall conductance of natural convection in a vessel.
+    r"""Return the wall conductance for natural convection in a vessel.
 
     .. math:: \mathrm{Nu} = c\, \mathrm{Ra}_H^{1/3},\quad h A = \mathrm{Nu}\, \frac{\lambda A}{H}
 
@@ -111,9 +111,9 @@ def natural_conductance(
 
     Notes
     -----
-    For turbulent natural convection of air, Ra_H about 1e9..1e13, while no jet stirs the vessel: discharging
-    and standing. Measured tanks were fitted with 0.135..0.141. The temperature difference is rounded off near
-    zero, so that the conductance stays positive and its slope finite there.
+    The law is valid for turbulent natural convection of air (Ra_H about 1e9..1e13) in a vessel that is discharged or
+    closed, without a jet. Fits to measured tanks gave prefactors of 0.135..0.141. The temperature difference is
+    smoothed near zero, so the conductance is positive and its slope finite.
 
     References
     ----------
@@ -144,7 +144,7 @@ def charging_conductance(
     gas_constant: Any = AIR_GAS_CONSTANT,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the wall conductance in a vessel that is charged through a jet.
+    r"""Return the wall conductance of a vessel that is charged through a jet.
 
     .. math:: \mathrm{Nu}_H = 0.56\, \mathrm{Re}_d^{0.67} + 0.104\, \mathrm{Ra}_H^{0.352},\quad
               \mathrm{Re}_d = \frac{4 q_m}{\pi d \mu},\quad h A = \mathrm{Nu}_H\, \frac{\lambda A}{H}
@@ -156,7 +156,7 @@ def charging_conductance(
     area, height : float, array or symbol
         Wetted area of the wall [m^2], and height H of the vessel [m].
     inlet_mass_flow_rate, inlet_diameter : float, array or symbol
-        Mass flow rate through the inlet, no jet when negative [kg/s], and its bore d [m].
+        Mass flow rate through the inlet [kg/s], without a jet if it is negative, and bore d of the inlet [m].
     gas_constant, isentropic_exponent : float, array or symbol
         Specific gas constant [J/(kg K)] and ratio of the heat capacities [1].
 
@@ -167,9 +167,9 @@ def charging_conductance(
 
     Notes
     -----
-    Found for vessels of some litres charged with hydrogen, nitrogen and argon through a single jet along the
-    axis. A mean over the wall; not for several inlets, diffusers or a jet that hits the wall. Near zero flow
-    and zero temperature difference both terms are rounded off, so that slopes stay finite.
+    The law was fitted to vessels of some litres that were charged with hydrogen, nitrogen and argon by a single axial
+    jet. It gives a mean over the wall. It is not valid for several inlets, diffusers or a jet that hits the wall.
+    Both terms are smoothed near zero flow and zero temperature difference, so their slopes are finite.
 
     References
     ----------
@@ -185,7 +185,7 @@ def charging_conductance(
     )
     viscosity = sutherland(0.5 * (temperature + wall_temperature), AIR_VISCOSITY)
     reynolds = 4.0 * maximum(inlet_mass_flow_rate, 0.0) / (math.pi * inlet_diameter * viscosity)
-    # Re^0.67 for a jet; towards no flow it goes over into Re^2, whose slope is finite.
+    # Re^0.67 for a jet; near zero flow Re^2 replaces it, whose slope is finite.
     jet = reynolds**2 * (reynolds**2 + SMALLEST_REYNOLDS**2) ** (0.335 - 1.0)
     return (0.56 * jet + 0.104 * rayleigh**0.352) * conductivity * area / height
 
@@ -193,7 +193,7 @@ def charging_conductance(
 def _rayleigh(
     pressure: Any, temperature: Any, wall_temperature: Any, height: Any, gas_constant: Any, isentropic_exponent: Any
 ) -> tuple[Any, Any]:
-    """Return Rayleigh number over the height and thermal conductivity [W/(m K)] of air.
+    """Return the Rayleigh number for a height, and the thermal conductivity of air [W/(m K)].
 
     Both refer to the film temperature.
     """

@@ -1,8 +1,8 @@
 """Static force of pneumatic muscles: laws of Chou and Hannaford, Tondu and Lopez, Sarosi, and a measured table.
 
 Each law is linear in the pressure, F = p f1(eps) + f0(eps), with the gauge pressure p and the contraction
-eps = (L0 - L)/L0. What the pressure adds is work of the gas, p dV = p f1 L0 d(eps), so that the integral of f1 gives
-the volume that belongs to a law, and the same line solved for p gives the pressure of a wanted force.
+eps = (L0 - L)/L0. The pressure term does the work of the gas, p dV = p f1 L0 d(eps). The volume of the muscle therefore
+results from the integral of f1. The law solved for p gives the pressure for a required force.
 """
 
 from __future__ import annotations
@@ -18,11 +18,14 @@ from poppet.core.symbolic import clip, cos, exp, maximum, sin, where
 
 
 class ForceLaw(ABC):
-    """Force of a muscle, linear in the pressure; floats, arrays and symbols alike."""
+    """Base class of static force laws of a muscle, linear in the gauge pressure.
+
+    The methods accept floats, arrays and symbols.
+    """
 
     @abstractmethod
     def slope(self, contraction: Any) -> Any:
-        """Return the force per gauge pressure f1.
+        """Return f1, the force per gauge pressure at a contraction.
 
         Parameters
         ----------
@@ -32,11 +35,11 @@ class ForceLaw(ABC):
         Returns
         -------
         float, array or symbol
-            [N/Pa]; as an area, -dV/dL.
+            Force per gauge pressure [N/Pa], which equals the area -dV/dL.
         """
 
     def passive(self, contraction: Any) -> Any:
-        """Return the force f0 of the hose without gauge pressure.
+        """Return f0, the force of the hose at zero gauge pressure.
 
         Parameters
         ----------
@@ -46,13 +49,13 @@ class ForceLaw(ABC):
         Returns
         -------
         float, array or symbol
-            [N], negative where the hose resists the contraction.
+            Force [N], negative if the hose resists the contraction.
         """
         return 0.0 * contraction
 
     @abstractmethod
     def swept(self, contraction: Any) -> Any:
-        """Return the integral of `slope` from zero contraction.
+        """Return the integral of `slope` from zero contraction to the given contraction.
 
         Parameters
         ----------
@@ -62,11 +65,11 @@ class ForceLaw(ABC):
         Returns
         -------
         float, array or symbol
-            Growth of the volume over the nominal length [m^2].
+            Increase in volume divided by the nominal length [m^2].
         """
 
     def force(self, pressure: Any, contraction: Any) -> Any:
-        """Return the pulling force of the muscle.
+        """Return the pulling force of the muscle for a gauge pressure and a contraction.
 
         Parameters
         ----------
@@ -78,24 +81,24 @@ class ForceLaw(ABC):
         Returns
         -------
         float, array or symbol
-            [N]; negative where a muscle is slack, which can only pull.
+            Force by the law [N]; a negative value means that the muscle is slack, because it cannot push.
         """
         return pressure * self.slope(contraction) + self.passive(contraction)
 
     def pressure_for(self, force: Any, contraction: Any) -> Any:
-        """Return the gauge pressure for a given pulling force.
+        """Return the gauge pressure at which the muscle exerts a given pulling force.
 
         Parameters
         ----------
         force : float, array or symbol
-            Wanted pull [N].
+            Required pulling force [N].
         contraction : float, array or symbol
-            (L0 - L)/L0, less than where `slope` vanishes [1].
+            (L0 - L)/L0, below the contraction at which `slope` is zero [1].
 
         Returns
         -------
         float, array or symbol
-            [Pa].
+            Gauge pressure [Pa].
 
         Examples
         --------
@@ -108,7 +111,7 @@ class ForceLaw(ABC):
 
 @dataclass(frozen=True)
 class ChouHannaford(ForceLaw):
-    r"""Braid of inextensible threads around a hose without stiffness.
+    r"""Force law of a braid of inextensible threads around a hose without stiffness.
 
     .. math:: F = p\,\frac{3 L^2 - b^2}{4 \pi n^2} = -p \frac{dV}{dL}, \qquad V = L\,\frac{b^2 - L^2}{4 \pi n^2}
 
@@ -123,8 +126,8 @@ class ChouHannaford(ForceLaw):
 
     Notes
     -----
-    No force at a braid angle of 54.74 degrees. The muscle is taken to be a cylinder up to its ends, and what the hose
-    and the threads' friction take is left out: measured muscles pull less.
+    At a braid angle of 54.74 degrees the force is zero. The law assumes a cylinder up to both ends and neglects the
+    stiffness of the hose and the friction of the threads, so measured forces are smaller.
 
     References
     ----------
@@ -144,7 +147,7 @@ class ChouHannaford(ForceLaw):
     braid_angle: Any
 
     def _braid(self) -> tuple[Any, Any]:
-        """Return the square of the thread's length b, and 4 pi n^2."""
+        """Return the squared length b of a thread, and 4 pi n^2 with n turns of the thread."""
         thread = self.nominal_length / cos(self.braid_angle)
         turns = thread * sin(self.braid_angle) / (math.pi * self.nominal_diameter)
         return thread**2, 4.0 * math.pi * turns**2
@@ -155,14 +158,14 @@ class ChouHannaford(ForceLaw):
 
     def swept(self, contraction: Any) -> Any:
         thread_2, round_2 = self._braid()
-        # (V - V0)/L0 with V = L (b^2 - L^2)/(4 pi n^2), written out so that no difference of volumes is taken.
+        # (V - V0)/L0 with V = L (b^2 - L^2)/(4 pi n^2), expanded because a difference of volumes loses digits.
         e, length_2 = contraction, self.nominal_length**2
         return e * (length_2 * (3.0 - 3.0 * e + e * e) - thread_2) / round_2
 
 
 @dataclass(frozen=True)
 class TonduLopez(ForceLaw):
-    r"""The braid's law with a factor for the ends that are no cylinder.
+    r"""Force law of a braid with a correction factor for tapered ends.
 
     .. math:: F = \pi r_0^2\, p\, [a (1 - k \varepsilon)^2 - b], \qquad
               a = \frac{3}{\tan^2\theta_0},\quad b = \frac{1}{\sin^2\theta_0}
@@ -170,16 +173,17 @@ class TonduLopez(ForceLaw):
     Parameters
     ----------
     nominal_diameter : float or symbol
-        Twice r0 [m].
+        Nominal diameter without contraction, 2 r0 [m].
     braid_angle : float or symbol
         Angle theta_0 between thread and axis without contraction [rad].
     end_factor : float or symbol
-        k, above 1 where the ends taper [1].
+        Factor k, above 1 for tapered ends [1].
 
     Notes
     -----
-    No force without pressure and one shape for all of them: it misses the steep first per cent of a muscle whose
-    threads lie in rubber. With k = 1 it is the law of Chou and Hannaford.
+    The force is proportional to the gauge pressure. The law does not describe the steep decrease of the force in the
+    first per cent of contraction of a muscle whose threads are embedded in rubber. With k = 1 it is the law of Chou
+    and Hannaford.
 
     References
     ----------
@@ -198,7 +202,7 @@ class TonduLopez(ForceLaw):
     end_factor: Any
 
     def _numbers(self) -> tuple[Any, Any, Any]:
-        """Return the area pi r0^2, a and b."""
+        """Return the area pi r0^2 and the coefficients a and b of the law."""
         b = 1.0 / sin(self.braid_angle) ** 2
         return 0.25 * math.pi * self.nominal_diameter**2, 3.0 * (b - 1.0), b
 
@@ -214,7 +218,7 @@ class TonduLopez(ForceLaw):
 
 @dataclass(frozen=True)
 class Sarosi(ForceLaw):
-    r"""Six numbers that follow the measured force of muscles whose threads lie in rubber.
+    r"""Empirical force law with six parameters for muscles whose threads are embedded in rubber.
 
     .. math:: F = (a_1 p + a_2)\, e^{a_3 \varepsilon} + a_4\, p\, \varepsilon + a_5\, p + a_6
 
@@ -225,9 +229,9 @@ class Sarosi(ForceLaw):
 
     Notes
     -----
-    Printed for pressures in bar and contractions in per cent: a1 and a5 are then in N/bar, a3 in 1/%, a4 in N/(bar %).
-    Fitted, not derived: it holds between the contractions and pressures at which it was fitted, and muscles of one type
-    differ by 6 to 14 % of their largest force.
+    The source prints the parameters for pressures in bar and contractions in per cent: a1 and a5 in N/bar, a3 in 1/%,
+    a4 in N/(bar %). The law is empirical: it is valid in the range of contractions and pressures of the fit. Muscles
+    of one type differ by 6 to 14 % of their largest force.
 
     References
     ----------
@@ -260,20 +264,22 @@ class Sarosi(ForceLaw):
 
 @dataclass(frozen=True)
 class ForceTable(ForceLaw):
-    """Measured lines of force over pressure at several contractions, straight between them.
+    """Force law from a table of measurements, linear between the contractions of the table.
+
+    For each contraction, the table contains the force per gauge pressure and the force at zero gauge pressure.
 
     Parameters
     ----------
     contraction : sequence
-        Rising [1].
+        Increasing contractions [1].
     slopes : sequence
-        Force per gauge pressure there [N/Pa].
+        Force per gauge pressure at these contractions [N/Pa].
     passives : sequence
-        Force without gauge pressure there [N].
+        Force at zero gauge pressure at these contractions [N].
 
     Notes
     -----
-    Beyond its ends both stay what they are there.
+    Beyond the ends of the table, both columns keep their last value.
 
     Examples
     --------
@@ -288,7 +294,7 @@ class ForceTable(ForceLaw):
 
     def _between(self, contraction: Any, heights: Sequence[Any]) -> Any:
         gaps = zip(pairwise(self.contraction), pairwise(heights), strict=True)
-        # The part of each gap that lies below, 0..1: a sum, so that it traces without a branch.
+        # Fraction of each interval below the contraction, 0..1; a sum of them needs no branch in the trace.
         return heights[0] + sum((h - g) * clip((contraction - x) / (y - x), 0.0, 1.0) for (x, y), (g, h) in gaps)
 
     def slope(self, contraction: Any) -> Any:
@@ -309,21 +315,23 @@ class ForceTable(ForceLaw):
 
 
 def taut(force: Any, width: Any) -> Any:
-    r"""Return the pulling part of a force, with a smooth transition to zero.
+    r"""Return the positive part of a force, with a smooth transition to zero.
+
+    A slack muscle cannot push.
 
     .. math:: F_+ = \frac{(F + w)^2}{4 w} \quad\text{between}\; -w \;\text{and}\; w
 
     Parameters
     ----------
     force : float, array or symbol
-        Pull F by a law; negative where the muscle would have to push [N].
+        Force F by a law; a negative value is a pushing force [N].
     width : float, array or symbol
-        Half the zone w in which it goes slack [N].
+        Half width w of the transition [N].
 
     Returns
     -------
     float, array or symbol
-        F above w, zero below -w, with a steady slope between; never more than w/4 above max(F, 0) [N].
+        F above w, zero below -w, and a continuous slope between them; at most w/4 above max(F, 0) [N].
 
     Examples
     --------
@@ -335,7 +343,9 @@ def taut(force: Any, width: Any) -> Any:
 
 
 def slip_rate(deflection: Any, velocity: Any, reach: Any) -> Any:
-    r"""Return the rate of the relative deflection of one elastic element in a Maxwell slip model.
+    r"""Return the rate of deflection of one elastic element in a Maxwell slip model.
+
+    The deflection is relative to its maximum.
 
     .. math:: \dot\zeta = \frac{v}{\delta} \left(1 - \zeta^{16}\right) \;\text{while bending further},\qquad
               \dot\zeta = \frac{v}{\delta} \;\text{on the way back}
@@ -343,21 +353,21 @@ def slip_rate(deflection: Any, velocity: Any, reach: Any) -> Any:
     Parameters
     ----------
     deflection : float, array or symbol
-        Deflection zeta over its largest, -1..1 [1].
+        Deflection zeta relative to its maximum, -1..1 [1].
     velocity : float, array or symbol
         Speed v of sliding [m/s].
     reach : float, array or symbol
-        Way delta by which it bends before it slips [m].
+        Distance delta of sliding over which the element deflects before it slips [m].
 
     Returns
     -------
     float, array or symbol
-        [1/s].
+        Rate [1/s].
 
     Notes
     -----
-    The power rounds the corner at which an ideal element begins to slip; elements of different reach, side by side,
-    remember the turning points of the motion.
+    The power smooths the transition at which an ideal element begins to slip. Parallel elements with different reach
+    represent the hysteresis after each reversal of the motion.
 
     References
     ----------

@@ -1,4 +1,4 @@
-"""Friction of gas in a straight round tube: laminar, turbulent and transitional."""
+"""Friction of gas in a straight round tube for laminar, transitional and turbulent flow."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ AIR_VISCOSITY_ANR = 1.82e-5
 
 
 def laminar_resistance(length: Any, bore: Any, density: Any, viscosity: Any) -> Any:
-    r"""Return pressure drop per mass flow rate of laminar flow (Hagen and Poiseuille).
+    r"""Return the pressure drop per mass flow rate of laminar flow (Hagen-Poiseuille).
 
     .. math:: \frac{\Delta p}{q} = \frac{128\, \mu L}{\pi \varrho d^4}
 
@@ -30,13 +30,13 @@ def laminar_resistance(length: Any, bore: Any, density: Any, viscosity: Any) -> 
     Returns
     -------
     float, array or symbol
-        [Pa s/kg].
+        Pressure drop per mass flow rate [Pa s/kg].
 
     Notes
     -----
-    Developed flow that changes slowly. In oscillations the velocity at the wall leads that in the middle: above
-    :math:`\omega = 16 \mu/(\varrho d^2)` and a few times that, the drop is larger and has a part in phase with the
-    acceleration (Zielke 1968, Trans. ASME J. Basic Eng. 90, 109-115), which is not in this law.
+    The law is valid for developed flow that changes slowly. In oscillations the velocity at the wall leads that in the
+    middle. From a few times :math:`\omega = 16 \mu/(\varrho d^2)`, the drop is therefore larger and has a component in
+    phase with the acceleration (Zielke 1968, Trans. ASME J. Basic Eng. 90, 109-115). This law neglects both effects.
 
     Examples
     --------
@@ -67,8 +67,8 @@ def turbulent_factor(reynolds: Any, relative_roughness: Any) -> Any:
 
     Notes
     -----
-    One step of Colebrook's equation from Haaland's formula: within 0.3 % of Colebrook's for Re = 4000 ... 1e8
-    and relative roughness up to 0.05 (tests/unit).
+    The result is one iteration of Colebrook's equation from Haaland's formula. It is within 0.3 % of the solution for
+    Re = 4000 ... 1e8 and relative roughness up to 0.05 (tests/unit).
 
     References
     ----------
@@ -92,7 +92,7 @@ def reynolds_number(mass_flow_rate: Any, bore: Any, viscosity: Any) -> Any:
     Parameters
     ----------
     mass_flow_rate : float, array or symbol
-        Mass flow rate, either way [kg/s].
+        Mass flow rate, in either direction [kg/s].
     bore : float, array or symbol
         Bore d [m].
     viscosity : float, array or symbol
@@ -101,7 +101,7 @@ def reynolds_number(mass_flow_rate: Any, bore: Any, viscosity: Any) -> Any:
     Returns
     -------
     float, array or symbol
-        [1].
+        Reynolds number [1].
 
     Examples
     --------
@@ -112,19 +112,21 @@ def reynolds_number(mass_flow_rate: Any, bore: Any, viscosity: Any) -> Any:
 
 
 def between_laminar_and_turbulent(reynolds: Any, laminar: Any, turbulent: Any) -> Any:
-    """Return a C1 blend: laminar up to Re = 2000, turbulent from Re = 4000.
+    """Return the pressure drop at a Reynolds number, blended from laminar and turbulent values.
+
+    The blend is C1. It is laminar up to Re = 2000 and turbulent from Re = 4000.
 
     Parameters
     ----------
     reynolds : float, array or symbol
         Reynolds number.
     laminar, turbulent : float, array or symbol
-        The two drops at this flow, in any unit.
+        Pressure drops of laminar and of turbulent flow at this flow rate, in the same unit.
 
     Returns
     -------
     float, array or symbol
-        In that unit.
+        Pressure drop in this unit.
 
     Examples
     --------
@@ -135,18 +137,18 @@ def between_laminar_and_turbulent(reynolds: Any, laminar: Any, turbulent: Any) -
 
 
 def darcy_coefficient(mass_flow_rate: Any, length: Any, bore: Any, density: Any, viscosity: Any, roughness: Any) -> Any:
-    r"""Return turbulent pressure drop per squared mass flow rate (Darcy and Weisbach).
+    r"""Return the pressure drop per squared mass flow rate of turbulent flow (Darcy-Weisbach).
 
     .. math:: \frac{\Delta p}{q^2} = f \frac{L}{d} \frac{1}{2 \varrho A^2}
 
     Parameters
     ----------
     mass_flow_rate : float, array or symbol
-        Mass flow rate, either way, on which the friction factor depends [kg/s].
+        Mass flow rate, in either direction, on which the friction factor depends [kg/s].
     length, bore : float, array or symbol
         Length L and bore d of the tube [m].
     density : float, array or symbol
-        Density of the gas; the mean of both ends makes the drop that of a compressible isothermal flow [kg/m^3].
+        Density of the gas; with the mean of both ends, the drop is that of compressible isothermal flow [kg/m^3].
     viscosity : float, array or symbol
         Dynamic viscosity [Pa s].
     roughness : float, array or symbol
@@ -155,7 +157,7 @@ def darcy_coefficient(mass_flow_rate: Any, length: Any, bore: Any, density: Any,
     Returns
     -------
     float, array or symbol
-        [Pa s^2/kg^2]; below Re = 2000, where it does not hold, with the friction factor there.
+        Coefficient [Pa s^2/kg^2]; below Re = 2000 the law is not valid, and the friction factor is that at Re = 2000.
 
     Examples
     --------

@@ -1,10 +1,7 @@
-"""Pressure rates of a chamber with open valves, and the inverse: openings for a requested rate.
+"""Rates of the pressure in a chamber with open valves, and valve openings for a required rate.
 
 The laws accept floats and symbols. The flow of ISO 6358 is proportional to the conductance. The inverse for the
 opening is therefore a quotient in every regime: choked, subsonic, and the regularised zone near equal pressures.
-
-The laws are written once, for floats and symbols. The flow of ISO 6358 is proportional to the conductance, so its
-inverse in the opening is a quotient in every regime: choked, subsonic, and the regularised zone near equal pressures.
 """
 
 from __future__ import annotations
@@ -19,7 +16,7 @@ _NO_RATE = 1e-9
 
 
 def pressure_rate(mass_flow_rate: Any, temperature: Any, *, volume: Any, exponent: Any, gas_constant: Any) -> Any:
-    r"""Return the pressure rate of a chamber with a flow in or out.
+    r"""Return the rate of change of the pressure in a chamber with one gas flow.
 
     .. math:: \dot p = \frac{n R T}{V} q
 
@@ -69,7 +66,9 @@ def open_rates(
     subsonic_index: Any = 0.5,
     laminar_ratio: Any = iso6358.LAMINAR_RATIO,
 ) -> tuple[Any, Any]:
-    r"""Return the pressure rates with the filling valve open and with the venting valve open.
+    r"""Return the pressure rates of a chamber with one fully open valve.
+
+    The first rate is that with the fill valve open, the second that with the vent valve open.
 
     .. math:: r_f = \frac{n R T_s}{V} q(p_s, p), \qquad r_v = \frac{n R T}{V} q(p, p_e)
 
@@ -122,7 +121,7 @@ def open_rates(
 def openings_for_rate(
     rate: Any, fill_rate: Any, vent_rate: Any, *, fill_limit: Any = 1.0, vent_limit: Any = 1.0
 ) -> tuple[Any, Any]:
-    r"""Return the openings of filling and venting valve for a requested pressure rate.
+    r"""Return the openings of fill and vent valve that give a required pressure rate.
 
     .. math:: a_f = \operatorname{clip}(r/r_f, 0, a_{f,max}), \qquad a_v = \operatorname{clip}(-r/r_v, 0, a_{v,max})
 

@@ -1,4 +1,4 @@
-"""Deviation of a real gas from an ideal gas with constant heat capacities: density and choked flow."""
+"""Errors of the ideal gas law with constant heat capacities: density and choked flow of a real gas."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ _CLEARLY_IDEAL = 0.005  # limit of the upstream deviation; the error of the flow
 
 @dataclass(frozen=True)
 class RealGas:
-    """Data of a gas for the correlations.
+    """Parameters of a real gas for correlations of virial coefficients and heat capacity.
 
     Parameters
     ----------
     critical_temperature, critical_pressure : float
-        Tc [K], pc [Pa]; effective ones of helium and hydrogen.
+        Tc [K], pc [Pa]; effective values for helium and hydrogen.
     acentric_factor : float
-        omega.
+        Acentric factor omega [1].
     heat_capacity : tuple of float
         Coefficients of c_p0/R = a0 + a1 T + a2 T^2 + ..., T in K from 200 to 1000.
     """
@@ -45,18 +45,18 @@ class RealGas:
 
 @dataclass(frozen=True)
 class Deviation:
-    """Deviation of the ideal gas from the real gas in one state.
+    """Deviation of an ideal gas from the real gas in one state.
 
     Parameters
     ----------
     compressibility : float
         Z = p/(rho R T).
     isentropic_exponent : float
-        Of pressure and density in that state.
+        Exponent of pressure versus density on the isentrope in this state.
     mass : float
-        Error of the mass in a volume, ideal over real less 1.
+        Relative error of the ideal mass in a volume: ideal value / real value - 1.
     flow : float
-        Error of the choked flow through a nozzle from that state, ideal over real less 1.
+        Relative error of the ideal choked flow through a nozzle from this state: ideal value / real value - 1.
     """
 
     compressibility: float
@@ -67,7 +67,9 @@ class Deviation:
 
 @lru_cache(maxsize=256)
 def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_exponent: float) -> Deviation | None:
-    r"""Return the deviation of the ideal gas in one state, by a virial equation.
+    r"""Return the deviation of an ideal gas from the real gas in one state.
+
+    The real gas obeys a virial equation with the coefficients B and C.
 
     .. math::
 
@@ -91,15 +93,15 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
     Returns
     -------
     Deviation or None
-        None where it is liquid, or so near that the virial equation ends.
+        The result is None for a liquid, and near it, where the virial equation has no solution.
 
     Notes
     -----
     Mass and flow are within a fifth of the larger of the two errors by the reference equations of state
     (tests/published): air, argon, nitrogen, oxygen, methane, helium and hydrogen from 230 to 450 K and to 200 bar,
-    carbon dioxide above 350 K or as a gas to 20 bar. Where Z and the flow by the state before the nozzle alone are
-    within 0.5 %, the flow is left at that. Below Tc a pressure above ln(p/pc) = 5.373 (1 + omega) (1 - Tc/T) is taken
-    for that of a liquid: the definition of omega, drawn as a line.
+    carbon dioxide above 350 K or as a gas to 20 bar. If Z and the flow by the upstream state alone deviate
+    by at most 0.5 %, this flow is the result. Below Tc the gas counts as a liquid above the
+    pressure ln(p/pc) = 5.373 (1 + omega) (1 - Tc/T), a line that follows from the definition of omega.
 
     References
     ----------
@@ -123,7 +125,7 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
         return None
     exponent = (slope + thermal**2 / heat) / z
     ideal = nozzle_choked_flux(isentropic_exponent, 1.0)
-    # By the state before the nozzle first, which settles the everyday case at once.
+    # The flow by the upstream state alone is sufficient for small deviations.
     flow = ideal / nozzle_choked_flux(exponent, z) - 1.0 if exponent > 1.0 else math.inf
     if max(abs(flow), abs(z - 1.0)) > _CLEARLY_IDEAL:
         unit = gas.critical_pressure / gas.critical_temperature
@@ -132,7 +134,10 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
 
 
 def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
-    """Return the density of the gas relative to pc/(R Tc), None for a liquid."""
+    """Return the density of the gas relative to pc/(R Tc).
+
+    The result is None for a liquid.
+    """
     reduced = temperature / gas.critical_temperature
     share = pressure / gas.critical_pressure
     if reduced < 1.0 and math.log(max(share, 1e-300)) > 5.373 * (1.0 + gas.acentric_factor) * (1.0 - 1.0 / reduced):
@@ -141,7 +146,7 @@ def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial)
     density = target = share / reduced
     for _ in range(40):
         slope = 1.0 + 2.0 * b * density + 3.0 * c * density**2
-        # Newton's way from the ideal side meets the spinodal first where there is no root of a gas.
+        # Newton's method from the ideal gas reaches the spinodal if there is no solution for a gas.
         if slope <= 0.0:
             return None
         step = (density * (1.0 + b * density + c * density**2) - target) / slope
@@ -152,7 +157,9 @@ def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial)
 
 
 def _virial(temperature: float, gas: RealGas) -> _Virial:
-    """Return B and C, each with T times its first and T^2 times its second derivative.
+    """Return the virial coefficients B and C with their first and second derivatives.
+
+    The derivatives are multiplied by T and T^2. The units are powers of R Tc/pc.
 
     The unit is the power of R Tc/pc.
     """
@@ -167,7 +174,7 @@ def _virial(temperature: float, gas: RealGas) -> _Virial:
 
 
 def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) -> tuple[float, float, float, float]:
-    """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R."""
+    """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R of the real gas."""
     (b, b1, b2), (c, c1, c2) = virial
     z = 1.0 + b * density + c * density**2
     slope = 1.0 + 2.0 * b * density + 3.0 * c * density**2
@@ -179,7 +186,7 @@ def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) ->
 
 
 def _choked(density: float, temperature: float, gas: RealGas) -> float:
-    """Return the largest density times velocity over sqrt(R) on the isentrope.
+    """Return the maximum of density times velocity on an isentrope, divided by sqrt(R).
 
     The integration uses steps of ln(density) and the midpoint rule.
     """

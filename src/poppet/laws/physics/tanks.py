@@ -1,7 +1,7 @@
-"""Charging and discharging of a vessel through one ISO 6358 passage, in closed form.
+"""Closed-form solutions for a vessel that is charged or discharged through one ISO 6358 flow path.
 
-What a simulation of the same vessel has to reproduce. All forms: constant supply or ambient, ideal gas,
-subsonic index 1/2, no cracking pressure, no laminar zone.
+Simulations of the same vessel must reproduce these solutions. They assume constant supply or ambient, an ideal gas, a
+subsonic index of 1/2, no cracking pressure and no regularised zone.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
 def discharge_time_constant(
     volume: Any, sonic_conductance: Any, temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT
 ) -> Any:
-    r"""Return the time constant of a choked discharge.
+    r"""Return the time constant of the pressure in a vessel during choked discharge.
 
     .. math:: \tau = \frac{V}{C \varrho_0 R \sqrt{T_0 T}}
 
@@ -47,7 +47,7 @@ def discharge_time_constant(
 
 
 def isothermal_discharge_pressure(time: Any, initial_pressure: Any, time_constant: Any) -> Any:
-    r"""Return the pressure during a choked discharge at constant temperature.
+    r"""Return the pressure in a vessel during a choked discharge at constant temperature.
 
     .. math:: p = p_i\, e^{-t/\tau}
 
@@ -65,7 +65,7 @@ def isothermal_discharge_pressure(time: Any, initial_pressure: Any, time_constan
 
     Notes
     -----
-    Holds while the flow is choked: until the pressure has fallen to that downstream divided by b.
+    The law is valid for choked flow, until the pressure falls to the downstream pressure divided by b.
 
     References
     ----------
@@ -82,7 +82,7 @@ def isothermal_discharge_pressure(time: Any, initial_pressure: Any, time_constan
 def adiabatic_discharge_pressure(
     time: Any, initial_pressure: Any, time_constant: Any, isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT
 ) -> Any:
-    r"""Return the pressure during a choked discharge without heat transfer.
+    r"""Return the pressure in a vessel during a choked discharge without heat transfer.
 
     .. math:: p = p_i \left(1 + \frac{\kappa - 1}{2}\, \frac{t}{\tau}\right)^{-2 \kappa/(\kappa - 1)}
 
@@ -102,7 +102,7 @@ def adiabatic_discharge_pressure(
 
     Notes
     -----
-    Holds while the flow is choked. The gas left behind follows the isentrope, see `isentrope_temperature`.
+    The law is valid for choked flow. The gas in the vessel follows the isentrope, see `isentrope_temperature`.
 
     Examples
     --------
@@ -116,7 +116,9 @@ def adiabatic_discharge_pressure(
 def charging_rate(
     volume: Any, sonic_conductance: Any, temperature: Any, supply_temperature: Any, gas_constant: Any = AIR_GAS_CONSTANT
 ) -> Any:
-    r"""Return the rate of p/p1 while a vessel of constant temperature is charged by choked flow.
+    r"""Return the rate of the pressure ratio p/p1 of a vessel during choked charging.
+
+    The supply pressure p1 and the temperature in the vessel are constant.
 
     .. math:: K = \frac{R T C \varrho_0}{V} \sqrt{\frac{T_0}{T_s}}
 
@@ -136,8 +138,8 @@ def charging_rate(
 
     Notes
     -----
-    Without heat transfer the pressure follows the same law with the supply's temperature for T and kappa
-    times the rate, because the enthalpy that enters depends on the supply alone.
+    Without heat transfer the same law applies with kappa times the rate and the supply temperature as T, because
+    the enthalpy of the inflow depends only on the supply.
 
     Examples
     --------
@@ -149,7 +151,10 @@ def charging_rate(
 
 
 def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, critical_ratio: Any, rate: Any) -> Any:
-    r"""Return the pressure in a vessel of constant temperature that is charged from a constant supply.
+    r"""Return the pressure of a vessel that is charged at constant temperature.
+
+    The supply is constant. r = p/p1 is the ratio of vessel to supply pressure, r_0 the initial ratio, and t_b the time
+    at which subsonic flow begins.
 
     .. math:: r = r_0 + K t \;(r \le b),\quad
               r = b + (1-b) \sin\!\left(\frac{K (t - t_b)}{1-b}\right) \;(r > b)
@@ -163,7 +168,7 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
     critical_ratio : float or array
         Critical pressure ratio b of the passage [1].
     rate : float or array
-        From `charging_rate`; kappa times that, at the supply's temperature, without heat transfer [1/s].
+        Rate K from `charging_rate`. Without heat transfer: kappa times the rate at the supply temperature [1/s].
 
     Returns
     -------
@@ -172,7 +177,7 @@ def charging_pressure(time: Any, initial_pressure: Any, supply_pressure: Any, cr
 
     Notes
     -----
-    The supply's pressure is reached in finite time and kept.
+    The pressure reaches the supply pressure in finite time and is constant afterwards.
 
     Examples
     --------
@@ -201,7 +206,7 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
     critical_ratio : float or array
         Critical pressure ratio b of the passage [1].
     rate : float or array
-        From `charging_rate`; kappa times that, at the supply's temperature, without heat transfer [1/s].
+        Rate K from `charging_rate`. Without heat transfer: kappa times the rate at the supply temperature [1/s].
 
     Returns
     -------
@@ -211,7 +216,7 @@ def charging_time(pressure: Any, initial_pressure: Any, supply_pressure: Any, cr
     Raises
     ------
     OutOfRangeError
-        The pressure does not lie between those of the vessel and of the supply.
+        If the pressure is not between the initial pressure and the supply pressure.
 
     Examples
     --------
@@ -236,7 +241,7 @@ def adiabatic_charging_temperature(
     initial_temperature: Any,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the temperature in a vessel that was charged without heat transfer.
+    r"""Return the final temperature in a vessel that is charged without heat transfer.
 
     .. math:: T = \frac{\kappa T_s}{1 + \frac{p_0}{p} \left(\kappa \frac{T_s}{T_0} - 1\right)}
 
@@ -256,8 +261,8 @@ def adiabatic_charging_temperature(
 
     Notes
     -----
-    From the balances of mass and energy alone, whatever the passage. An evacuated vessel ends at kappa times
-    the supply's temperature.
+    The result follows from the balances of mass and energy for any flow path. The temperature of a vessel that is
+    evacuated before charging is kappa times the supply temperature.
 
     Examples
     --------
@@ -291,8 +296,9 @@ def isentrope_temperature(
 
     Notes
     -----
-    The tank of Varga & Keski-Honkola 2012 follows this law while it is charged. It holds for the gas left
-    behind in a discharge; for charging it gives 464 K where the balance of energy gives 380 K (1 to 5 bar).
+    The tank of Varga & Keski-Honkola 2012 follows this law while it is charged. It is valid for the
+    gas that remains in a vessel during discharge. For charging from 1 to 5 bar it gives 464 K; the energy balance
+    gives 380 K.
 
     Examples
     --------
@@ -310,7 +316,9 @@ def isentrope_choked_charging_time(
     rate: Any,
     isentropic_exponent: Any = AIR_ISENTROPIC_EXPONENT,
 ) -> Any:
-    r"""Return the charging time of the isentrope tank (Varga & Keski-Honkola 2012) by choked flow.
+    r"""Return the time to charge a vessel by choked flow on an isentrope.
+
+    This is the tank model of Varga & Keski-Honkola 2012.
 
     .. math:: t = \frac{p_0}{K p_1} \left[\left(\frac{p}{p_0}\right)^{1/\kappa} - 1\right]
 
@@ -321,7 +329,7 @@ def isentrope_choked_charging_time(
     critical_ratio : float or array
         Critical pressure ratio b of the passage [1].
     rate : float or array
-        From `charging_rate`, at the temperature of the start [1/s].
+        Rate K from `charging_rate` at the initial temperature [1/s].
     isentropic_exponent : float or array
         Ratio of the heat capacities; the polytropic exponent for a polytropic tank [1].
 
@@ -333,11 +341,11 @@ def isentrope_choked_charging_time(
     Raises
     ------
     OutOfRangeError
-        The passage is no longer choked at this pressure.
+        If the flow path is not choked at this pressure.
 
     Notes
     -----
-    The density rises linearly in time. Beyond choking there is no closed form.
+    The density increases linearly with time. There is no closed form for subsonic flow.
 
     Examples
     --------
@@ -352,5 +360,8 @@ def isentrope_choked_charging_time(
 
 
 def _subsonic_angle(ratio: Any, critical_ratio: Any) -> Any:
-    """Return the angle of a pressure ratio on the quarter ellipse, zero if choked [rad]."""
+    """Return the angle on the quarter ellipse that corresponds to a pressure ratio [rad].
+
+    The angle is zero for choked flow.
+    """
     return np.arcsin(np.clip((ratio - critical_ratio) / (1.0 - critical_ratio), 0.0, 1.0))
