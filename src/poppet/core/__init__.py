@@ -1,1 +1,4 @@
-"""Foundation of all packages: errors, units, sources of parameters, files. It imports no other package of poppet."""
+"""Errors, units, sources of parameters and files, which all packages use.
+
+This package imports no other package of poppet.
+"""

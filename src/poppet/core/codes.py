@@ -1,4 +1,7 @@
-"""Notes: message codes with an address and facts; `message_format.py` contains the conversion to text."""
+"""Notes: messages as a code with an address and facts.
+
+`message_format.py` converts them to text.
+"""
 
 from __future__ import annotations
 
@@ -9,7 +12,7 @@ from poppet.core import message_format
 
 
 class Note:
-    """Message to the user without an error: a note, a finding, a suspicion, or the outcome of a run.
+    """Message to the user that is not an error, such as a finding.
 
     Parameters
     ----------
@@ -45,18 +48,18 @@ class Note:
         return hash((self.code, self.address))
 
     def plain(self) -> dict[str, Any]:
-        """Return code, address and facts as a table for a file."""
+        """Return code, address and facts of the note as a table that files can contain."""
         return {"code": self.code, "address": self.address, **plain(self.facts)}
 
     def within(self, owner: str) -> Note:
-        """Return the note with the name of an owner before its address."""
+        """Return a copy of the note with the name `owner` before its address."""
         # The address of a note on a table is a file, not a channel of a recording.
         joint = ": " if self.code.startswith("table.") else "."
         return Note(self.code, joint.join(filter(None, (owner, self.address))), **self.facts)
 
 
 def plain(value: Any) -> Any:
-    """Return a fact in types that files can contain; other types become text."""
+    """Convert a fact to types that files can contain; other types become text."""
     if isinstance(value, Mapping):
         return {str(key): plain(member) for key, member in value.items()}
     value = value.tolist() if hasattr(value, "tolist") else value  # of NumPy
@@ -68,7 +71,10 @@ def plain(value: Any) -> Any:
 
 
 def notes_of(arguments: Iterable[Note | str | Mapping[str, Any]]) -> tuple[Note, ...]:
-    """Return notes from texts of a user or from tables that `Note.plain` wrote."""
+    """Convert texts and tables to notes.
+
+    A text is a message of a user. A table is the result of `Note.plain`.
+    """
     return tuple(map(_note, arguments))
 
 

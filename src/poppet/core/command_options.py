@@ -1,4 +1,4 @@
-"""Declaration of an option or argument of a command."""
+"""Declaration of the options and arguments of a command."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 
 class Option(NamedTuple):
-    """Option or argument of a command, as a user types it."""
+    """Declaration of one option or argument of a command."""
 
     # `FILE`, `[FILE]` if it is optional, `FILE ...` for several;
     # `--quiet`, `-o, --output FILE`, and `--set ADDRESS=VALUE ...` if it may be repeated
@@ -25,35 +25,35 @@ class Option(NamedTuple):
 
     @property
     def names(self) -> list[str]:
-        """Names such as `-o` and `--output`; empty for an argument."""
+        """Names of the option, such as `-o` and `--output`; empty for an argument."""
         return [name.rstrip(",") for name in self.usage.split() if name.startswith("-")]
 
     @property
     def metavar(self) -> str:
-        """Placeholder of the value in the help."""
+        """Placeholder of the value in the help text, for example `FILE`."""
         names = [name.strip("[]") for name in self.usage.split()]
         return next((name for name in names if not name.startswith("-") and name != "..."), "")
 
     @property
     def is_repeated(self) -> bool:
-        """True if the value is a list."""
+        """True if the option or argument accepts several values."""
         return self.usage.endswith("...")
 
     @property
     def name(self) -> str:
-        """Attribute of the parsed value: `output`, `file`, `files`."""
+        """Name of the attribute with the parsed value: `output`, `file`, `files`."""
         name = self.names[-1][2:] if self.names else self.metavar.lower() + "s" * self.is_repeated
         return str(self.keywords.get("dest", name.replace("-", "_")))
 
     @property
     def meaning(self) -> str:
-        """Help text with choices, actions and formats."""
+        """Help text of the option, with its choices, actions and file formats."""
         text = "; ".join(filter(None, [self.help, *(f"{name}: {text}" for name, text in self.choices.items())]))
         text = f"{', '.join(self.actions)}: {text}" if self.actions else text
         return f"{text}: {' or '.join(', '.join(self.formats).rsplit(', ', 1))}" if self.formats else text
 
     def argparse_keywords(self) -> dict[str, Any]:
-        """Return the keyword arguments of `argparse`."""
+        """Return the keyword arguments that declare the option in `argparse`."""
         keywords: dict[str, Any] = {"help": self.meaning.replace("%", "%%")}  # argparse formats help texts with %
         if not self.metavar:
             return keywords | {"action": "store_true", **self.keywords}

@@ -1,4 +1,7 @@
-"""Errors. Each message has three parts: the input, the reason and the hint."""
+"""Error classes of the package.
+
+Each message consists of the invalid input, the reason and the hint.
+"""
 
 from __future__ import annotations
 
@@ -13,13 +16,16 @@ from poppet.core.codes import Note, notes_of
 
 
 class PoppetError(Exception):
-    """Base class of all errors; `exit_code` of the command is 1 for a failed run and 2 for invalid input."""
+    """Base class of all errors of the package.
+
+    `exit_code` is the exit status of the command: 1 for a failed run, and 2 for invalid input.
+    """
 
     exit_code = 1
 
 
 class InputError(PoppetError, ValueError):
-    """Error of an invalid input.
+    """Error of an invalid input, with its address and location in a file.
 
     Parameters
     ----------
@@ -54,29 +60,29 @@ class InputError(PoppetError, ValueError):
 
     @property
     def problems(self) -> tuple[InputError, ...]:
-        """Single errors; a single error contains itself."""
+        """Tuple of all single errors; for a single error, it contains only this error."""
         return (self,)
 
     @property
     def given(self) -> str:
-        """Invalid input, as `name = value unit`."""
+        """Text of the invalid input, for example `name = value unit`."""
         text = self._text("given")
         is_named = not self.place or "address" in message_format.facts_of(self.code, "given")
         return text if is_named else f"{self.place}: {text}"
 
     @property
     def reason(self) -> str:
-        """Reason why the input is invalid, with the limit."""
+        """Text of the reason why the input is invalid, with the limit."""
         return self._text("reason")
 
     @property
     def hint(self) -> str:
-        """Corrective action."""
+        """Text of the corrective action."""
         return self._text("hint")
 
     @property
     def cure(self) -> str:
-        """Former name of `hint`."""
+        """Former name of the property `hint`."""
         warnings.warn("InputError.cure is now called hint.", DeprecationWarning, stacklevel=2)
         return self.hint
 
@@ -90,13 +96,16 @@ class InputError(PoppetError, ValueError):
         return _restore, (type(self), self.__dict__)
 
     def at(self, address: str) -> InputError:
-        """Set the address, which precedes texts that do not show it; return the error."""
+        """Set the address of the error, and return the error.
+
+        A text that does not show the address begins with it.
+        """
         for problem in self.problems:
             problem.address = problem.place = address
         return self
 
     def located(self, *, address: str | None = None, file: str | None = None, line: int | None = None) -> InputError:
-        """Set the locations of the errors that have none; return the error."""
+        """Set address, file and line of all single errors without them; return the error."""
         for problem in self.problems:
             problem.address = problem.address or address
             problem.file = problem.file or file
@@ -104,7 +113,7 @@ class InputError(PoppetError, ValueError):
         return self
 
     def within(self, owner: str) -> InputError:
-        """Add the name of an owner before the addresses; return the error."""
+        """Add the name `owner` before the address of each single error; return the error."""
         for problem in self.problems if owner else ():
             problem.address = f"{owner}.{problem.address}" if problem.address else owner
             problem.place = f"{owner}.{problem.place}" if problem.place else owner
@@ -112,15 +121,21 @@ class InputError(PoppetError, ValueError):
 
 
 class OutOfRangeError(InputError):
-    """Error of a value outside the valid range of a parameter, a law or a fit."""
+    """Error of a value outside a valid range.
+
+    The range is that of a parameter, of a physical law or of a fit.
+    """
 
 
 class UnitError(InputError):
-    """Error of a unit: missing, unknown, of another quantity, or of a wrong reference (gauge, absolute, ANR)."""
+    """Error of a unit.
+
+    The unit is missing or unknown, belongs to another quantity, or has the wrong reference (gauge, absolute, ANR).
+    """
 
 
 class MissingDependencyError(InputError):
-    """Error of an optional package that is not installed."""
+    """Error of a function whose optional package is not installed."""
 
     def __init__(self, package: str, purpose: str, extra: str) -> None:
         self.package, self.extra = package, extra
@@ -129,7 +144,10 @@ class MissingDependencyError(InputError):
 
 @contextmanager
 def needed(package: str, purpose: str, extra: str) -> Iterator[None]:
-    """Convert a failed import of an optional package to an error that names the `extra` to install."""
+    """Convert a failed import in a block to an error with installation advice.
+
+    `package` is the optional package, `purpose` its use, and `extra` the name of the installation option of poppet.
+    """
     try:
         yield
     except ImportError as problem:
@@ -137,7 +155,10 @@ def needed(package: str, purpose: str, extra: str) -> Iterator[None]:
 
 
 class InputErrors(InputError):
-    """All errors of one input, at least one; nested collections are flattened."""
+    """Collection of all errors of one input.
+
+    It contains at least one error. Nested collections are flattened.
+    """
 
     def __init__(self, problems: Iterable[InputError]) -> None:
         self._problems = tuple(single for problem in problems for single in problem.problems)
@@ -153,15 +174,15 @@ class InputErrors(InputError):
 
 
 MAX_ERRORS = 100
-"""Maximum number of reported errors; larger files of errors are not written by users."""
+"""Maximum number of reported errors of one input."""
 
 
 class _TooManyErrors(InputError):
-    """Error that stops the check after the maximum number of errors."""
+    """Error that ends a check when the maximum number of errors is reached."""
 
 
 class ErrorCollector:
-    """Context manager that collects the errors of one input and raises all of them at its end.
+    """Context manager that collects errors and raises them together at its end.
 
     Examples
     --------
@@ -178,18 +199,21 @@ class ErrorCollector:
         self.collected: list[InputError] = []
 
     def add(self, code: str, address: str | None = None, /, **facts: Any) -> None:
-        """Add an error with the arguments of `InputError`."""
+        """Add an error; the arguments are those of `InputError`."""
         self.extend([InputError(code, address, **facts)])
 
     def extend(self, problems: Iterable[InputError]) -> None:
-        """Add errors."""
+        """Add several errors."""
         self.collected += (single for problem in problems for single in problem.problems)
         if len(self.collected) >= MAX_ERRORS:
             raise _TooManyErrors("input.enough", most=MAX_ERRORS)
 
     @contextmanager
     def collecting(self, owner: str = "") -> Iterator[None]:
-        """Collect an error that is raised in a block, with `owner` before its address."""
+        """Collect an error that a block raises.
+
+        The name `owner` is added before the address of the error.
+        """
         try:
             yield
         except _TooManyErrors:
@@ -210,7 +234,7 @@ class ErrorCollector:
 
 
 class SimulationError(PoppetError):
-    """Error of a run that ended before its end.
+    """Error of a run that ended before its end time.
 
     Parameters
     ----------
@@ -230,13 +254,20 @@ class SimulationError(PoppetError):
 
 
 def collect(problems: Sequence[InputError]) -> None:
-    """Raise all errors together, a single one as itself; do nothing if there are none."""
+    """Raise all given errors together.
+
+    A single error is raised as itself. Without errors, the function does nothing.
+    """
     if problems:
         raise (problems[0] if len(problems) == 1 else InputErrors(problems)) from None
 
 
 def relocated(error: InputError, address_in_file: Callable[[str], str]) -> InputError:
-    """Return an error of a parameter with the address of that parameter in another file."""
+    """Change the addresses of an error to those in another file, and return the error.
+
+    `address_in_file` converts the address of a parameter to its address in that file. Errors with a file are
+    unchanged.
+    """
     for problem in error.problems:
         if problem.file is None:
             problem.address = address_in_file(problem.address or "")
@@ -244,7 +275,10 @@ def relocated(error: InputError, address_in_file: Callable[[str], str]) -> Input
 
 
 class NameSuggestion:
-    """Hint for an unknown name: the closest valid names, or all if none is close."""
+    """Hint for an unknown name.
+
+    It lists the closest valid names, or all valid names if none is close.
+    """
 
     def __init__(self, name: str, valid_names: Iterable[str]) -> None:
         self.name, self.valid_names = name, sorted(set(valid_names))
@@ -260,7 +294,7 @@ class NameSuggestion:
 
 
 def _restore(kind: type[InputError], state: dict[str, Any]) -> InputError:
-    """Restore an error from another process."""
+    """Create an error from its stored state, for example in another process."""
     error = kind.__new__(kind)
     error.__dict__.update(state)
     return error

@@ -1,4 +1,4 @@
-"""Stored examples of messages, and the codes that were renamed."""
+"""Stored examples of messages, and renamed message codes."""
 
 from __future__ import annotations
 
@@ -18,18 +18,22 @@ PARTS = ("given", "reason", "hint")
 
 
 def renamed_codes() -> dict[str, str]:
-    """Return former codes with the codes that replace them."""
+    """Return a mapping from former message codes to the codes that replace them."""
     return tomllib.loads(RENAMED.read_text(encoding="utf-8"))
 
 
 def stored_examples() -> dict[str, dict[str, Any]]:
-    """Return the addresses and facts of a real case for each code."""
+    """Return a mapping from message codes to address and facts of an example."""
     examples: dict[str, dict[str, Any]] = json.loads(EXAMPLES.read_text(encoding="utf-8"))
     return examples
 
 
 def example_texts(code: str, example: Mapping[str, Any]) -> dict[str, str]:
-    """Return the texts of a code with the facts of a stored example; a note has one text with an empty name."""
+    """Return the texts of a message code for a stored example.
+
+    The keys are the names of the texts: `given`, `reason` and `hint` of an error. A note has one text with an empty
+    name.
+    """
     facts = {name: _restored(value) for name, value in example.get("facts", {}).items()}
     if "cause" in example:
         cause = example["cause"]
@@ -39,7 +43,10 @@ def example_texts(code: str, example: Mapping[str, Any]) -> dict[str, str]:
 
 
 def _restored(value: Any) -> Any:
-    """Return a fact as it was before it was stored: tuples in place of lists, notes in place of their tables."""
+    """Return a fact with its original types.
+
+    Files contain lists in place of tuples, and tables in place of notes.
+    """
     if isinstance(value, dict):
         if "code" in value and "address" in value:
             facts = {key: _restored(member) for key, member in value.items() if key not in ("code", "address")}

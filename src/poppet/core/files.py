@@ -1,4 +1,4 @@
-"""Atomic writing of files, and selection of formats by file extension."""
+"""Atomic writing of files, and selection of a format by the file extension."""
 
 from __future__ import annotations
 
@@ -16,7 +16,10 @@ Choice = TypeVar("Choice")
 
 
 def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
-    """Write a temporary file and rename it, so that the target is replaced completely or not at all."""
+    """Write a file completely or not at all.
+
+    The function `fill` writes a temporary file, which then replaces the target.
+    """
     # Resolve links: renaming onto a link would replace the link.
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
@@ -38,12 +41,15 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
 
 
 def _host() -> str:
-    """Return a hash of the host name: processes of other hosts may write to a shared folder, but are not visible."""
+    """Return a hash of the host name.
+
+    Processes of other hosts can write to a shared folder, but this host cannot detect whether they run.
+    """
     return f"{zlib.crc32(os.uname().nodename.encode()) if hasattr(os, 'uname') else 0:08x}"
 
 
 def _orphans(target: Path) -> Iterator[Path]:
-    """Yield temporary files of killed processes of this host."""
+    """Yield the temporary files that killed processes of this host did not delete."""
     start = f".{target.name}.{_host()}-"
     with os.scandir(target.parent) as entries:
         names = [entry.name for entry in entries if entry.name.startswith(start)]
@@ -66,7 +72,7 @@ def _is_running(process: int) -> bool:
 
 
 def by_suffix(path: Path, choices: Mapping[str, Choice]) -> Choice:
-    """Return the choice for the file extension of a path."""
+    """Return the entry of `choices` for the file extension of a path."""
     suffix = path.suffix.lower()
     if suffix not in choices:
         raise InputError("files.suffix", path=str(path), suffix=path.suffix, near=NameSuggestion(suffix, choices))

@@ -1,4 +1,6 @@
-"""Conversion of message codes to text; the templates are in `messages/`, one file for the first part of a code.
+"""Conversion of message codes to text by templates.
+
+The folder `messages/` contains one file of templates for each topic, the first component of a code.
 
 A template is a format string over the facts of a note or an error, with these additions:
 
@@ -40,7 +42,10 @@ def _templates(topic: str) -> dict[str, Any]:
 
 
 def template(code: str) -> Template:
-    """Return the template of a code: a text for a note, a table of `given`, `reason` and `hint` for an error."""
+    """Return the template of a message code.
+
+    The template of a note is a text. That of an error is a table of `given`, `reason` and `hint`.
+    """
     topic, *keys = code.split(".")
     node: Template = _templates(topic)
     for part in keys or (topic,):  # the code `said` has one part
@@ -51,7 +56,7 @@ def template(code: str) -> Template:
 
 
 class _Formatter(string.Formatter):
-    """Formatter of templates."""
+    """Formatter of message templates, which supports the additions of this module."""
 
     def format_field(self, value: Any, spec: str) -> str:
         if spec.startswith("|"):
@@ -79,7 +84,10 @@ class _Formatter(string.Formatter):
 
 
 def _in_unit(value: float, spec: str) -> str:
-    """Return a fact in the unit of a specification such as `Pa>bar .3f`."""
+    """Return the text of a fact in another unit.
+
+    `spec` contains both units and the format, for example `Pa>bar .3f`.
+    """
     units, _, number_spec = spec.rpartition(" ")
     if units.endswith(">"):
         units = next((pair for pair in DISPLAY_FACTORS if pair.startswith(units)), units + units[:-1])
@@ -91,14 +99,20 @@ _FORMATTER = _Formatter()
 
 
 def sentence(code: str, facts: Mapping[str, Any], part: str = "") -> str:
-    """Return the text of a note, or of one `part` of an error."""
+    """Return the text of a message for the given facts.
+
+    For an error, `part` selects one of its texts: `given`, `reason` or `hint`.
+    """
     text = template(code)
     return _FORMATTER.vformat(text if isinstance(text, str) else text[part], (), facts)
 
 
 @cache
 def facts_of(code: str, part: str = "") -> frozenset[str]:
-    """Return the names of the facts that a template shows, or those of one `part` of an error."""
+    """Return the names of the facts that a message shows.
+
+    For an error, `part` selects one of its texts: `given`, `reason` or `hint`.
+    """
     text = template(code)
     if not isinstance(text, str):
         if not part:
@@ -114,7 +128,9 @@ def _fields(text: str) -> list[tuple[str, str]]:
 
 
 def plain(text: str) -> str:
-    """Return a template for readers: facts as `<name>`, optional texts in brackets.
+    """Return a template in readable form.
+
+    Facts become `<name>`, and optional texts are in brackets.
 
     Examples
     --------
@@ -141,7 +157,7 @@ def plain(text: str) -> str:
 
 
 def every_code() -> dict[str, Template]:
-    """Return all codes with their templates."""
+    """Return a mapping from all message codes to their templates."""
     templates: dict[str, Template] = {}
 
     def add(prefix: str, table: Mapping[str, Any]) -> None:
@@ -158,6 +174,9 @@ def every_code() -> dict[str, Template]:
 
 
 def topics() -> dict[str, str]:
-    """Return the first parts of all codes with their titles."""
+    """Return a mapping from topics to their titles.
+
+    A topic is the first component of a message code, for example `run`.
+    """
     files = sorted(FOLDER.glob("*.toml"))
     return {file.stem: file.read_text(encoding="utf-8").partition("\n")[0].lstrip("# ").rstrip(".") for file in files}

@@ -1,4 +1,4 @@
-"""Groups of notes: several notes of one kind in one line."""
+"""Combination of similar notes into one line for display."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ SIZES = {
     "valve.not_held": "swing_bar",
     "valve.not_reached": "missed_bar",
 }
-"""Fact that is largest in the worst note of a group, by code."""
+"""Mapping from message codes to the fact that measures the severity of a note."""
 
 
 def grouped(notes: Iterable[Note | str]) -> list[Note]:
-    """Return notes for display: those of one code together if there are many.
+    """Combine three or more notes with the same code into one note for display.
 
     Parameters
     ----------
@@ -33,9 +33,10 @@ def grouped(notes: Iterable[Note | str]) -> list[Note]:
     Returns
     -------
     list of Note
-        Notes in the order of the first of each code. A code with three notes or more has one note with the first of
-        them and the number of others. Its code is `several.worst` with the worst of them, `several.none_worse` if the
-        first is the worst, or `several.alike` with their addresses if there is no measure.
+        Notes in the order of the first note of each code. Three or more notes with one code are combined into a note
+        that contains the first of them and the number of the others. Its code is `several.worst` if another note is
+        worse, and `several.none_worse` if the first is the worst. If the severity cannot be measured, its code is
+        `several.alike`, and it contains the addresses of the others.
 
     Examples
     --------

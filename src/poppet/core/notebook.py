@@ -1,4 +1,4 @@
-"""Base class of objects that a notebook shows as HTML."""
+"""Base class of objects that a notebook displays as HTML."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 
 class HtmlMixin:
-    """Object with an HTML representation in notebooks."""
+    """Base class of objects with an HTML representation in notebooks."""
 
     __slots__ = ()
 
@@ -15,6 +15,9 @@ class HtmlMixin:
     """Function that returns the HTML of an object, or None for its text; set by the package above `report`."""
 
     def _repr_html_(self) -> str | None:
-        """Return HTML for IPython, or None: IPython then shows `repr`."""
+        """Return HTML for IPython.
+
+        The result is None if there is no HTML; IPython then displays `repr`.
+        """
         renderer = type(self).renderer
         return None if renderer is None else renderer(self)

@@ -1,4 +1,4 @@
-"""Formatting of values: usual units, digits according to the uncertainty, words for values that are not finite."""
+"""Formatting of values as text: units, digits, uncertainties and infinite values."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _SMALLEST_PLAIN, _LARGEST_PLAIN = 1e-6, 1e6
 
 
 def printable(text: str) -> str:
-    """Return a text without control characters.
+    """Return a text in which each control character is replaced.
 
     Examples
     --------
@@ -55,7 +55,9 @@ def printable(text: str) -> str:
 
 
 def readable_unit(unit: str, *sizes: float) -> str:
-    """Return the unit in which the largest of some values is easy to read.
+    """Return a display unit that suits the largest of the given values.
+
+    `unit` is the SI unit of the values.
 
     Examples
     --------
@@ -69,7 +71,7 @@ def readable_unit(unit: str, *sizes: float) -> str:
 
 
 def pretty(unit: str) -> str:
-    """Return a unit in print notation.
+    """Return a unit in print notation, with raised exponents.
 
     Examples
     --------
@@ -80,12 +82,14 @@ def pretty(unit: str) -> str:
 
 
 def with_unit(text: str, unit: str) -> str:
-    """Return a text with its unit in print notation."""
+    """Return a text followed by its unit in print notation."""
     return text if unit in ("1", "") else f"{text} {pretty(unit)}"
 
 
 def digits_of(value: float, largest: float) -> str:
-    """Return five digits of a value; values below the rounding error of the largest value are zero.
+    """Return a value as text with five digits.
+
+    The text is 0 if the value is below the rounding error of `largest`, the largest value of a series.
 
     Examples
     --------
@@ -96,7 +100,9 @@ def digits_of(value: float, largest: float) -> str:
 
 
 def decimals(error: float) -> int | None:
-    """Return the number of decimals that show two digits of an uncertainty.
+    """Return the number of decimals for two significant digits of an uncertainty.
+
+    The result is None if the uncertainty is below 1e-6, at least 1e6, or not a number.
 
     Examples
     --------
@@ -109,7 +115,9 @@ def decimals(error: float) -> int | None:
 
 
 def number(value: float, n_decimals: int | None = None) -> str:
-    """Return a value with a number of decimals, or five digits; words if it is not finite.
+    """Return a value as text, with a number of decimals or five digits.
+
+    Values that are not finite become words.
 
     Examples
     --------
@@ -126,7 +134,9 @@ def number(value: float, n_decimals: int | None = None) -> str:
 
 
 def value_with_error(value: float, error: float, unit: str, shown_in: str) -> str:
-    """Return a value and its standard error in a display unit, rounded to two digits of the error.
+    """Return a value and its standard error as text in a display unit.
+
+    The text is rounded to two significant digits of the error.
 
     Examples
     --------
@@ -145,7 +155,7 @@ def value_with_error(value: float, error: float, unit: str, shown_in: str) -> st
 
 
 def interval(low: float, high: float, unit: str, shown_in: str) -> str:
-    """Return an interval in a display unit, with words for infinite ends.
+    """Return an interval as text in a display unit; infinite ends become words.
 
     Examples
     --------
@@ -163,7 +173,7 @@ def interval(low: float, high: float, unit: str, shown_in: str) -> str:
 
 
 def scaled(difference: float, unit: str, shown_in: str) -> float:
-    """Return a value or a difference in another unit with the same zero."""
+    """Convert a value or difference to another unit with the same zero."""
     if unit == shown_in or not math.isfinite(difference):
         return difference
     from poppet.core.units import convert  # imports NumPy, which the help of a command does not need
@@ -172,7 +182,9 @@ def scaled(difference: float, unit: str, shown_in: str) -> float:
 
 
 def aligned(rows: Sequence[Sequence[str]], numbers: Iterable[int]) -> str:
-    """Return a table of text with aligned columns; columns of numbers are right-aligned.
+    """Return a table as text with aligned columns.
+
+    The columns with the indices in `numbers` are right-aligned.
 
     Examples
     --------

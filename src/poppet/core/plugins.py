@@ -1,4 +1,4 @@
-"""Registries of built-in objects that third-party packages extend by entry points.
+"""Registries of built-in objects, which third-party packages extend by entry points.
 
 A package declares an entry point in one of `GROUPS` and sets `POPPET_API` in the module that it names. Entry points are
 read at the first listing of a registry, or at the first request for a name that is not built in.
@@ -23,7 +23,7 @@ T = TypeVar("T")
 
 
 class PluginWarning(UserWarning):
-    """A plugin that was ignored; `note` has the code and the facts.
+    """Warning about a plugin that was ignored; `note` contains the reason.
 
     Parameters
     ----------
@@ -37,7 +37,7 @@ class PluginWarning(UserWarning):
 
 
 class Registry(UserDict[str, T]):
-    """Mapping of names to built-in objects, then to those of plugins.
+    """Mapping from names to built-in objects, followed by the objects of plugins.
 
     Parameters
     ----------
@@ -92,7 +92,10 @@ class Registry(UserDict[str, T]):
         return len(self.data)
 
     def _extend(self) -> None:
-        """Add the objects of plugins, once; warn about each plugin that is ignored."""
+        """Add the objects of all plugins, once.
+
+        A warning is issued for each plugin that is ignored.
+        """
         if self.is_extended:
             return
         self.is_extended = True

@@ -1,4 +1,4 @@
-"""Parameters with value, unit, reference and source."""
+"""Values of parameters with unit, reference and source."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ REFERENCES: tuple[Reference, ...] = get_args(Reference)
 
 @dataclass(frozen=True, slots=True)
 class Source:
-    """Source of a parameter.
+    """Source of a parameter value, for example a paper or an assumption.
 
     Parameters
     ----------
@@ -52,7 +52,7 @@ class Source:
 
 @dataclass(frozen=True, slots=True)
 class Number:
-    """Value with its unit, its reference and its source.
+    """Value with unit, reference and source.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ class Number:
         return float(self.value)
 
     def absolute(self, ambient_pressure: float) -> float:
-        """Return the value, a gauge pressure as an absolute pressure.
+        """Return the value; a gauge pressure becomes an absolute pressure.
 
         Parameters
         ----------
@@ -120,7 +120,7 @@ class Number:
         return float(result)
 
     def display(self) -> str:
-        """Return the text of the user, or value and unit, `600000 Pa g`."""
+        """Return the text that the user wrote, or value and unit."""
         if self.text and not _is_bare(self.text):
             return self.text
         unit = "" if self.unit in ("", "1") else f" {self.unit}"
@@ -139,7 +139,7 @@ def _is_bare(text: str) -> bool:
 
 
 def assumed(value: float, unit: str, note: str, *, reference: Reference = "") -> Number:
-    """Return an assumed parameter; reports mark it as assumed.
+    """Return an assumed value, which reports mark as assumed.
 
     Examples
     --------
@@ -150,7 +150,7 @@ def assumed(value: float, unit: str, note: str, *, reference: Reference = "") ->
 
 
 def printed(value: float, unit: str, locator: str, note: str = "", *, reference: Reference = "") -> Number:
-    """Return a parameter from a paper.
+    """Return a value from a paper; `locator` is its location in the paper.
 
     Examples
     --------

@@ -1,4 +1,4 @@
-"""Functions for laws of floats, NumPy arrays and CasADi symbols.
+"""Elementary functions and conditions for floats, NumPy arrays and CasADi symbols.
 
 Operators work for all three; this module adds conditions and elementary functions. It recognises a symbol without an
 import of CasADi. Both sides of a condition are always evaluated: clip the argument of a square root or a power to its
@@ -30,7 +30,7 @@ def _casadi() -> Any:
 
 
 def where(condition: Any, if_true: Any, if_false: Any) -> Any:
-    """Return `if_true` if the condition is true, otherwise `if_false`, elementwise."""
+    """Return `if_true` if the condition is true, otherwise `if_false`, for each element."""
     if is_symbolic(condition, if_true, if_false):
         ca = _casadi()
         if not is_symbolic(condition):
@@ -42,7 +42,10 @@ def where(condition: Any, if_true: Any, if_false: Any) -> Any:
 
 
 def minimum(a: Any, b: Any) -> Any:
-    """Return the smaller value, elementwise; for equal symbols the derivative is that of one side."""
+    """Return the smaller of two values, for each element.
+
+    If two symbols are equal, the derivative is that of one of them.
+    """
     if is_symbolic(a, b):
         return _casadi().fmin(a, b)
     if is_array(a, b):
@@ -51,7 +54,7 @@ def minimum(a: Any, b: Any) -> Any:
 
 
 def maximum(a: Any, b: Any) -> Any:
-    """Return the larger value, elementwise."""
+    """Return the larger of two values, for each element."""
     if is_symbolic(a, b):
         return _casadi().fmax(a, b)
     if is_array(a, b):
@@ -60,7 +63,10 @@ def maximum(a: Any, b: Any) -> Any:
 
 
 def clip(value: Any, low: Any, high: Any) -> Any:
-    """Limit a value to `low` and `high`; if `low` exceeds `high`, the result is `low`."""
+    """Limit a value to the range from `low` to `high`.
+
+    If `low` exceeds `high`, the result is `low`.
+    """
     return maximum(minimum(value, high), low)
 
 
@@ -88,6 +94,10 @@ floor = _elementary("floor", math.floor)
 
 
 def smoothstep(value: Any, low: Any, high: Any) -> Any:
-    """Return 0 below `low`, 1 above `high`, and the cubic 3 s^2 - 2 s^3 between them."""
+    """Return a smooth transition from 0 at `low` to 1 at `high`.
+
+    Between them, the result is 3 s^2 - 2 s^3 with s = (value - low)/(high - low). Below `low` it is 0, above `high` it
+    is 1.
+    """
     s = clip((value - low) / (high - low), 0.0, 1.0)
     return s * s * (3.0 - 2.0 * s)

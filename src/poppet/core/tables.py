@@ -1,4 +1,7 @@
-"""Declarations of table fields: one declaration reads a table, reports its errors and gives its JSON schema."""
+"""Declarations of the fields of tables.
+
+A declaration reads a field, reports its errors, and provides its JSON schema.
+"""
 
 from __future__ import annotations
 
@@ -15,7 +18,11 @@ from poppet.core.units import Kind, quantity, sizes_of
 
 @dataclass(frozen=True, kw_only=True)
 class NumberRange:
-    """Limits of a number in its SI unit: `low` and `high` are valid values, `above` and `below` are not."""
+    """Limits of a number in SI.
+
+    `low` and `high` are the smallest and largest valid values. `above` and `below` are limits that are not valid
+    themselves.
+    """
 
     unit: str
     low: float = -math.inf
@@ -25,17 +32,20 @@ class NumberRange:
 
     @cached_property
     def ends(self) -> tuple[float, float]:
-        """Smallest and largest valid value, within the sizes that are plausible for the unit."""
+        """Smallest and largest valid value, including the plausibility limits of the unit."""
         smallest, largest = sizes_of(self.unit)
         return smallest if self.above == 0.0 else self.low, min(self.high, largest)
 
     def holds(self, value: float) -> bool:
-        """Return True if a value is within the limits; NaN is not."""
+        """Return True if a value is within the limits; the result is False for NaN."""
         low, high = self.ends
         return low <= value <= high and self.above < value < self.below
 
     def check_range(self, address: str, value: float, text: str, meaning: str) -> None:
-        """Raise `OutOfRangeError` if a value is outside the limits."""
+        """Raise `OutOfRangeError` if a value is outside the limits.
+
+        `text` is the value as the user wrote it, and `meaning` describes the field.
+        """
         if self.holds(value):
             return
         (low, high), limits = self.ends, []
@@ -66,7 +76,7 @@ class Field(NumberRange):
     example: str = ""  # TOML text that the message about a missing field shows
 
     def read(self, raw: Any, address: str, ambient_pressure: float = 0.0) -> Any:
-        """Return a value in SI; gauge pressures become absolute."""
+        """Convert the raw value of the field to SI; a gauge pressure becomes absolute."""
         name = address.rpartition(".")[2]
         meaning = self.meaning or name.replace("_", " ")
         if raw in self.choices:
@@ -114,10 +124,10 @@ def read_fields(
     table: str = "",
     ambient_pressure: float = 0.0,
 ) -> dict[str, Any]:
-    """Read a table as its fields are declared; collect the errors.
+    """Read a table by the declarations of its fields, and collect the errors.
 
-    The result contains the valid fields and the declared defaults. Gauge pressures become absolute. The message about
-    an unknown field says of what the `table` is, "fit file".
+    The result contains the valid fields and the declared defaults. Gauge pressures become absolute. `table` is the
+    name of the table in the message about an unknown field, for example "fit file".
 
     Examples
     --------
@@ -147,7 +157,7 @@ def read_fields(
 
 
 def missing_field(address: str, field: Field) -> InputError:
-    """Return the error of a required field that is not given."""
+    """Return the error for a required field that the table does not contain."""
     meaning = field.meaning or address.rpartition(".")[2].replace("_", " ")
     unit = "" if field.unit == "1" else field.unit
     facts: dict[str, Any] = {"meaning": meaning, "unit": "" if field.example else unit, "plain": field.unit == "1"}

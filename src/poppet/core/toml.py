@@ -1,4 +1,4 @@
-"""Text of result files: TOML and JSON without rounding."""
+"""Conversion of results to the text of TOML and JSON files, without rounding."""
 
 from __future__ import annotations
 
@@ -9,12 +9,18 @@ from typing import Any
 
 
 def json_text(content: Mapping[str, Any]) -> str:
-    """Return a result as JSON; values that are not finite become texts: "nan", "inf", "-inf"."""
+    """Convert a result to JSON text.
+
+    Values that are not finite become the texts "nan", "inf" and "-inf".
+    """
     return json.dumps(_plain(content, as_text=True), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def from_json(value: Any) -> Any:
-    """Return the content of JSON from `json_text`, with values that are not finite as numbers."""
+    """Convert JSON content of `json_text` back.
+
+    The texts "nan", "inf" and "-inf" become numbers.
+    """
     if isinstance(value, dict):
         return {key: from_json(v) for key, v in value.items()}
     if isinstance(value, list):
@@ -23,7 +29,9 @@ def from_json(value: Any) -> Any:
 
 
 def toml_text(content: Mapping[str, Any]) -> str:
-    """Return a result as TOML: values first, then nested tables, then lists of tables.
+    """Convert a result to TOML text.
+
+    A table begins with its values; nested tables and lists of tables follow.
 
     Examples
     --------
@@ -54,14 +62,20 @@ def _lines(path: str, table: Mapping[str, Any]) -> list[str]:
 
 
 def _is_apart(path: str, value: Any) -> bool:
-    """Return True for a table, and at the root for a list of tables."""
+    """Return True for a value that needs a header of its own in TOML.
+
+    Such a value is a table, or at the root a list of tables.
+    """
     if isinstance(value, Mapping) or path:
         return isinstance(value, Mapping)
     return isinstance(value, list) and bool(value) and all(isinstance(row, Mapping) for row in value)
 
 
 def _plain(value: Any, *, as_text: bool = False) -> Any:
-    """Return values as types of Python; with `as_text`, values that are not finite as text."""
+    """Convert values to types of Python.
+
+    If `as_text` is True, values that are not finite become text.
+    """
     if isinstance(value, Mapping):
         # TOML cannot contain None.
         return {str(key): _plain(v, as_text=as_text) for key, v in value.items() if as_text or v is not None}
@@ -77,7 +91,7 @@ def _key(name: str) -> str:
 
 
 def value_text(value: Any) -> str:
-    """Return a value as TOML in one line."""
+    """Convert a value to TOML text in one line."""
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, Mapping):

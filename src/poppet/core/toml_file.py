@@ -1,4 +1,4 @@
-"""TOML files of users: their text, their tables and the lines of errors."""
+"""TOML files of users: reading, tables, and the lines of errors."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _DECIMAL_COMMA = re.compile(r"[=\[,]\s*[+-]?\d+,\d+\s*(#|$)")
 
 @dataclass(frozen=True)
 class TomlFile:
-    """TOML text with its name, which locates errors in lines.
+    """TOML text with its file name, which adds file and line to errors.
 
     Examples
     --------
@@ -44,12 +44,15 @@ class TomlFile:
 
     @classmethod
     def read(cls, path: str | Path, table: str = "") -> TomlFile:
-        """Read a file; if it does not exist, suggest similar names of files with that table."""
+        """Read a TOML file.
+
+        If the file does not exist, the error suggests files with similar names that contain the table `table`.
+        """
         return cls(read_text(Path(path), table), str(path), Path(path).parent)
 
     @property
     def content(self) -> dict[str, Any]:
-        """Tables of the file; a control character in them is an error."""
+        """Tables of the file; a control character in a key or text raises an error."""
         tables = self.tables
         for address, text in _texts(tables):
             if printable(text) != text:
@@ -58,7 +61,10 @@ class TomlFile:
 
     @property
     def tables(self) -> dict[str, Any]:
-        """Tables of the file with any texts: results repeat texts of other files."""
+        """Tables of the file, without a check for control characters.
+
+        Result files repeat texts of other files, which can contain such characters.
+        """
         # A table takes memory for each enclosing table: 50,000 dotted names in 100 kB took 8 GB.
         if _TOO_DEEP.search(self.text):
             raise InputError("toml.too_deep")
@@ -83,7 +89,7 @@ class TomlFile:
 
     @contextmanager
     def errors(self) -> Iterator[ErrorCollector]:
-        """Raise all errors of a block together, each with its line."""
+        """Collect the errors in a block, and raise them together with their lines."""
         try:
             with ErrorCollector() as collector:
                 yield collector
@@ -91,7 +97,10 @@ class TomlFile:
             raise self.located(error) from None
 
     def located(self, error: InputError) -> InputError:
-        """Return errors with their lines, in the order of the lines; errors without a line are last."""
+        """Return the errors with their lines, sorted by line.
+
+        Errors without a line are last.
+        """
         for problem in error.problems:
             if problem.file is None:
                 problem.located(file=self.name, line=self.line_of(problem.address))
@@ -99,7 +108,10 @@ class TomlFile:
         return problems[0] if len(problems) == 1 else InputErrors(problems)
 
     def line_of(self, address: str | None) -> int | None:
-        """Return the line of an address, or of its enclosing table."""
+        """Return the line of an address.
+
+        If the address has no line, the result is that of its enclosing table, or None.
+        """
         while address:
             start = f"{address}."
             line = self.lines.get(address) or next((n for path, n in self.lines.items() if path.startswith(start)), 0)
@@ -111,7 +123,10 @@ class TomlFile:
 
     @property
     def lines(self) -> Mapping[str, int]:
-        """Line of every table and key by its dotted path; arrays and inline tables count as their key."""
+        """Mapping from the dotted paths of tables and keys to line numbers.
+
+        The content of an array or inline table has the line of its key.
+        """
         return self._lines.of
 
     @cached_property
@@ -120,7 +135,9 @@ class TomlFile:
 
 
 class _Lines:
-    """Lines of tables and keys of a TOML text by path (`of`), and repeated names by line (`twice`).
+    """Line numbers in a TOML text.
+
+    `of` maps paths of tables and keys to lines, and `twice` maps lines to repeated names.
 
     Invalid TOML is read as well, because repeated names make it invalid.
     """
@@ -165,7 +182,7 @@ class _Lines:
 
 
 def _texts(value: Any, address: str = "") -> Iterator[tuple[str, str]]:
-    """Yield all keys and texts of tables with their addresses."""
+    """Yield pairs of address and text for all keys and texts in tables."""
     if isinstance(value, str):
         yield address, value
     elif isinstance(value, dict):
@@ -182,7 +199,10 @@ def _dotted(text: str) -> str:
 
 
 def _like(path: Path, table: str) -> NameSuggestion:
-    """Return a suggestion of similar files with that table in the folder of a missing file."""
+    """Return a suggestion for the name of a missing file.
+
+    It lists files in the same folder with similar names that contain the table `table`.
+    """
     names = []
     for file in path.parent.glob(f"*{path.suffix}"):
         with suppress(OSError, UnicodeDecodeError):
@@ -194,7 +214,7 @@ def _like(path: Path, table: str) -> NameSuggestion:
 
 
 def read_text(path: Path, table: str = "") -> str:
-    """Return the text of a file of a user."""
+    """Return the content of a user's file as text."""
     name = str(path)
     if "\n" in name:
         raise InputError("toml.no_path")

@@ -1,4 +1,4 @@
-"""Table of units, and grammar of unit expressions.
+"""Table of units, and reader of unit expressions.
 
 Products by a space, `*` or `.`, division by `/`, powers by `^` or `**` with integer or fractional exponents,
 parentheses. Factors are exact rational numbers, so that a conversion is rounded once.
@@ -134,7 +134,7 @@ def read_unit(text: str) -> Unit:
 
 
 class _Expression:
-    """Parser of a unit expression, from left to right."""
+    """Parser of one unit expression, from left to right."""
 
     def __init__(self, text: str) -> None:
         self.text = text
@@ -213,7 +213,10 @@ class _Expression:
         return Fraction(token)
 
     def times(self, unit: Unit, factor: Unit, exponent: Fraction) -> Unit:
-        """Return `unit * factor**exponent`, exact if the exponent is an integer."""
+        """Return `unit * factor**exponent`.
+
+        The result is exact if the exponent is an integer.
+        """
         if unit.offset or factor.offset:
             raise self.refused("unit.scale_in_product")
         # Looked at before the power is taken: ((mm^12)^12)^12 would be a number of thousands of digits.
@@ -245,7 +248,7 @@ _MEANT = {"C": "degC", "F": "degF", "sec": "s", "lpm": "l/min", "liter": "l", "l
 
 
 def _unknown(text: str, symbol: str) -> UnitError:
-    """Return the error of an unknown symbol with the most specific hint."""
+    """Return the error for an unknown unit symbol, with the most specific hint."""
     facts: dict[str, Any] = {"unit": text, "symbol": symbol}
     powered = re.fullmatch(r"([A-Za-z]+)([2-6])", symbol)
     if powered and powered[1] in TABLE:

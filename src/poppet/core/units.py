@@ -41,7 +41,7 @@ FloatOrArray = TypeVar("FloatOrArray", float, np.ndarray[Any, np.dtype[Any]])
 
 @dataclass(frozen=True, slots=True)
 class ReferenceAtmosphere:
-    """The state of air to which a volume flow refers.
+    """Reference state of air for a volume flow.
 
     Parameters
     ----------
@@ -50,7 +50,7 @@ class ReferenceAtmosphere:
     pressure : float
         Absolute pressure [Pa].
     density : float
-        Of air in this state [kg/m^3].
+        Density of air in this state [kg/m^3].
     source : str
         The standard that defines it.
     """
@@ -73,7 +73,7 @@ NORMAL = ReferenceAtmosphere(
 
 @dataclass(frozen=True, slots=True)
 class Quantity:
-    """A value in SI.
+    """Value in SI with its unit and reference.
 
     Parameters
     ----------
@@ -116,7 +116,11 @@ _ABBREVIATED: dict[str, tuple[str, _Mark]] = {
 
 @lru_cache(maxsize=4096)
 def _parse(text: str) -> tuple[Unit, _Mark]:
-    """Return a unit and its mark; `g` marks a gauge pressure and is a gram elsewhere, `N` likewise."""
+    """Return the unit of a text, and its mark.
+
+    A mark shows the reference: `g` is gauge, and `N` is the normal state. In other positions, `g` is a gram and `N` a
+    newton.
+    """
     text = text.translate(SPELLINGS).strip()
     if text.casefold() in _ABBREVIATED:
         written, mark = _ABBREVIATED[text.casefold()]
@@ -146,7 +150,7 @@ def _parse(text: str) -> tuple[Unit, _Mark]:
 
 
 def is_known(unit: str) -> bool:
-    """Return True if the unit is valid.
+    """Return True if a text is a valid unit.
 
     Parameters
     ----------
@@ -170,7 +174,7 @@ def is_known(unit: str) -> bool:
 
 
 def check_unit(unit: str) -> None:
-    """Raise an error if a unit is invalid.
+    """Raise an error if a text is not a valid unit.
 
     Parameters
     ----------
@@ -206,13 +210,16 @@ def same_dimension(first: str, second: str) -> bool:
 
 
 def _flow_dimension(unit: str) -> Dimension:
-    """Return the dimension; a flow at a reference atmosphere counts as a mass flow."""
+    """Return the dimension of a unit.
+
+    A volume flow with a reference state has the dimension of a mass flow.
+    """
     parsed, mark = _parse(unit)
     return MASS_FLOW if mark in _DENSITY else parsed.dimension
 
 
 def counted_at(text: str) -> str:
-    """Return the reference state of a volume flow, from a unit or a value with unit.
+    """Return the reference state of a volume flow.
 
     Parameters
     ----------
@@ -239,7 +246,7 @@ def counted_at(text: str) -> str:
 
 
 def with_state(text: str) -> str:
-    """Return a volume flow with an explicit reference state: ANR by default, normal for slpm.
+    """Return a volume flow with its reference state: normal for slpm, otherwise ANR.
 
     Parameters
     ----------
@@ -261,7 +268,7 @@ def with_state(text: str) -> str:
 
 
 def _spelt(text: str) -> str:
-    """Return a volume flow without abbreviations of instruments."""
+    """Return a volume flow in the notation of units, without abbreviations of instruments."""
     number = _NUMBER.fullmatch(text)
     unit = (number[2] if number else text).strip()
     plain_unit = _ABBREVIATED.get(unit.casefold(), (unit, ""))[0]
@@ -330,7 +337,10 @@ def _shift(mark: _Mark, ambient_pressure: float) -> Fraction:
 
 
 def _si_factor(unit: Unit, mark: _Mark) -> Fraction:
-    """Return the factor to SI; a volume flow at a reference atmosphere becomes a mass flow."""
+    """Return the factor that converts a unit to SI.
+
+    A volume flow with a reference state becomes a mass flow.
+    """
     return unit.scale * _DENSITY.get(mark, Fraction(1))
 
 
@@ -373,7 +383,9 @@ apply to values that must be above zero."""
 
 
 def sizes_of(unit: str) -> tuple[float, float]:
-    """Return the smallest size of positive values and the largest size of all values.
+    """Return the plausibility limits of an SI unit.
+
+    They are the smallest positive value and the largest absolute value.
 
     Parameters
     ----------
@@ -391,7 +403,7 @@ def sizes_of(unit: str) -> tuple[float, float]:
 def quantity(
     argument: str | float | int, unit: str, *, kind: Kind = "plain", name: str = "value", is_told: bool = False
 ) -> Quantity:
-    """Read a value of a circuit file, a command line or a call.
+    """Convert a value with a unit, or a bare number, to SI.
 
     Parameters
     ----------
@@ -495,7 +507,10 @@ def _split(text: str, unit: str, kind: Kind) -> tuple[str, str]:
 
 
 def _check_unit(text: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) -> None:
-    """Raise an error for another reference of the same quantity, or for another quantity."""
+    """Raise an error if a unit does not fit the requested unit.
+
+    The unit belongs to another quantity, or has another reference.
+    """
     target = _parse(unit)[0].dimension
     if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:
         raise UnitError("quantity.gauge_difference" if mark == "gauge" else "quantity.absolute_difference")

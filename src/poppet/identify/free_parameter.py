@@ -50,7 +50,7 @@ class FreeParameter:
     start : float
         Start value of the search.
     low, high : float
-        Bounds; by default the limits of the part.
+        Lower and upper bound; by default the limits that the part of the circuit declares.
     role : str
         `number` (parameter of the circuit), `start` (start value of a recording), `lag` (sensor lag of a channel),
         `input_lag` (sensor lag of an input), `delay` (delay of the recorded input), `offset` (of the sensor of a

@@ -97,7 +97,9 @@ def identify_characteristic(
         \frac{\partial r_i}{\partial \theta} = \frac{\partial r_i}{\partial C} \frac{\partial C}{\partial \theta}
         + \frac{\partial r_i}{\partial b} \frac{\partial b}{\partial \theta}
 
-    with the residuals of all recorded samples (joint), or of the C and b of each single test.
+    where theta are the coefficients of C(x) and b(x), nu are the free parameters of the bench, and r_i are the
+    residuals of test i. If `joint` is True, these are the residuals of all recorded samples. Otherwise they are the
+    residuals of the values of C and b from test i.
 
     Parameters
     ----------
@@ -113,9 +115,11 @@ def identify_characteristic(
     knots : sequence of float, optional
         Knots of the spline, at most one for each tested stroke. By default, AICc selects tested strokes [m].
     joint : bool, optional
-        Fit all coefficients to all recorded histories together; otherwise to the C and b of each test.
+        If True, fit all coefficients to the recorded samples of all tests together. If False, fit them to the values of
+        C and b from each test.
     common : tuple of float, optional
-        Standard uncertainties of errors common to all tests: of C, relative (volume, flow meter), and of b.
+        Standard uncertainties of errors that all tests share: of C (relative, for example from the volume or the flow
+        meter) and of b.
     bootstrap : int, optional
         Number of bootstrap fits for the bands; 0 uses the delta method.
     seed : int, optional

@@ -1,7 +1,8 @@
 """Model of one recording, which computes modelled channels and their derivatives from parameter values.
 
-A run of the model is a compiled kernel on plain arrays. Derivatives with respect to the parameters are differences of
-runs with the step sequence of the base run. The outputs are then smooth, and forward differences are accurate to 1e-6.
+A run is one simulation of the recording by a compiled kernel on plain arrays. Derivatives by the parameters are
+differences between runs that use the step sequence of the base run. The outputs are then smooth functions of the
+parameters, and forward differences are accurate to 1e-6.
 """
 
 from __future__ import annotations

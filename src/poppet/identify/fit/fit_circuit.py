@@ -31,7 +31,7 @@ from poppet.timeseries.tables.table import Table, seconds
 DISCRETE = ("regime", "contact", "friction")
 """Last words of the names of outputs that are state codes. They are compared only if `outputs` contains them."""
 CARRIED = ("table", "measured", "doubt", "series")
-"""First parts of the codes of notes on how a recording was read."""
+"""Prefixes of the codes of notes on how a recording was read."""
 
 
 class DataFrame(Protocol):

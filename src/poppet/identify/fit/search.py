@@ -49,8 +49,8 @@ class SearchSettings:
     seed : int
         Seed of the random start points.
     kicks : int or None
-        Maximum number of restart rounds if the residuals are not white. None is 3, or 0 for sampled circuits: their
-        residuals are seldom white, and their runs take long.
+        Maximum number of restart rounds if the residuals are not white. None selects 3 rounds, or 0 for sampled
+        circuits, because their residuals are seldom white and their simulations take long.
     """
 
     loss: str = "linear"

@@ -39,7 +39,7 @@ KINDS: dict[str, tuple[Kind, Kind]] = {
     "pressure_2": ("pressure", "pressure_difference"),
     "temperature_1": ("temperature", "temperature_difference"),
 }
-"""Kinds of a reading and of its error: an error of 1 degC is 1 K, not 274.15 K."""
+"""Quantities of a reading and of an error. They differ, because an error of 1 degC is 1 K, not 274.15 K."""
 
 
 def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:

@@ -250,7 +250,7 @@ class FrictionLawFit:
     solution: LawSolution
     other_minima: tuple[LawSolution, ...]  # further minima over the Stribeck velocity
     without: tuple[LawSolution, ...]
-    held_out: FloatArray  # weighted mean square error of each withheld group
+    held_out: FloatArray  # weighted mean square error of each group when it is withheld
     held_out_rms: float  # rms error of all withheld rows [N]
 
     @property
