@@ -256,7 +256,9 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         )
 
     def to_ode(self, duration: Any = None) -> Ode:
-        r"""Return the circuit, driven by its signals, as Python functions of an ordinary differential equation.
+        r"""Return the circuit with its signals as functions of a differential equation.
+
+        .. math:: \dot x = f(t, x)
 
         Parameters
         ----------
