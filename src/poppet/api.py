@@ -43,9 +43,9 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
     Parameters
     ----------
     parts : mapping
-        Name to part. Ports contain names of gas nodes, or `ambient` for the ambient air.
+        Mapping from name to part. The ports of a part are names of gas nodes, or `ambient` for the ambient air.
     signals : mapping, optional
-        Address of an input, `valve.pilot_pressure`, to its signal in SI units.
+        Mapping from the address of an input, for example `valve.pilot_pressure`, to a signal in SI units.
     run : Run, optional
         Duration, output step, tolerance, stop conditions.
     ambient : Ambient, optional
@@ -55,7 +55,7 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
     title : str, optional
         Title of all results.
     connections : mapping, optional
-        Address of an input to the connected output: ``{"main.pilot_pressure": "pilot.pressure"}``.
+        Mapping from the address of an input to that of an output: ``{"main.pilot_pressure": "pilot.pressure"}``.
     origin : Origin, optional
         Tables and folder of the circuit file.
     like : Circuit, optional

@@ -266,7 +266,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         values : mapping
-            Address to value, text with unit or `Number`: ``{"tank.volume": "0.1 m^3"}``.
+            Mapping from address to value, text with unit or `Number`: ``{"tank.volume": "0.1 m^3"}``.
 
         Returns
         -------
@@ -289,7 +289,7 @@ class BaseCircuit(HtmlMixin):
         Parameters
         ----------
         signals : mapping
-            Address of an input to its signal in SI units.
+            Mapping from the address of an input to a signal in SI units.
         """
         return replace(self, signals=signals, like=self)
 

@@ -67,15 +67,15 @@ class SteadyState:
     x : (n_states,) array
         Controlled states, in the order of `circuit.model.states`.
     y : dict
-        Address of each output to its value, SI.
+        Mapping from the address of each output to the value, SI.
     u : dict
-        Address of each input to its value, SI.
+        Mapping from the address of each input to the value, SI.
     residual : float
         Largest remaining rate of change, per size of the state [1/s].
     found : tuple of Note
         Method of the search, and the motion of the circuit if the state is unstable.
     memory : dict
-        Address of each discrete state to its value, SI; clocks have their values at the start of a run.
+        Mapping from the address of each discrete state to the value, SI; clocks have those at the start of a run.
     notes : tuple of Note
         Kinks near this state, which limit the validity of a linear model.
     is_stable : bool

@@ -78,7 +78,7 @@ class LoadMetrics:
     works : tuple of BodyWork
         One element per body.
     air : mapping
-        Reservoir to its net air consumption, as volume at ANR [m^3].
+        Mapping from reservoir to net air consumption, as volume at ANR [m^3].
     exergy : float
         Work that the consumed air could do down to the ambient state [J].
     stored : float

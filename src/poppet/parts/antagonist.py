@@ -95,11 +95,11 @@ class InverseMuscle(_InverseMuscleLaw):
 
     Notes
     -----
-    `data`, `law` and the parameters of the law are those of a muscle. They can differ from the muscle in the circuit,
-    to study the error of a model. `lowest_pressure` and `highest_pressure` limit the output; the default of the highest
-    is the permitted pressure of the set. Inputs are `force` and `contraction`, the output is `pressure`. Each law is
-    linear in the pressure, so its inverse is exact; it omits hysteresis and damping. A negative force gives a pressure
-    at which the muscle is slack.
+    `data`, `law` and the parameters of the law describe a muscle. They can differ from those of the muscle in the
+    circuit, to study the effect of model errors. `lowest_pressure` and `highest_pressure` limit the output; the default
+    of the highest is the permitted pressure of the set. Inputs are `force` and `contraction`, the output is `pressure`.
+    Each law is linear in the pressure, so its inverse is exact; it omits hysteresis and damping. A negative force gives
+    a pressure at which the muscle is slack.
 
     Examples
     --------

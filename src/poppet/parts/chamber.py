@@ -35,8 +35,8 @@ class Chamber(Store):
     -----
     The default of `wall_temperature`, which is the initial one if the wall has a heat capacity, and of
     `ambient_temperature` is the ambient temperature. `natural` is free convection with Nu = c Ra^(1/3), `woodfield` is
-    the charging jet with free convection. `isentrope` is the paper's tank: a closed gas on one isentrope, which does
-    not apply to charging.
+    the charging jet with free convection. `isentrope` is the tank model of the paper: a closed gas on one
+    isentrope. It is not valid for charging.
 
     States are mass, and with `energy` the pressure: mass and energy are then linear in the states, and the integrator
     conserves both to round-off.

@@ -35,11 +35,11 @@ class Compound(Part):
     """
 
     links: ClassVar[Mapping[str, str]] = {}
-    """Input of a member to the output that drives it: `main_stage.pilot_pressure` to `pilot.pressure`."""
+    """Mapping from inputs of members to the outputs that drive them, such as `pilot.pressure`."""
     inlets: ClassVar[Mapping[str, str]] = {}
-    """Name of an input outside to the input of a member."""
+    """Mapping from outer names of inputs to the inputs of members."""
     outlets: ClassVar[Mapping[str, str]] = {}
-    """Name of an output outside to the output of a member, in the order of recordings."""
+    """Mapping from outer names of outputs to the outputs of members, in the order of recordings."""
 
     def inherited_fields(self, member: str) -> dict[str, Any]:
         """Return the values that the compound sets in the fields of a member.

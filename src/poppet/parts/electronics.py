@@ -118,9 +118,9 @@ class Electronics(Controller):
     each `preset`. If both loops sample at one instant, the inner loop uses the new result of the outer loop.
 
     e is the error beyond the dead band e_0, z half the dead zone between the seats (no effect without e_0), and c the
-    limit of the correction. Anti-windup: over `integral_time`, the integral is reduced by the part that c and the
-    limits of the pilot pressure remove; it is constant beyond its band. A resumed run continues with the integral; its
-    clocks restart, and the derivative starts at zero.
+    limit of the correction. For anti-windup, the amount that c and the limits of the pilot pressure remove reduces the
+    integral over `integral_time`. The integral is constant if the error is beyond its band. A resumed run continues
+    with the integral; its clocks restart, and the derivative starts at zero.
 
     References
     ----------

@@ -96,7 +96,8 @@ class MainStage(Passage):
     -----
     The mode `paper` is literally eqs (5)-(8), with the pilot gauge pressure as the only input. In the mode `regulator`
     the outlet pressure acts against the pilot pressure, and the seat pressure acts on the poppet. The default
-    characteristic is the closed variant of `data`; the default pilot pressure is the ambient pressure.
+    characteristic is that of `data` with the suffix `.closed`, which has C = 0 for strokes up to 0; the default pilot
+    pressure is the ambient pressure.
 
     Fig. 5 of the paper shows k2 (h2 - x), eq. (5) k2 (h2 + x); the model follows the equation. The contact is a ramp of
     the force of the lower spring over `contact.width` below zero, with the dissipation of Hunt and Crossley. It

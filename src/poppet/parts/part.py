@@ -42,14 +42,14 @@ AMBIENT = "ambient"
 NEVER = 1e300
 """Time of a timer that is inactive [s]."""
 SELF = "self"
-"""End of a flow at the part itself, if the part is a gas node too."""
+"""Name of the end of a flow in the part itself, for parts that are also gas nodes."""
 TUBE = "tube"
 """Kind of the parts whose ends can name ports of other parts."""
 PORTS = ("from", "to", "supply", "outlet", "exhaust", "pilot_exhaust", "a", "b", "exhaust_a", "exhaust_b")
 """Names of ports that the end of a tube can refer to: `valve.outlet`."""
 
 Quantities = dict[str, tuple[Any, str]]
-"""Outputs: local name to value and unit."""
+"""Mapping from the local name of each output to value and unit."""
 
 
 @dataclass(frozen=True)
@@ -263,7 +263,7 @@ class Part(ABC):
     symbol: ClassVar[Symbol | str] = ""
     """Strokes of the symbol, or the text of a labelled box; an empty text stands for the kind."""
     resume: ClassVar[dict[str, str]] = {}
-    """Outputs from which a run can continue, with the initial value that each of them sets."""
+    """Mapping from each output from which a run can continue to the field of the initial value."""
     internal_outputs: ClassVar[tuple[str, ...]] = ()
     """Outputs that plots omit unless they are requested by name or all outputs are."""
 

@@ -19,7 +19,7 @@ from poppet.parts.part import AMBIENT
 from poppet.parts.pilot_stage import PilotStage, volume_notes
 
 MIN_PLATEAU_ROWS, MIN_REVERSALS = 10, 6
-"""Minimum count of rows of an evaluated plateau, and of sign changes of an oscillation."""
+"""Minimum count of rows in an evaluated plateau, and minimum count of sign changes in an oscillation."""
 
 
 @dataclass(frozen=True)

@@ -116,7 +116,7 @@ class ForceRows(NumberTable):
     Parameters
     ----------
     columns : mapping
-        Name of each column to its numbers, one for each contraction.
+        Mapping from the name of each column to its numbers, one for each contraction.
 
     Examples
     --------
@@ -149,7 +149,7 @@ class GainSchedule(NumberTable):
     Parameters
     ----------
     columns : mapping
-        Name of each column to its numbers, one for each operating point.
+        Mapping from the name of each column to its numbers, one for each operating point.
     form : tuple of str
         Controlled quantity, which is the name of the first column, and commanded quantity.
 

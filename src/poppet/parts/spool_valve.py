@@ -27,7 +27,7 @@ EDGES = {
     "exhaust_a": ("a", "exhaust_a", -1.0),
     "exhaust_b": ("b", "exhaust_b", 1.0),
 }
-"""Metering edge to the ports that it connects, and the side of the centre on which it opens."""
+"""Mapping from each metering edge to the ports that it connects and the side of the centre on which it opens."""
 _INHERITS = {"supply_b": "supply_a", "exhaust_a": "supply_a", "exhaust_b": "exhaust_a"}
 
 
@@ -44,9 +44,9 @@ class SpoolValve(FlowPath):
     5/2 valve has commands of -1 and 1 only. `switching_time` limits the speed of a switched spool; its default is no
     limit.
 
-    Further defaults: the exhausts are the ambient; `exhaust_overlap` is `overlap`; the edge from supply to b and that
-    from a to its exhaust have C and b of the edge from supply to a, and the edge from b to its exhaust those of a; the
-    spool starts at the parameter `command`.
+    Further defaults: the exhausts are the ambient; `exhaust_overlap` is `overlap`. The edges from supply to b and
+    from a to its exhaust have C and b of the edge from supply to a. The edge from b to its exhaust has C and b of the
+    edge from a to its exhaust. The spool starts at the parameter `command`.
 
     References
     ----------

@@ -86,7 +86,8 @@ class DirectionalValve(FlowPath):
     -----
     The conductance is proportional to the spool position. In a 3/2 valve the exhaust closes over the first half of the
     stroke and the supply opens over the second half: they are never open at the same time. Defaults: `closing_time` is
-    `switching_time`, the exhaust has C and b of the supply, and the spool starts at rest under the parameter `command`.
+    `switching_time`, the exhaust has C and b of the supply, and the spool starts in the position that the parameter
+    `command` determines.
     """
 
     kind: ClassVar[str] = "directional_valve"
