@@ -21,9 +21,9 @@ _OF_FUNCTION, _OF_TABLE, _OF_MEMORY, _OF_GLOBAL = range(4)
 _SYMBOLS, _SYMBOL_FUNCTION, _SYMBOL_DATA = 8, 0, 1
 _UNDEFINED, _EXPLICIT = 0x10, 0x40
 _INDEX_RELOCATIONS = (0, 6, 7, 20)
-"""Relocations of the index of a function, type, global or table, which does not change."""
+"""Relocation types of indices (function, type, global, table), which the linker does not change."""
 _ADDRESS_RELOCATIONS = {3: "leb", 4: "sleb", 5: "i32"}
-"""Relocations of a data address, and its encoding."""
+"""Relocation types of data addresses, with the encoding of the address."""
 
 
 class Module(NamedTuple):
