@@ -50,7 +50,7 @@ def circuit() -> Circuit:
 
 def one(runs: int) -> None:
     """Run it once on one thread, all ready before, and print what it took."""
-    fields: dict[str, Any] = {"sampling": "sobol", "numbers": NUMBERS, "metrics": METRICS, "workers": 1}
+    fields: dict[str, Any] = {"sampling": "sobol", "parameters": NUMBERS, "metrics": METRICS, "workers": 1}
     tank = circuit()
     tank.ensemble(runs=64, **fields)
     wall = cpu = math.inf
@@ -86,7 +86,7 @@ def against_lanes(runs: int) -> None:
         "reached": {"of": "tank.pressure", "metric": "time_to", "value": "5 bar"},
     }
     numbers = {address: {"distribution": "uniform", "relative_range": SPREAD} for address in VARIED}
-    fields: dict[str, Any] = {"seed": 1, "numbers": numbers, "metrics": metrics, "workers": 1}
+    fields: dict[str, Any] = {"seed": 1, "parameters": numbers, "metrics": metrics, "workers": 1}
     circuit.ensemble(runs=64, **fields)
 
     def bare() -> float:
