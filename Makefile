@@ -42,7 +42,8 @@ package: $(VENV)/installed-dev
 	$(BIN)/python tools/package.py
 
 quick: style types
-	$(PYTEST) -m "not slow and not costly" tests/unit tests/exact tests/order
+	$(PYTEST) -m "not slow and not costly" $(addprefix tests/unit/,core laws timeseries parts library circuit engine) \
+	    tests/conventions/test_imports_go_down.py tests/conventions/test_language.py
 
 test: style types tests
 
