@@ -9,9 +9,9 @@ from poppet.laws.iso6358.regularisation import carried_temperature
 
 
 def loss_coefficient(pressure_1: Any, pressure_2: Any, choked_flow: Any, critical_ratio: Any) -> Any:
-    r"""Return the coefficient K of the pressure loss K q |q| of a flow path.
+    r"""Return the coefficient :math:`K` of the pressure loss :math:`K q |q|` of a flow path.
 
-    The loss equals the pressure difference p1 - p2 if q is the flow of ISO 6358 with m = 0.5.
+    The loss equals the pressure difference p1 - p2 if :math:`q` is the flow of ISO 6358 with m = 0.5.
 
     .. math:: K = \frac{(1 - b)\, p_1}{q_c^2} \frac{\max(1, x)}{2 - \min(1, x)}, \qquad
               x = \frac{|p_1 - p_2|}{(1 - b)\, p_1}
