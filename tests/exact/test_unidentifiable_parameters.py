@@ -1,4 +1,4 @@
-"""Numbers that leave a run as it is when they move together, or when two parts exchange theirs."""
+"""Tests of parameters that are not identifiable: a common scale, and exchangeable parts."""
 
 from __future__ import annotations
 
@@ -21,8 +21,8 @@ LARGE = {"other.sonic_conductance": 8e-9, "other.critical_ratio": 0.6}
 
 
 @pytest.mark.parametrize("noise", [0.01, 500.0])
-def test_conductance_volume_and_wall_scaled_together_are_not_determined(noise: float) -> None:
-    """However precise the gauge: with 0.01 Pa the slopes are inexact by more than the noise."""
+def test_common_scale_of_parameters_is_not_determined(noise: float) -> None:
+    """Check also for noise of 0.01 Pa, which is less than the error of the slopes."""
     tank = Chamber(volume="20 l", initial_pressure="7 bar", wall_conductance=6.0)
     valve = Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.35, laminar_ratio=0.99999)
     run = Circuit({"tank": tank, "valve": valve}).simulate(60.0, 0.1, 1e-9)
@@ -37,8 +37,8 @@ def test_conductance_volume_and_wall_scaled_together_are_not_determined(noise: f
     assert others == pytest.approx([first, first], rel=1e-3)
 
 
-def side_by_side(free: dict[str, float], **fixed: float) -> Result:
-    """Two orifices side by side fill a tank; noise of 20 Pa."""
+def identify_parallel_valves(free: dict[str, float], **fixed: float) -> Result:
+    """Identify two parallel orifices that fill a tank; the noise is 20 Pa."""
     parts = {
         "supply": Reservoir(pressure="7 bar"),
         "one": Orifice(from_="supply", to="tank", sonic_conductance=4e-9, critical_ratio=0.1),
@@ -54,9 +54,9 @@ def side_by_side(free: dict[str, float], **fixed: float) -> Result:
     return run_fit(plan)
 
 
-def test_parts_that_may_be_exchanged_are_not_determined() -> None:
+def test_exchangeable_parts_are_not_determined() -> None:
     truth = SMALL | LARGE
-    result = side_by_side({name: value * 1.1 for name, value in truth.items()})
+    result = identify_parallel_valves({name: value * 1.1 for name, value in truth.items()})
     assert len(result.optima) == 2
     for local in ("sonic_conductance", "critical_ratio"):
         for part in ("one", "other"):
@@ -67,12 +67,12 @@ def test_parts_that_may_be_exchanged_are_not_determined() -> None:
     assert set(note.facts["numbers"]) == set(truth)
 
 
-def test_conductances_side_by_side_with_one_ratio_trade() -> None:
+def test_parallel_conductances_with_equal_ratio_are_not_determined() -> None:
     free = {"one.sonic_conductance": 5e-9, "other.sonic_conductance": 7e-9}
-    result = side_by_side(free, **{"one.critical_ratio": 0.3, "other.critical_ratio": 0.3})
+    result = identify_parallel_valves(free, **{"one.critical_ratio": 0.3, "other.critical_ratio": 0.3})
     assert {e.verdict for e in result.parameters.values()} == {"not determined"}
     (note,) = (note for note in result.remarks if note.code == "finding.alike.changed")
     one, other = (result.parameters[name].value for name in free)
-    # C1 + C2 stays: dC1 = -dC2.
+    # C1 + C2 is constant: dC1 = -dC2.
     shares = note.facts["shares"]
     assert shares["one.sonic_conductance"] * one == pytest.approx(-shares["other.sonic_conductance"] * other, rel=1e-3)
