@@ -10,7 +10,7 @@ import pytest
 
 from poppet import Circuit, InverseMuscle, Muscle, Orifice, Reservoir, loads
 from poppet.identify import MusclePoints, Result, identify_fit, identify_muscle, read_muscle_file
-from poppet.identify.muscle.points import join_tables
+from poppet.identify.muscle.muscle_file import join_tables
 from poppet.identify.parameter_file import with_numbers
 from poppet.identify.result import read_result
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
