@@ -10,10 +10,10 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.message_format import facts_of
-from poppet.identify.friction.friction_fit import LAWS, design
+from poppet.identify.friction.friction_fit import LAWS
 from poppet.identify.friction.friction_fits import FrictionFits, levels_of
 from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
-from poppet.identify.friction.records import STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.records import SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import clustered, coverage_factor
 from poppet.identify.result import judged
 
@@ -109,7 +109,7 @@ def _bristles(analysis: FrictionFits) -> Iterator[Note]:
 def _pressure(analysis: FrictionFits) -> Iterator[Note]:
     rows = analysis.data.rows
     levels = levels_of(analysis)
-    if not analysis.data.has_pressure:
+    if SEAL not in analysis.fit.values:
         if any(record.pressure is not None for record in analysis.records):
             yield Note("friction.one_pressure", pressure=float(np.mean(rows.pressure)))
         else:
@@ -137,9 +137,7 @@ def _sides(analysis: FrictionFits) -> Iterator[Note]:
     if data.free_offsets:
         yield Note("friction.sides_open", offsets=[*analysis.fit.solution.offsets.values()])
         return
-    law, values = analysis.fit.solution.law, analysis.fit.values
-    columns = design(rows, law, values.get(STRIBECK, 1.0), (), has_pressure=data.has_pressure)
-    matrix = np.column_stack([np.ones(len(rows)), columns]) * np.sqrt(rows.weight)[:, None]
+    matrix = np.column_stack([np.ones(len(rows)), analysis.fit.solution.design(rows)]) * np.sqrt(rows.weight)[:, None]
     linear, *_ = np.linalg.lstsq(matrix, rows.friction * np.sqrt(rows.weight), rcond=None)
     errors = matrix @ linear - rows.friction * np.sqrt(rows.weight)
     spread = clustered(matrix, errors, data.group, 1)

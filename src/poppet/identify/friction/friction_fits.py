@@ -124,21 +124,24 @@ def fit_records(
         for k, record in enumerate(records):
             if record.body != records[0].body:
                 errors.add("friction.bodies", record.name, body=record.body, other=records[0].body)
-            is_record = rows.record == k
-            signs = set(rows.sign[is_record].tolist())
-            if not rows.velocity[is_record].any():
+            record_rows, unit = rows.of(rows.record == k), record.coordinate.effort_unit
+            levels = [np.mean(record_rows.friction[record_rows.sign == sign]) for sign in np.unique(record_rows.sign)]
+            zero = np.mean(levels) if levels and k in free_offsets else 0.0
+            along = record_rows.sign * (record_rows.friction - zero)
+            if not record_rows.velocity.any():
                 errors.add("friction.at_rest", "position" if record.is_motion else "velocity", name=record.name)
-            elif k in free_offsets and len(signs) < 2:
-                errors.add("friction.one_way", "offset", name=record.name, unit=record.coordinate.effort_unit)
-            elif len(signs) > 1 and not np.ptp(record.force):
-                own_facts = {"value": float(record.force[0]), "unit": record.coordinate.effort_unit}
-                errors.add("friction.still", record.coordinate.effort, name=record.name, **own_facts)
-            elif _acts_along_motion(rows.of(is_record), is_free=k in free_offsets):
+            elif k in free_offsets and len(levels) < 2:
+                errors.add("friction.one_way", "offset", name=record.name, unit=unit)
+            elif len(levels) > 1 and not np.ptp(record.force):
+                force = float(record.force[0])
+                errors.add("friction.still", record.coordinate.effort, name=record.name, value=force, unit=unit)
+            elif np.mean(along) < -0.5 * np.sqrt(np.mean(along**2)):  # the friction acts along the motion
                 errors.add("friction.helps", record.coordinate.effort, name=record.name)
     span = float(np.ptp(rows.pressure)) if len(rows) else 0.0
     has_pressure = span > max(LEVELS_DIFFER * float(np.max(rows.pressure, initial=0.0)), LEAST_PRESSURE)
-    data = FrictionData.of(rows, free_offsets, has_pressure=has_pressure)
-    fits = {name: fit for name, candidate in LAWS.items() if (fit := fit_friction_law(data, candidate)) is not None}
+    data = FrictionData.of(rows, free_offsets)
+    candidates = {name: replace(candidate, has_pressure=has_pressure) for name, candidate in LAWS.items()}
+    fits = {name: fit for name, candidate in candidates.items() if (fit := fit_friction_law(data, candidate))}
     if not fits:
         raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
     simplest, equivalent = select_law(fits)
@@ -149,14 +152,6 @@ def fit_records(
     return FrictionFits(
         records, tuple(motions), data, distance, fits, simplest, tuple(equivalent), selected, is_offset_known
     )
-
-
-def _acts_along_motion(rows: SlidingRows, *, is_free: bool) -> bool:
-    """Return True if the friction acts along the motion, which indicates a wrong sign."""
-    masks = [mask for mask in (rows.sign == 1.0, rows.sign == -1.0) if mask.any()]
-    zero = float(np.mean([float(np.mean(rows.friction[mask])) for mask in masks])) if is_free else 0.0
-    along = rows.sign * (rows.friction - zero)
-    return float(np.mean(along)) < -0.5 * float(np.sqrt(np.mean(along**2)))
 
 
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:

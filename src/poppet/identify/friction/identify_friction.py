@@ -291,7 +291,7 @@ def _curves(analysis: FrictionFits) -> dict[str, Any]:
         "x_unit": analysis.coordinate.speed,
         "x_name": "speed",
     }
-    if analysis.data.has_pressure:
+    if SEAL in parameters:
         result["pressure.friction"] = _pressure_curve(analysis, friction_along_motion)
     if analysis.bristles is not None:
         result["reversal.friction"] = _reversal_curve(analysis)
