@@ -61,10 +61,20 @@ class FrictionFits:
         return self.fits[self.selected]
 
     @cached_property
+    def ranked(self) -> list[str]:
+        """Names of the laws, in the order of their validation errors."""
+        return sorted(self.fits, key=lambda name: self.fits[name].held_out_rms)
+
+    @cached_property
     def speeds(self) -> tuple[float, float]:
         """Speeds below which 2 % and 98 % of the rows are [m/s]."""
         low, high = np.quantile(np.abs(self.data.rows.velocity), [0.02, 0.98]).tolist()
         return low, high
+
+    @cached_property
+    def mean_friction(self) -> float:
+        """Mean magnitude of the modelled friction, above 0 [N]."""
+        return max(float(np.mean(np.abs(self.fit.solution.friction(self.data.rows)))), 1e-300)
 
     @property
     def is_narrow(self) -> bool:
@@ -156,18 +166,23 @@ def fit_records(
 
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
     """Return one table for each record, with measured and modelled mean friction."""
-    rows, solution, result = analysis.data.rows, analysis.fit.solution, []
-    missed = solution.missed(rows)
+    solution, levels = analysis.fit.solution, []
     for k, record in enumerate(analysis.records):
-        is_record = rows.record == k
-        sign, masks = rows.sign[is_record], [rows.sign[is_record] > 0.0, rows.sign[is_record] < 0.0]
-        line = float(np.mean(sign * solution.friction(rows)[is_record]))
-        row = {"name": record.name, "pressure": float(np.mean(rows.pressure[is_record])), "rows": int(is_record.sum())}
-        row |= {"level": line - float(np.mean(sign * missed[is_record])), "line": line}
-        row |= {"offset": solution.offsets.get(k, 0.0)}
-        row |= {"speeds": [float(np.mean(np.abs(rows.velocity[is_record][mask]))) for mask in masks if mask.any()]}
-        if all(mask.any() for mask in masks):
-            row["half_of_force"] = 0.5 * float(-np.diff([np.mean(rows.force[is_record][mask]) for mask in masks])[0])
-            row["moves"] = 0.5 * float(-np.diff([np.mean(rows.pressure[is_record][mask]) for mask in masks])[0])
-        result.append(row)
-    return result
+        rows = analysis.data.rows.of(analysis.data.rows.record == k)
+        line = float(np.mean(rows.sign * solution.friction(rows)))
+        directions = [rows.of(rows.sign == sign) for sign in (1.0, -1.0) if (rows.sign == sign).any()]
+        row = {
+            "name": record.name,
+            "pressure": float(np.mean(rows.pressure)),
+            "rows": len(rows),
+            "level": line - float(np.mean(rows.sign * solution.missed(rows))),
+            "line": line,
+            "offset": solution.offsets.get(k, 0.0),
+            "speeds": [float(np.mean(np.abs(one_way.velocity))) for one_way in directions],
+        }
+        if len(directions) == 2:
+            forward, backward = directions
+            row["half_of_force"] = 0.5 * float(np.mean(forward.force) - np.mean(backward.force))
+            row["moves"] = 0.5 * float(np.mean(forward.pressure) - np.mean(backward.pressure))
+        levels.append(row)
+    return levels

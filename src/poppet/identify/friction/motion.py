@@ -94,6 +94,33 @@ class Reversal:
     window: float  # window of the velocity [s]
     last: Reversal | None  # previous stroke, in the opposite direction
 
+    def blocks(self, time: FloatArray, position: FloatArray, force: FloatArray, sigma: float) -> SlidingRows:
+        """Return one row for each block of a self.
+
+        The velocity is the slope of a line through the positions of the block. The other channels are mean values.
+        `sigma` is the standard deviation of a velocity.
+
+        The first and the last block are omitted, because they contain reversals. Blocks at rest are also omitted.
+        """
+        block = np.floor((time - time[0]) / self.window + 1e-9).astype(int)
+        starts = np.flatnonzero(np.diff(block, prepend=-1))
+        count = np.diff([*starts, time.size])
+
+        def mean(values: FloatArray) -> FloatArray:
+            return np.asarray(np.add.reduceat(values, starts) / count)
+
+        t, x = time - np.repeat(mean(time), count), position - np.repeat(mean(position), count)
+        spread = np.add.reduceat(t * t, starts)
+        slope = np.add.reduceat(t * x, starts) / np.where(spread > 0.0, spread, 1.0)
+        typical = float(np.quantile(np.abs(slope), 0.75))
+        is_sliding = self.sign * slope > max(MOVING * sigma, CREEPS * typical)
+        is_sliding[[0, -1]] = False
+        means = [mean(values) for values in (self.friction, self.pressure, force)]
+        coordinates = [mean(values) for values in (time, position, np.maximum(self.distance, 0.0))]
+        indices = (np.full(count.size, value) for value in (self.record, self.stroke))
+        columns = slope, *means, count.astype(float), *coordinates, *indices
+        return SlidingRows(*(values[is_sliding] for values in columns))
+
 
 @dataclass(frozen=True, eq=False)
 class RecordedMotion:
@@ -149,9 +176,14 @@ def rows_of_recording(
     statistics: list[tuple[float, float, float]] = []
     for k, (samples, sign, previous_length) in enumerate(ranges):
         t, x = time[samples], position[samples]
-        width = max(window, 3.0 * step) if window else _choose_window(t, x, noise, step)
-        sigma = noise * math.sqrt(12.0 / (width / step) ** 3) / step
-        _, speed, misfit = _fit_lines(t, x, 0.5 * width)
+        width = max(window, 3.0 * step) if window else SHORTEST * step
+        while True:
+            _, speed, misfit = _fit_lines(t, x, 0.5 * width)
+            sigma = noise * math.sqrt(12.0 / (width / step) ** 3) / step
+            is_steady_enough = sigma <= STEADY * float(np.quantile(np.abs(speed), 0.75))
+            if window or is_steady_enough or 1.3 * width > max(t.size / FEWEST, SHORTEST) * step:
+                break
+            width *= 1.3
         stroke = Reversal(
             distance=sign * (smooth[samples] - smooth[samples][0]),
             friction=friction[samples] - (mass * np.gradient(speed, t) if mass else 0.0),
@@ -167,7 +199,7 @@ def rows_of_recording(
             last=replace(strokes[-1], last=None) if previous_length > 0.0 else None,
         )
         strokes.append(stroke)
-        rows.append(_average_blocks(stroke, t, x, record.force[samples], sigma))
+        rows.append(stroke.blocks(t, x, record.force[samples], sigma))
         statistics.append((width, sigma, misfit))
     windows, noises, misfits = np.array(statistics).reshape(-1, 3).T.tolist()
     smear = float(np.median(misfits)) / noise if noise > 0.0 and misfits else 1.0
@@ -183,35 +215,6 @@ def stack_rows(rows: Sequence[SlidingRows]) -> SlidingRows:
             for field in fields(SlidingRows)
         )
     )
-
-
-def _average_blocks(
-    stroke: Reversal, time: FloatArray, position: FloatArray, force: FloatArray, sigma: float
-) -> SlidingRows:
-    """Return one row for each block of a stroke.
-
-    The velocity is the slope of a line through the positions of the block. The other channels are mean values.
-
-    The first and the last block are omitted, because they contain reversals. Blocks at rest are also omitted. `sigma`
-    is the standard deviation of a velocity.
-    """
-    block = np.floor((time - time[0]) / stroke.window + 1e-9).astype(int)
-    starts = np.flatnonzero(np.diff(block, prepend=-1))
-    count = np.diff([*starts, time.size])
-
-    def mean(values: FloatArray) -> FloatArray:
-        return np.asarray(np.add.reduceat(values, starts) / count)
-
-    t, x = time - np.repeat(mean(time), count), position - np.repeat(mean(position), count)
-    spread = np.add.reduceat(t * t, starts)
-    slope = np.add.reduceat(t * x, starts) / np.where(spread > 0.0, spread, 1.0)
-    typical = float(np.quantile(np.abs(slope), 0.75))
-    is_sliding = stroke.sign * slope > max(MOVING * sigma, CREEPS * typical)
-    is_sliding[[0, -1]] = False
-    means = [mean(values) for values in (stroke.friction, stroke.pressure, force)]
-    coordinates = [mean(values) for values in (time, position, np.maximum(stroke.distance, 0.0))]
-    indices = (np.full(count.size, value) for value in (stroke.record, stroke.stroke))
-    return SlidingRows(*(values[is_sliding] for values in (slope, *means, count.astype(float), *coordinates, *indices)))
 
 
 def _friction(record: FrictionRecord) -> FloatArray:
@@ -244,16 +247,6 @@ def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[Flo
     mean_squares = np.maximum(total(x * x) - n * mean_x**2 - slope**2 * spread, 0.0) / np.maximum(n - 2.0, 1.0)
     value = mean_x + slope * (t - mean_t) + position.mean()
     return np.asarray(value, float), np.asarray(slope, float), math.sqrt(float(np.mean(mean_squares)))
-
-
-def _choose_window(time: FloatArray, position: FloatArray, noise: float, step: float) -> float:
-    """Return the shortest window that limits the relative velocity noise to `STEADY`."""
-    samples, longest = float(SHORTEST), max(time.size / FEWEST, SHORTEST)
-    while True:
-        typical = float(np.quantile(np.abs(_fit_lines(time, position, 0.5 * samples * step)[1]), 0.75))
-        if noise * math.sqrt(12.0 / samples**3) / step <= STEADY * typical or 1.3 * samples > longest:
-            return samples * step
-        samples *= 1.3
 
 
 def _split_strokes(smooth: FloatArray, back: float) -> tuple[list[tuple[slice, float, float]], int]:
