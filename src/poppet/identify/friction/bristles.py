@@ -15,17 +15,19 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.identify.friction.friction_fit import LawSolution
 from poppet.identify.friction.motion import BENT, WAYS, RecordedMotion, Reversal
 from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import WEAK
 from poppet.laws.physics.friction import sliding_level
 from poppet.timeseries.checks import FloatArray
+
+if TYPE_CHECKING:
+    from poppet.identify.friction.friction_fit import LawSolution
 
 FEWEST, STEPS = 3, 48
 """Minimum number of reversals, and number of stiffnesses on the grid."""

@@ -10,8 +10,7 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.message_format import facts_of
-from poppet.identify.friction.friction_fit import LAWS
-from poppet.identify.friction.friction_fits import FrictionFits, levels_of
+from poppet.identify.friction.friction_fit import LAWS, FrictionFits, levels_of
 from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
 from poppet.identify.friction.records import SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import clustered, coverage_factor
@@ -23,15 +22,15 @@ ZONES, UNEVEN = 8, 0.05
 """Number of ranges of the stroke, and minimum relative difference of their friction that is reported."""
 
 
-def findings(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
+def findings(analysis: FrictionFits) -> Iterator[Note]:
     """Yield the findings, the most important first, with the units that their messages need."""
     units = {name: getattr(analysis.coordinate, name) for name in ("effort", "effort_unit", "length", "speed")}
-    checks = _seal_and_bristle_notes, _motion_notes, _recording_notes
-    for note in itertools.chain(_law_notes(analysis, requested_law), *(check(analysis) for check in checks)):
+    checks = _law_notes, _seal_and_bristle_notes, _motion_notes, _recording_notes
+    for note in itertools.chain.from_iterable(check(analysis) for check in checks):
         yield Note(note.code, note.address, **note.facts, **{n: units[n] for n in facts_of(note.code) & units.keys()})
 
 
-def _law_notes(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
+def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
     """Yield the law that the data support, and upper bounds on parameters that the selected law does not contain."""
     fits, fit, ranked, coordinate = analysis.fits, analysis.fit, analysis.ranked, analysis.coordinate
     yield Note(
@@ -44,7 +43,7 @@ def _law_notes(analysis: FrictionFits, requested_law: str) -> Iterator[Note]:
         worse=[name for name in fits if name not in analysis.equivalent],
         best=ranked[0],
     )
-    if analysis.selected != analysis.supported and requested_law in fits:
+    if analysis.selected != analysis.supported:
         yield Note("friction.not_supported", chosen=analysis.selected, law=analysis.supported)
     if left_out := [name for name in LAWS if name not in fits]:
         yield Note("friction.not_told", laws=left_out)

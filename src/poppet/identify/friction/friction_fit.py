@@ -1,24 +1,37 @@
 """Least-squares fits of dry friction laws to rows of steady sliding, with cross-validation by groups.
 
-All parameters of a law except the Stribeck velocity are linear. A scalar search finds the Stribeck velocity, from below
-the slowest row to above the fastest; the intervals include all equivalent values. The refits without one group give the
-validation error. The intervals use the sum of the residuals of each group (`poppet.identify.gum`). Therefore
-common errors of one recording or stroke do not make them too narrow.
+The rows are selected from friction records. All parameters of a law except the Stribeck velocity are linear. A scalar
+search finds the Stribeck velocity, from below the slowest row to above the fastest; the intervals include all
+equivalent values. The refits without one group give the validation error. The intervals use the sum of the residuals
+of each group (`poppet.identify.gum`). Therefore common errors of one recording or stroke do not make them too narrow.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.core.errors import ErrorCollector, InputError
 from poppet.identify.fit.residuals import correlation_time
-from poppet.identify.friction.motion import STEADY, SlidingRows
-from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.bristles import Bristles, fit_bristles
+from poppet.identify.friction.motion import (
+    STEADY,
+    RecordedMotion,
+    SlidingRows,
+    bending_distances,
+    is_steady,
+    rows_of_recording,
+    rows_of_table,
+    stack_rows,
+)
+from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS, Coordinate, FrictionRecord
 from poppet.identify.gum import ClusterCovariance, clustered, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
@@ -34,6 +47,11 @@ MIN_FRACTION = 0.01
 CHANCE = 0.01
 """Probability below which the gain of a richer law within one recording is significant."""
 FEWEST_RECORDS, FEWEST_STROKES, MOST_STROKES, MOST_POINTS, BLOCKS = 3, 6, 20, 12, 10
+LUGRE = "lugre"
+NARROW = 5.0
+"""Ratio of speeds below which a viscous part and a Stribeck velocity are not identifiable."""
+LEVELS_DIFFER, LEAST_PRESSURE = 0.1, 2e3
+"""Minimum range of pressure differences for a fit of the seal friction: relative to the maximum, and absolute [Pa]."""
 
 
 @dataclass(frozen=True)
@@ -376,11 +394,168 @@ def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
     )
 
 
-def select_law(fits: Mapping[str, FrictionLawFit]) -> tuple[str, list[str]]:
-    """Return the simplest acceptable law, and all laws that the best law does not improve significantly.
+@dataclass(frozen=True, eq=False)
+class FrictionFits:
+    """Fits of all friction laws, with the data that findings, figures and the result need."""
 
-    The best law has the smallest validation error. The simplest of the acceptable laws is selected.
-    """
-    best = min(fits, key=lambda name: fits[name].held_out_rms)
-    equivalent = [name for name in fits if name == best or not is_better(fits[best], fits[name])]
-    return equivalent[0], equivalent
+    records: tuple[FrictionRecord, ...]
+    motions: tuple[RecordedMotion, ...]
+    data: FrictionData
+    distance: float  # median distance after a reversal before steady sliding [m]
+    fits: Mapping[str, FrictionLawFit]
+    requested: str  # requested law, `best` or `lugre`
+    is_offset_known: bool  # True if the offset of the force is given or free
+
+    @property
+    def coordinate(self) -> Coordinate:
+        """Kind of motion of the body: translation or rotation."""
+        return self.records[0].coordinate
+
+    @property
+    def is_one_way(self) -> bool:
+        """True if all rows have the same direction of sliding."""
+        return bool(np.ptp(self.data.rows.sign) == 0.0)
+
+    @cached_property
+    def ranked(self) -> list[str]:
+        """Names of the laws, in the order of their validation errors."""
+        return sorted(self.fits, key=lambda name: self.fits[name].held_out_rms)
+
+    @cached_property
+    def equivalent(self) -> list[str]:
+        """Names of the laws that the best law does not improve significantly, the simplest first."""
+        best = self.ranked[0]
+        return [name for name, fit in self.fits.items() if name == best or not is_better(self.fits[best], fit)]
+
+    @property
+    def supported(self) -> str:
+        """Name of the simplest law that no other law improves significantly."""
+        return self.equivalent[0]
+
+    @property
+    def selected(self) -> str:
+        """Name of the law that the result uses."""
+        return self.supported if self.requested in ("best", LUGRE) else self.requested
+
+    @property
+    def fit(self) -> FrictionLawFit:
+        """Fit of the selected law."""
+        return self.fits[self.selected]
+
+    @cached_property
+    def speeds(self) -> tuple[float, float]:
+        """Speeds below which 2 % and 98 % of the rows are [m/s]."""
+        low, high = np.quantile(np.abs(self.data.rows.velocity), [0.02, 0.98]).tolist()
+        return low, high
+
+    @cached_property
+    def mean_friction(self) -> float:
+        """Mean magnitude of the modelled friction, above 0 [N]."""
+        return max(float(np.mean(np.abs(self.fit.solution.friction(self.data.rows)))), 1e-300)
+
+    @property
+    def is_narrow(self) -> bool:
+        """True if the range of speeds is too small to separate the terms of a friction law."""
+        return self.speeds[1] < NARROW * self.speeds[0]
+
+    @cached_property
+    def all_rows(self) -> SlidingRows:
+        """All rows of all records, including rows with deflecting bristles after a reversal."""
+        return stack_rows([motion.rows for motion in self.motions])
+
+    @cached_property
+    def bristles(self) -> Bristles | None:
+        """Estimates of bristle stiffness and damping; None if there are too few reversals."""
+        return fit_bristles(self.motions, self.fit.solution, self.distance)
+
+    @property
+    def reversals(self) -> int:
+        """Number of reversals in all recordings."""
+        return sum(len(motion.reversals) for motion in self.motions)
+
+
+def fit_records(
+    records: Sequence[FrictionRecord],
+    law: str,
+    offset: float | str | None,
+    smoothing: float | None,
+    within: tuple[float, float] | None,
+    mass: float,
+) -> FrictionFits:
+    """Select rows of steady sliding from records and fit all friction laws to them."""
+    records = tuple(records)
+    if isinstance(offset, float | int) and offset != 0.0:
+        records = tuple(replace(record, force=record.force - float(offset)) for record in records)
+    motions, strokes = [], 0
+    for index, record in enumerate(records):
+        if record.is_motion:
+            motion = rows_of_recording(record, index, strokes, smoothing, mass)
+        else:
+            motion = rows_of_table(record, index)
+        strokes = int(np.max(motion.rows.stroke, initial=strokes - 1)) + 1
+        motions.append(motion)
+    distances = bending_distances(motions)
+    distance = float(np.median(list(distances.values()))) if distances else 0.0
+    rows = stack_rows([motion.rows for motion in motions])
+    distance_of_row = np.array([distances[int(k)] for k in rows.stroke])
+    slides = (rows.distance > distance_of_row) & (rows.sign != 0.0) & is_steady(rows, distance_of_row)
+    if within is not None:
+        slides &= np.isnan(rows.position) | ((rows.position >= within[0]) & (rows.position <= within[1]))
+    rows = rows.of(slides)
+    free_offsets = [k for k, r in enumerate(records) if offset == "free" or (offset is None and r.is_motion)]
+    with ErrorCollector() as errors:
+        for first, second in itertools.combinations(records, 2):
+            # An absent channel is None, which equals only None.
+            if all(np.array_equal(getattr(first, n), getattr(second, n)) for n in ("force", "velocity", "position")):
+                errors.add("friction.same_twice", "file", name=first.name, other=second.name)
+        for k, record in enumerate(records):
+            if record.body != records[0].body:
+                errors.add("friction.bodies", record.name, body=record.body, other=records[0].body)
+            record_rows, unit = rows.of(rows.record == k), record.coordinate.effort_unit
+            levels = [np.mean(record_rows.friction[record_rows.sign == sign]) for sign in np.unique(record_rows.sign)]
+            zero = np.mean(levels) if levels and k in free_offsets else 0.0
+            along = record_rows.sign * (record_rows.friction - zero)
+            if not record_rows.velocity.any():
+                errors.add("friction.at_rest", "position" if record.is_motion else "velocity", name=record.name)
+            elif k in free_offsets and len(levels) < 2:
+                errors.add("friction.one_way", "offset", name=record.name, unit=unit)
+            elif len(levels) > 1 and not np.ptp(record.force):
+                force = float(record.force[0])
+                errors.add("friction.still", record.coordinate.effort, name=record.name, value=force, unit=unit)
+            elif np.mean(along) < -0.5 * np.sqrt(np.mean(along**2)):  # the friction acts along the motion
+                errors.add("friction.helps", record.coordinate.effort, name=record.name)
+    span = float(np.ptp(rows.pressure)) if len(rows) else 0.0
+    has_pressure = span > max(LEVELS_DIFFER * float(np.max(rows.pressure, initial=0.0)), LEAST_PRESSURE)
+    data = FrictionData.of(rows, free_offsets)
+    candidates = {name: replace(candidate, has_pressure=has_pressure) for name, candidate in LAWS.items()}
+    fits = {name: fit for name, candidate in candidates.items() if (fit := fit_friction_law(data, candidate))}
+    if not fits:
+        raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
+    if law not in ("best", LUGRE, *fits):
+        raise InputError("friction.law_not_told", "law", value=law)
+    is_offset_known = offset is not None or any(record.is_motion for record in records)
+    return FrictionFits(records, tuple(motions), data, distance, fits, law, is_offset_known)
+
+
+def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
+    """Return one table for each record, with measured and modelled mean friction."""
+    solution, levels = analysis.fit.solution, []
+    for k, record in enumerate(analysis.records):
+        rows = analysis.data.rows.of(analysis.data.rows.record == k)
+        line = float(np.mean(rows.sign * solution.friction(rows)))
+        directions = [rows.of(rows.sign == sign) for sign in (1.0, -1.0) if (rows.sign == sign).any()]
+        row = {
+            "name": record.name,
+            "pressure": float(np.mean(rows.pressure)),
+            "rows": len(rows),
+            "level": line - float(np.mean(rows.sign * solution.missed(rows))),
+            "line": line,
+            "offset": solution.offsets.get(k, 0.0),
+            "speeds": [float(np.mean(np.abs(one_way.velocity))) for one_way in directions],
+        }
+        if len(directions) == 2:
+            forward, backward = directions
+            row["half_of_force"] = 0.5 * float(np.mean(forward.force) - np.mean(backward.force))
+            row["moves"] = 0.5 * float(np.mean(forward.pressure) - np.mean(backward.pressure))
+        levels.append(row)
+    return levels

@@ -15,8 +15,7 @@ from poppet.identify.file_argument import or_file
 from poppet.identify.friction.bristles import usable_reversals
 from poppet.identify.friction.friction_file import read_friction_file
 from poppet.identify.friction.friction_findings import findings
-from poppet.identify.friction.friction_fit import LAWS
-from poppet.identify.friction.friction_fits import LUGRE, FrictionFits, fit_records, levels_of
+from poppet.identify.friction.friction_fit import LAWS, LUGRE, FrictionFits, fit_records, levels_of
 from poppet.identify.friction.motion import HALF_POWER
 from poppet.identify.friction.records import (
     BRISTLES,
@@ -149,7 +148,7 @@ def identify_friction(
         residuals=residuals,
         correlation=correlations(finite_names, covariance[np.ix_(is_finite, is_finite)]) if finite_names else {},
         comparison=_comparison(analysis, estimates),
-        remarks=(*findings(analysis, law), *notes_of(notes)),
+        remarks=(*findings(analysis), *notes_of(notes)),
         conditions=_conditions(analysis, mass or inertia),
         series=_curves(analysis),
     )
