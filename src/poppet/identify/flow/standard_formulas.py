@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of
 from poppet.timeseries.checks import FloatArray
@@ -114,15 +113,21 @@ def evaluate_by_standard(
     >>> found.saturated, round(found.sonic_conductance * 1e8, 4), round(found.critical_ratio, 3)
     ((0, 1), 2.0, 0.3)
     """
-    saturated = _plateau(points)
+    order = np.argsort(points.pressure_ratio, kind="stable")
+    conductance = points.effective_conductance[order]
+    meter = points.u_mass_flow_rate
+    scatter = math.hypot(meter.relative, meter.absolute / float(np.max(points.mass_flow_rate)))
+    tolerance, count = max(PLATEAU, 3.0 * scatter), 1
+    while count < order.size and conductance[count] > np.mean(conductance[:count]) * (1.0 - tolerance):
+        count += 1
+    saturated = order[:count]
     flow_ratio = points.effective_conductance / float(np.mean(points.effective_conductance[saturated]))
-    tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
     is_subsonic = (
         ~np.isin(np.arange(len(points)), saturated) & (flow_ratio > tolerance) & (flow_ratio < 1.0 - tolerance)
     )
     subsonic = np.flatnonzero(is_subsonic & (points.pressure_ratio < 1.0))
     sets = tuple(saturated.tolist()), tuple(subsonic.tolist())
-    return _evaluate(_shift_readings(points, {}), *sets, subsonic_index, cracking_pressure)
+    return _evaluate(points, {}, *sets, subsonic_index, cracking_pressure)
 
 
 def standard_uncertainties(
@@ -143,80 +148,42 @@ def standard_uncertainties(
     """
     sets = evaluation.saturated, evaluation.subsonic
     warm = (evaluation.critical_ratio, evaluation.subsonic_index, evaluation.cracking_pressure)
-    total = np.zeros(4)
-    for readings in _perturb_readings(points, evaluation):
-        shifted = _evaluate(readings, *sets, subsonic_index, cracking_pressure, warm)
-        total += (shifted.numbers - evaluation.numbers) ** 2
-    return np.sqrt(total)
-
-
-class StandardReadings(NamedTuple):
-    """Quantities of all points that the formulas of the standard use."""
-
-    conductance: FloatArray  # effective conductance
-    ratio: FloatArray
-    pressure_1: FloatArray
-
-
-def _shift_readings(points: FlowPoints, shifts: Mapping[str, FloatArray]) -> StandardReadings:
-    """Return the quantities for shifted readings.
-
-    The readings are not checked, because a shift can make them slightly invalid.
-    """
-    flow, p_1, p_2, temperature = (getattr(points, c) + shifts.get(c, 0.0) for c in CHANNELS)
-    return StandardReadings(conductance_of(flow, p_1, temperature), p_2 / p_1, p_1)
-
-
-def _perturb_readings(points: FlowPoints, evaluation: StandardEvaluation) -> Iterator[StandardReadings]:
-    """Yield the quantities for one error of one standard deviation at a time.
-
-    The errors are first those of each single reading, then those that all points share.
-    """
-    indices = (*evaluation.saturated, *evaluation.subsonic)
+    # First the errors of each single reading, then those that all points share.
+    shifts: list[Mapping[str, FloatArray]] = []
     for channel in CHANNELS:
-        reading = getattr(points, channel)
-        instrument = points.instrument(channel)
+        reading, instrument = getattr(points, channel), points.instrument(channel)
         sigma = np.hypot(instrument.absolute, instrument.relative * reading)
         if channel == "mass_flow_rate" and not instrument.is_noisy and len(evaluation.saturated) > 1:
             plateau = points.effective_conductance[list(evaluation.saturated)]
             sigma = np.full(len(points), np.std(plateau, ddof=1) / np.mean(plateau) * np.max(reading))
-        for k in indices if sigma.any() else ():
-            yield _shift_readings(points, {channel: np.where(np.arange(len(points)) == k, sigma, 0.0)})
-    for effect in points.effects():
-        yield _shift_readings(
-            points, {c: effect.offset + effect.calibration * getattr(points, c) for c in effect.channels}
-        )
-
-
-def _relative_scatter(points: FlowPoints) -> float:
-    meter = points.u_mass_flow_rate
-    return math.hypot(meter.relative, meter.absolute / float(np.max(points.mass_flow_rate)))
-
-
-def _plateau(points: FlowPoints) -> NDArray[np.int64]:
-    """Return the indices of the saturated points, in ascending order of p2/p1.
-
-    They end at the first point whose effective conductance is clearly below the mean of those before it.
-    """
-    order = np.argsort(points.pressure_ratio, kind="stable")
-    conductance = points.effective_conductance[order]
-    tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
-    count = 1
-    while count < order.size and conductance[count] > np.mean(conductance[:count]) * (1.0 - tolerance):
-        count += 1
-    return np.asarray(order[:count])
+        if sigma.any():
+            units = np.eye(len(points))[[*evaluation.saturated, *evaluation.subsonic]]
+            shifts += [{channel: unit * sigma} for unit in units]
+    shifts += [{c: effect.shift(getattr(points, c)) for c in effect.channels} for effect in points.effects()]
+    total = np.zeros(4)
+    for shift in shifts:
+        shifted = _evaluate(points, shift, *sets, subsonic_index, cracking_pressure, warm)
+        total += (shifted.numbers - evaluation.numbers) ** 2
+    return np.sqrt(total)
 
 
 def _evaluate(
-    readings: StandardReadings,
+    points: FlowPoints,
+    shifts: Mapping[str, FloatArray],
     saturated: tuple[int, ...],
     subsonic: tuple[int, ...],
     subsonic_index: float | Free,
     cracking_pressure: float | Free,
     warm: tuple[float, float, float] = (0.3, 0.5, 0.0),
 ) -> StandardEvaluation:
-    conductance = float(np.mean(readings.conductance[list(saturated)]))
-    conductances, ratio, pressure = (series[list(subsonic)] for series in readings)
+    """Return the results for readings that are shifted by `shifts`.
+
+    The readings are not checked, because a shift can make them slightly invalid.
+    """
+    flow, p_1, p_2, temperature = (getattr(points, channel) + shifts.get(channel, 0.0) for channel in CHANNELS)
+    effective, indices = conductance_of(flow, p_1, temperature), list(subsonic)
+    conductance = float(np.mean(effective[list(saturated)]))
+    conductances, ratio, pressure = effective[indices], (p_2 / p_1)[indices], p_1[indices]
     flow_ratio = conductances / conductance
     free = {"subsonic_index": subsonic_index == "free", "cracking_pressure": cracking_pressure == "free"}
     index = warm[1] if subsonic_index == "free" else subsonic_index
@@ -226,18 +193,14 @@ def _evaluate(
     if any(free.values()):
         numbers = _fit_ratio(ratio, flow_ratio, pressure, (warm[0], index, cracking), free)
     else:
-        numbers = (_mean_critical_ratio(ratio, flow_ratio, index, cracking / pressure), index, cracking)
+        phi = np.minimum(flow_ratio, 1.0 - 1e-12)
+        # If m is very small, the points do not determine b, and the result is NaN.
+        with np.errstate(all="ignore"):
+            s = np.sqrt(1.0 - phi ** (1.0 / index))
+            ratios = (ratio - s * (1.0 - cracking / pressure)) / (1.0 - s)
+            weight = critical_ratio_uncertainty(ratio, phi, 1e-3 * ratio, 1e-3, index) ** -2.0
+            numbers = float(np.sum(weight * ratios) / np.sum(weight)), index, cracking
     return StandardEvaluation(conductance, *numbers, saturated, subsonic)
-
-
-def _mean_critical_ratio(ratio: FloatArray, flow_ratio: FloatArray, index: float, cracking: FloatArray) -> float:
-    phi = np.minimum(flow_ratio, 1.0 - 1e-12)
-    # If m is very small, the points do not determine b, and the result is NaN.
-    with np.errstate(all="ignore"):
-        s = np.sqrt(1.0 - phi ** (1.0 / index))
-        single = (ratio - s * (1.0 - cracking)) / (1.0 - s)
-        weight = critical_ratio_uncertainty(ratio, phi, 1e-3 * ratio, 1e-3, index) ** -2.0
-        return float(np.sum(weight * single) / np.sum(weight))
 
 
 def _fit_ratio(
