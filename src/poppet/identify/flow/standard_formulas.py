@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any, Literal
 
 import numpy as np
@@ -148,8 +149,7 @@ def standard_uncertainties(
     """
     sets = evaluation.saturated, evaluation.subsonic
     warm = (evaluation.critical_ratio, evaluation.subsonic_index, evaluation.cracking_pressure)
-    # First the errors of each single reading, then those that all points share.
-    shifts: list[Mapping[str, FloatArray]] = []
+    sigmas = {}
     for channel in CHANNELS:
         reading, instrument = getattr(points, channel), points.instrument(channel)
         sigma = np.hypot(instrument.absolute, instrument.relative * reading)
@@ -157,12 +157,14 @@ def standard_uncertainties(
             plateau = points.effective_conductance[list(evaluation.saturated)]
             sigma = np.full(len(points), np.std(plateau, ddof=1) / np.mean(plateau) * np.max(reading))
         if sigma.any():
-            units = np.eye(len(points))[[*evaluation.saturated, *evaluation.subsonic]]
-            shifts += [{channel: unit * sigma} for unit in units]
-    shifts += [{c: effect.shift(getattr(points, c)) for c in effect.channels} for effect in points.effects()]
+            sigmas[channel] = sigma
+    # First the errors of each single reading, then those that all points share.
+    indices, row = [*evaluation.saturated, *evaluation.subsonic], np.arange(len(points))
+    errors = ({channel: np.where(row == k, sigma, 0.0)} for channel, sigma in sigmas.items() for k in indices)
+    common = ({c: effect.shift(getattr(points, c)) for c in effect.channels} for effect in points.effects())
     total = np.zeros(4)
-    for shift in shifts:
-        shifted = _evaluate(points, shift, *sets, subsonic_index, cracking_pressure, warm)
+    for shifts in chain(errors, common):
+        shifted = _evaluate(points, shifts, *sets, subsonic_index, cracking_pressure, warm)
         total += (shifted.numbers - evaluation.numbers) ** 2
     return np.sqrt(total)
 
@@ -185,13 +187,13 @@ def _evaluate(
     conductance = float(np.mean(effective[list(saturated)]))
     conductances, ratio, pressure = effective[indices], (p_2 / p_1)[indices], p_1[indices]
     flow_ratio = conductances / conductance
-    free = {"subsonic_index": subsonic_index == "free", "cracking_pressure": cracking_pressure == "free"}
+    is_free = [True, subsonic_index == "free", cracking_pressure == "free"]
     index = warm[1] if subsonic_index == "free" else subsonic_index
     cracking = warm[2] if cracking_pressure == "free" else cracking_pressure
-    if len(subsonic) < 1 + sum(free.values()):
+    if len(subsonic) < sum(is_free):
         return StandardEvaluation(conductance, math.nan, index, cracking, saturated, subsonic)
-    if any(free.values()):
-        numbers = _fit_ratio(ratio, flow_ratio, pressure, (warm[0], index, cracking), free)
+    if any(is_free[1:]):
+        numbers = _fit_ratio(ratio, flow_ratio, pressure, (warm[0], index, cracking), is_free)
     else:
         phi = np.minimum(flow_ratio, 1.0 - 1e-12)
         # If m is very small, the points do not determine b, and the result is NaN.
@@ -208,13 +210,12 @@ def _fit_ratio(
     flow_ratio: FloatArray,
     pressure: FloatArray,
     warm: tuple[float, float, float],
-    free: dict[str, bool],
+    is_free: list[bool],
 ) -> tuple[float, float, float]:
     """Fit b, and m or the cracking pressure or both, to the flow ratios of the subsonic points."""
     from scipy.optimize import least_squares
 
     size = float(np.mean(pressure))
-    is_free = [True, free["subsonic_index"], free["cracking_pressure"]]
     start = np.array([warm[0], warm[1], warm[2] / size])
     highest = 0.99 * float(np.min((1.0 - ratio) * pressure)) / size
     low, high = np.array([-1.0, 0.05, 0.0]), np.array([0.99, 3.0, max(highest, 1e-6)])
@@ -230,8 +231,6 @@ def _fit_ratio(
         position = np.clip((1.0 - ratio - cracking * size / pressure) / (opens - b), 0.0, 1.0)
         return np.asarray((position * (2.0 - position)) ** m - flow_ratio)
 
-    start_point = np.clip(start, low + 1e-9, high - 1e-9)[is_free]
-    solution = numbers(
-        least_squares(misfit, start_point, bounds=(low[is_free], high[is_free]), xtol=1e-12, ftol=1e-12).x
-    )
+    start_point, bounds = np.clip(start, low + 1e-9, high - 1e-9)[is_free], (low[is_free], high[is_free])
+    solution = numbers(least_squares(misfit, start_point, bounds=bounds, xtol=1e-12, ftol=1e-12).x)
     return float(solution[0]), float(solution[1]), float(solution[2] * size)
