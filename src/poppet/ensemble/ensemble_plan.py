@@ -249,17 +249,17 @@ def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Pa
             try:
                 required.append(read_requirement(_identifier(name, address, (ALL,)), text, metrics, ambient, address))
             except InputError as error:
-                # An invalid metric is one error, not two.
-                if error.facts.get("name") not in raw_metrics.keys() - metrics.keys():
-                    errors.extend([error])
+                if error.code == "fields.not_an_option":
+                    if error.facts["value"] in raw_metrics:  # an invalid metric is one error, not two
+                        continue
+                    error.facts["near"] = NameSuggestion(error.facts["value"], raw_metrics)
+                errors.extend([error])
         keep, curves = read.get("keep", "metrics"), read.get("curves", ())
         curves = (curves,) if isinstance(curves, str) else tuple(map(str, curves))
         for address in curves:
             if address not in outputs:
                 near = NameSuggestion(address, outputs)
-                errors.add(
-                    "names.unknown", f"ensemble.curves: {address}", meaning="an output of this circuit", near=near
-                )
+                errors.add("fields.not_an_option", "ensemble.curves", value=address, meaning="output", near=near)
         if not curves and keep != "metrics":
             curves = tuple(dict.fromkeys(metric.of[0] for metric in metrics.values()))
         if not metrics and not curves:

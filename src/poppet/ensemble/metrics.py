@@ -247,7 +247,7 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
             if output in outputs:
                 continue
             near = NameSuggestion(output, outputs)
-            errors.add("names.unknown", f"{address}.of: {output}", meaning="an output of this circuit", near=near)
+            errors.add("fields.not_an_option", f"{address}.of", value=output, meaning="output", near=near)
         valid = METRIC_KINDS[kind].fields if not is_own and kind in METRIC_KINDS else ()
         for key in ("value", "target", "band"):
             if key in read and key not in valid:
@@ -354,8 +354,8 @@ def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambien
         raise InputError("ensemble.requirement", address, text=str(text))
     left, sign, metric_name, relation, right = match.groups()
     if metric_name not in metrics:
-        facts: dict[str, Any] = {"near": NameSuggestion(metric_name, metrics), "name": metric_name}
-        raise InputError("names.unknown", f"{address}: {metric_name}", meaning="a metric of this ensemble", **facts)
+        near = NameSuggestion(metric_name, metrics)
+        raise InputError("fields.not_an_option", address, value=metric_name, meaning="metric", near=near)
     metric = metrics[metric_name]
     if left and relation[0] != "<":  # 1 < x > 2 bounds one side twice
         raise InputError("ensemble.requirement", address, text=text)

@@ -101,7 +101,7 @@ def test_functions_of_a_user(tmp_path):
     ("code", "given"),
     [
         ("fields.not_an_option", {"metric": "maximum"}),
-        ("names.unknown", {"metric": "max", "of": "tank.presure"}),
+        ("fields.not_an_option", {"metric": "max", "of": "tank.presure"}),
         ("ensemble.of", {"metric": "max", "of": ["tank.pressure", "valve.opening"]}),
         ("ensemble.not_of_metric", {"metric": "max", "value": "2 bar"}),
         ("ensemble.no_value", {"metric": "time_to"}),
@@ -174,14 +174,14 @@ def test_what_meets_a_requirement():
         ("ensemble.requirement", "__import__('os').system('true') < 1"),
         ("ensemble.requirement", "1 s < t > 2 s"),
         ("ensemble.requirement", 5),
-        ("names.unknown", "time < 12 s"),
+        ("fields.not_an_option", "time < 12 s"),
         ("ensemble.bound", "t < 12 bar"),
         ("ensemble.bound", "t < 1_000 s"),
         ("ensemble.bound", "t < twelve"),
     ],
 )
 def test_what_is_no_requirement(code, text):
-    with refused(code, "requirements.r: time" if code == "names.unknown" else "requirements.r"):
+    with refused(code, "requirements.r"):
         requirement(text)
 
 

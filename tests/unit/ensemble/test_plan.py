@@ -45,7 +45,7 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
         ("names.unknown", "ensemble.parameters.tank.volum"),
         ("fields.not_an_option", "ensemble.metrics.end.metric"),
         ("quantity.other_quantity", "ensemble.metrics.empty.value"),
-        ("names.unknown", "requirements.fast: empti"),
+        ("fields.not_an_option", "requirements.fast"),
     ]
 
 
@@ -71,7 +71,7 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
         ("ensemble.no_rows", {"metrics": {"end": METRICS["end"] | {"from": "0.501 s", "until": "0.502 s"}}}),
         ("ensemble.no_numbers", {"parameters": {}}),
         ("names.unknown", {"parameters": {"tank.pressure": NUMBERS["tank.volume"]}}),
-        ("names.unknown", {"curves": ["tank.volum"], "keep": "bands"}),
+        ("fields.not_an_option", {"curves": ["tank.volum"], "keep": "bands"}),
         ("ensemble.runs_follow", {"sampling": "grid", "levels": 4}),
         ("ensemble.no_file", {"sampling": "file"}),
         ("ensemble.not_of_file", {"file": "numbers.csv"}),
