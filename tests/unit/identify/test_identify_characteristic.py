@@ -294,7 +294,7 @@ def test_free_lags_and_unknown_flow_paths_are_rejected():
     lagging = replace(test.measurement, channels=(replace(test.measurement.channels[0], lag=None),))
     with refused("stroke.free_sensor", "tank.pressure"):
         identify_characteristic([replace(test, measurement=lagging)])
-    with refused("stroke.unknown_passage"):
+    with refused("names.unknown", "tests.r7.passage"):
         identify_characteristic([replace(test, passage="value")])
     with refused("stroke.no_own_numbers"):
         identify_characteristic([replace(test, passage="tank")])
@@ -357,7 +357,7 @@ def test_strokes_outside_domain_are_rejected():
     ],
 )
 def test_invalid_points_are_rejected(field, value):
-    with refused(f"stroke.{field}" if field != "stroke" else "stroke.not_finite", test="t4"):
+    with refused("numbers.not_finite" if field == "stroke" else "fields.out_of_range", f"tests.t4.{field}"):
         identify_characteristic([*PRINTED[:4], replace(PRINTED[4], **{field: value}), *PRINTED[5:]])
 
 
@@ -365,8 +365,8 @@ def test_invalid_points_are_rejected(field, value):
     ("options", "message"),
     [
         ({"form": "splne"}, "fields.not_an_option"),
-        ({"degree_conductance": -1}, "characteristic.degree"),
-        ({"degree_ratio": 2.5}, "characteristic.degree"),
+        ({"degree_conductance": -1}, "fields.out_of_range"),
+        ({"degree_ratio": 2.5}, "fields.out_of_range"),
         ({"domain": (1e-3, 0.0)}, "characteristic.empty_domain"),
         ({"domain": (float("nan"), 1.0)}, "characteristic.empty_domain"),
         ({"common": (-0.1, 0.0)}, "characteristic.common"),
