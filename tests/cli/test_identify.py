@@ -28,7 +28,7 @@ from poppet.identify import (
 )
 from poppet.identify.characteristic import characteristic_file
 from poppet.identify.design import design_file
-from poppet.identify.fit import fit_file
+from poppet.identify.fit import fit_plan
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.flow import flow_file
 from poppet.identify.friction import friction_file
@@ -104,7 +104,7 @@ def page_of(method: str) -> str:
 @pytest.mark.parametrize(
     ("method", "names"),
     [
-        ("fit", fit_file.TOP_LEVEL),
+        ("fit", fit_plan.TOP_LEVEL),
         ("fit", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free_parameter.FIELDS)),
         ("tank", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
         ("tank", OWN),
@@ -232,7 +232,7 @@ def test_settings_below_the_free_numbers_are_settings(bench):
     """Lines appended to a fit file land in its last table."""
     path = bench / "fit.toml"
     path.write_text(path.read_text(encoding="utf-8") + 'starts = 3\nloss = "huber"\n', encoding="utf-8")
-    plan = fit_file.read_fit_file(path)
+    plan = fit_plan.read_fit_file(path)
     assert (plan.settings.starts, plan.settings.loss, plan.settings.seed) == (3, "huber", 0)
     assert "starts" not in [f.name for f in plan.free]
 
@@ -241,17 +241,17 @@ def test_loss_and_starts_may_stand_with_a_number(bench):
     path = bench / "fit.toml"
     text = path.read_text(encoding="utf-8").replace("{ start = 0.3 }", '{ start = 0.3, starts = 3, loss = "huber" }')
     path.write_text(text, encoding="utf-8")
-    plan = fit_file.read_fit_file(path)
+    plan = fit_plan.read_fit_file(path)
     assert (plan.settings.starts, plan.settings.loss) == (3, "huber")
     path.write_text(text.replace("[free]", 'loss = "huber"\n[free]\nstarts = 2', 1), encoding="utf-8")
     with pytest.raises(InputError) as error:
-        fit_file.read_fit_file(path)
+        fit_plan.read_fit_file(path)
     assert (error.value.code, error.value.address) == ("fit.two_searches", "free.outlet.critical_ratio.starts")
     assert (error.value.facts["first"], error.value.facts["other"]) == ("free.starts", 2)
     assert error.value.line
 
 
-READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
+READERS = {"fit": fit_plan.read_fit_file, "tank": identify_tank}
 
 
 @pytest.mark.parametrize(

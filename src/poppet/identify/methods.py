@@ -96,8 +96,8 @@ BUILT_IN = (
         "fit",
         "any free parameters of any circuit, from any recordings",
         run="poppet.identify.fit.identify_fit:identify_fit",
-        read="poppet.identify.fit.fit_file:read_fit_file",
-        fields="poppet.identify.fit.fit_file:TOP_LEVEL",
+        read="poppet.identify.fit.fit_plan:read_fit_file",
+        fields="poppet.identify.fit.fit_plan:TOP_LEVEL",
         options=(_COMPARE, _PROFILE, _CONTOUR, _BOOTSTRAP),
         examples=("poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",),
         description="Parameters of a circuit, fitted to recordings by weighted least squares on the integrated "

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -299,6 +299,12 @@ def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Es
         elif replacement:
             findings.append(Note(replacement, note.address, **note.facts))
     return tuple(findings)
+
+
+def mark_interrupted(result: Result, note: Note, *remarks: Note) -> Result:
+    """Return a result that is marked as interrupted, with further remarks and a note on the interruption."""
+    remarks = (*result.remarks, *remarks, note)
+    return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=remarks)
 
 
 def fitted_number(estimate: Estimate, title: str) -> Number:

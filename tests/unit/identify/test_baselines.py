@@ -21,7 +21,7 @@ from poppet.identify.baseline_models import (
     score_model,
     score_table,
 )
-from poppet.identify.fit.fit_file import read_fit_file
+from poppet.identify.fit.fit_plan import read_fit_file
 from poppet.identify.fit.identify_fit import identify_fit
 from poppet.timeseries.measurements import read_measurement
 from refusals import refused

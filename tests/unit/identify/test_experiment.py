@@ -190,7 +190,7 @@ def test_bootstrap_fits_take_the_loss_of_the_fit_and_leave_no_minimum(monkeypatc
         return optimise(again, begun, settings, **given)
 
     optimum = optimise(plan.experiments, FREE, plan.settings)
-    monkeypatch.setattr("poppet.identify.fit.intervals.optimise", fitted_again)
+    monkeypatch.setattr("poppet.identify.fit.fit_plan.optimise", fitted_again)
     again = add_bootstrap(plan, optimum, result, 2, lambda what, done, total: None)
     assert seen == [("huber", 0)] * 2
     assert [note.facts["fits"] for note in again.remarks] == [2, 2]
@@ -220,7 +220,7 @@ def test_slopes_are_those_of_central_differences():
     circuit, measurement = Circuit(PARTS), recording(FLOW)
     experiment = Experiment(circuit.instance, measurement, FREE, relative_tolerance=1e-9)
     values = {"tank.volume": 7.5e-3, "tank.wall_conductance": 5.0}
-    _, slopes = experiment.outputs_and_slopes(values)
+    slopes = experiment.slopes(values)
     for k, f in enumerate(FREE):
         step = 1e-3 * values[f.name]
         up, down = (experiment.outputs({**values, f.name: values[f.name] + way * step})[0] for way in (1.0, -1.0))
@@ -244,7 +244,7 @@ def test_numbers_that_others_follow_from_have_slopes_as_well():
         "valve.critical_ratio",
     ]
     values = {f.name: f.start for f in free}
-    (_,), (slopes,) = experiment.outputs_and_slopes(values)
+    (slopes,) = experiment.slopes(values)
     for k, name in enumerate(names):
         up, down = (
             circuit.with_values({name: values[name] * way}).simulate(60.0, 0.1, 1e-9)

@@ -14,7 +14,7 @@ from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSugg
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind
-from poppet.identify.fit.fit_file import read_circuit
+from poppet.identify.fit.fit_plan import read_circuit
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result, read_result
 
