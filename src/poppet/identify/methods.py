@@ -35,8 +35,6 @@ class Method(NamedTuple):
     """Declaration of an identification method.
 
     A function can be given as text `module:name`. The module is then imported on first use.
-
-    The text form `module:name` of a function delays its import.
     """
 
     name: str

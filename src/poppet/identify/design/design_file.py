@@ -13,10 +13,10 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSuggestion, relocated
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
-from poppet.core.units import Kind
 from poppet.identify.fit.fit_plan import read_circuit
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result, read_result
+from poppet.timeseries.measurements.mapping import DIFFERENCE_KINDS
 
 CRITERIA = ("intervals", "worst", "volume")
 OWN = ("duration", "sample_time", "sensors", "start")
@@ -47,7 +47,6 @@ TOP_LEVEL = {
 MOST_TESTS = 500
 """Maximum number of candidates; each one needs one run, and one more per free parameter."""
 MOST_SAMPLES = 100_000
-_DIFFERENCE: dict[str, Kind] = {"Pa": "pressure_difference", "K": "temperature_difference"}
 
 
 @dataclass(frozen=True)
@@ -130,29 +129,24 @@ def read_design_file(path: str | Path) -> DesignPlan:
     """
     file = TomlFile.read(path, "tests")
     with file.errors():
-        return _read_plan(file)
-
-
-def _read_plan(file: TomlFile) -> DesignPlan:
-    with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, table="design file")
-    circuit = read_circuit(data, file.folder)
-    free: list[FreeParameter] = []
-    sensors: dict[str, DesignSensor] = {}
-    units = dict(circuit.instance.model.outputs)
-    with ErrorCollector() as errors:
-        for address, table in data["free"].items():
-            with errors.collecting():
-                free.append(read_free(address, table, circuit))
-        for address, table in data["sensors"].items():
-            with errors.collecting():
-                sensors[address] = _read_sensor(address, table, units)
-    with ErrorCollector() as errors:
-        candidates = list(_read_candidates(errors, data, circuit, sensors))
-    known = read_result(file.folder / str(data["known"])) if "known" in data else None
-    title = str(data.get("title", circuit.title or Path(file.name).stem))
-    options = {key: data[key] for key in ("criterion", "select", "draws", "seed")}
-    return DesignPlan(title, tuple(free), tuple(candidates), **options, known=known)
+        with ErrorCollector() as errors:
+            data = read_fields(errors, file.content, TOP_LEVEL, table="design file")
+        circuit = read_circuit(data, file.folder)
+        free: list[FreeParameter] = []
+        sensors: dict[str, DesignSensor] = {}
+        with ErrorCollector() as errors:
+            for address, table in data["free"].items():
+                with errors.collecting():
+                    free.append(read_free(address, table, circuit))
+            for address, table in data["sensors"].items():
+                with errors.collecting():
+                    sensors[address] = _read_sensor(address, table, dict(circuit.instance.model.outputs))
+        with ErrorCollector() as errors:
+            candidates = tuple(_read_candidates(errors, data, circuit, sensors))
+        known = read_result(file.folder / str(data["known"])) if "known" in data else None
+        title = str(data.get("title", circuit.title or Path(file.name).stem))
+        options = {key: data[key] for key in ("criterion", "select", "draws", "seed")}
+        return DesignPlan(title, tuple(free), candidates, **options, known=known)
 
 
 def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSensor:
@@ -161,7 +155,7 @@ def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSe
         near = NameSuggestion(address, units)
         raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
     unit = units[address]
-    deviation = Field(unit=unit, kind=_DIFFERENCE.get(unit, "plain"), low=0.0, default=0.0)
+    deviation = Field(unit=unit, kind=DIFFERENCE_KINDS.get(unit, "plain"), low=0.0, default=0.0)
     fields = {
         "noise": replace(
             deviation, above=0.0, default=None, is_required=True, meaning="standard deviation of a sample",
