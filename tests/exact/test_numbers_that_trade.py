@@ -10,7 +10,7 @@ import pytest
 from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.identify import Result, TankTest, identify_tank
 from poppet.identify.fit.fit_plan import plan_fit
-from poppet.identify.fit.identify_fit import run_fit
+from poppet.identify.fit.identify_fit import identify_fit
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import read_free
 from poppet.timeseries.measurements import Channel, Measurement
@@ -51,7 +51,7 @@ def side_by_side(free: dict[str, float], **fixed: float) -> Result:
     measurement = Measurement("a", (Channel("tank.pressure", run.time, pressure, "Pa"),), duration=12.0)
     numbers = tuple(replace(read_free(name, {}, circuit), start=start) for name, start in free.items())
     plan = plan_fit([circuit], [measurement], ["fit"], numbers, settings=SearchSettings(), title="side by side")
-    return run_fit(plan)
+    return identify_fit(plan)
 
 
 def test_parts_that_may_be_exchanged_are_not_determined() -> None:

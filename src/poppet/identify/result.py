@@ -368,7 +368,8 @@ def read_result(path: str | Path) -> Result:
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
             near = NameSuggestion(str(estimate.verdict), VERDICTS)
-            raise InputError("result.verdict", name, path=str(path), verdict=estimate.verdict, near=near)
+            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "near": near}
+            raise InputError("fields.not_an_option", f"parameters.{name}.verdict", **facts).located(file=str(path))
     return Result(
         data.get("method", "fit"),
         data.get("title", path.stem),

@@ -173,10 +173,10 @@ def test_a_circuit_beats_both_baselines_on_what_it_made_itself(bench):
 def test_a_command_that_is_no_input_is_refused(bench):
     with pytest.raises(InputError) as error:
         baselines(read_fit_file(bench), {"tank.pressure": "inlet.opneing"})
-    assert (error.value.code, error.value.facts["near"].names) == ("baseline.no_input", ["inlet.opening"])
+    assert (error.value.code, error.value.facts["near"].names) == ("names.unknown", ["inlet.opening"])
     with pytest.raises(InputError) as error:
         baselines(read_fit_file(bench), {"tank.presure": "inlet.opening"})
-    assert (error.value.code, error.value.address) == ("baseline.no_channel", "tank.presure")
+    assert (error.value.code, error.value.address) == ("names.unknown", "tank.presure")
 
 
 def recording(folder: Path, **more: object) -> object:

@@ -169,7 +169,7 @@ def test_mistakes_are_told_at_once(tmp_path: Path) -> None:
         (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", drift = 1 }}\n', "fields.unknown"),
         (f'{FREE}{SENSORS}[vary]\n"tank.volume" = "2 l"\n', "design.no_list"),
         (f'{FREE}{SENSORS}[vary]\n"tank.volme" = ["2 l"]\n', "names.unknown"),
-        (f'{FREE}{SENSORS}[tests.a]\nsensors = ["tank.temperature"]\n', "design.no_sensor"),
+        (f'{FREE}{SENSORS}[tests.a]\nsensors = ["tank.temperature"]\n', "fields.not_an_option"),
         (f'{FREE}{SENSORS}[tests.a]\nstart = {{ "tank.initial_pressure" = "2 bar" }}\n', "design.start"),
         (f'{FREE}{SENSORS}[tests.a]\nduration = "-1 s"\n', "fields.out_of_range"),
         (f'{FREE}{SENSORS}[tests.a]\nsample_time = "1 us"\n', "design.too_many_samples"),

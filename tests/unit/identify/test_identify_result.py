@@ -130,7 +130,7 @@ def test_an_unknown_verdict_is_refused(result, tmp_path):
     (tmp_path / "r.toml").write_text(text, encoding="utf-8")
     with pytest.raises(InputError) as error:
         read_result(tmp_path / "r.toml")
-    assert (error.value.code, error.value.address) == ("result.verdict", "run 1.outlet.lag")
+    assert (error.value.code, error.value.address) == ("fields.not_an_option", "parameters.run 1.outlet.lag.verdict")
     assert error.value.facts["near"].names == ["weak"]
 
 

@@ -13,7 +13,7 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSuggestion, relocated
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
-from poppet.identify.fit.fit_plan import read_circuit
+from poppet.identify.fit.fit_plan import CIRCUIT_FIELDS, read_circuit
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result, read_result
 from poppet.timeseries.measurements.mapping import DIFFERENCE_KINDS
@@ -22,21 +22,14 @@ CRITERIA = ("intervals", "worst", "volume")
 OWN = ("duration", "sample_time", "sensors", "start")
 """Fields of a test that are not parameters or options of the circuit."""
 TOP_LEVEL = {
-    "circuit": Field(is_required=True, meaning="circuit file", example='circuit = "bench.toml"'),
-    "free": Field(
-        type="table",
-        is_required=True,
-        meaning="list of free parameters",
-        example='[free] with "valve.critical_ratio" = 0.3',
-    ),
+    **CIRCUIT_FIELDS,
     "sensors": Field(
         type="table",
         is_required=True,
         meaning="list of sensors",
         example='[sensors] with "tank.pressure" = { noise = "300 Pa" }',
     ),
-    **dict.fromkeys(("tests", "vary", "set", "start"), Field(type="table")),
-    "title": Field(type="text"),
+    **dict.fromkeys(("tests", "vary", "start"), Field(type="table")),
     "known": Field(),
     "select": Field(type="integer", low=1, high=20, default=1, meaning="number of tests to select"),
     "draws": Field(type="integer", low=0, high=200, default=8, meaning="number of samples of the priors"),
@@ -221,7 +214,8 @@ def _read_candidate(
         raise InputError("design.no_list", f"{location}.sensors", value=selected)
     for address in selected:
         if address not in sensors:
-            raise InputError("design.no_sensor", f"{location}.sensors", near=NameSuggestion(str(address), sensors))
+            near = NameSuggestion(str(address), sensors)
+            raise InputError("fields.not_an_option", f"{location}.sensors", value=address, meaning="sensor", near=near)
     start = fields.get("start", {})
     for address, value in start.items() if isinstance(start, Mapping) else ():
         if value != "free":

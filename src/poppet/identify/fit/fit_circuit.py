@@ -17,7 +17,7 @@ from poppet.core.units import convert
 from poppet.identify.fit.experiment import start_values
 from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
 from poppet.identify.fit.fit_series import driving_signals
-from poppet.identify.fit.identify_fit import Progress, run_fit
+from poppet.identify.fit.identify_fit import Progress, identify_fit
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
@@ -164,7 +164,7 @@ def fit_circuit(
     plan = plan_fit(
         circuits, measurements, roles, parameters, settings=settings, title=circuit.title if title is None else title
     )
-    result = run_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
+    result = identify_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
     return FitResult.of(result, circuit, plan)
 
 
@@ -178,7 +178,8 @@ def _add_limits(
     for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
         for address, pair in pairs.items():
             if address not in tables:
-                errors.add("fit.not_free", f"{argument}.{address}", near=NameSuggestion(address, tables))
+                near = NameSuggestion(address, tables)
+                errors.add("names.unknown", f"{argument}.{address}", meaning="a free parameter", near=near)
                 continue
             if not isinstance(pair, Mapping) and (isinstance(pair, str) or not isinstance(pair, Sequence)):
                 errors.add("fit.no_pair", f"{argument}.{address}", value=pair, first=keys[0], second=keys[1])
@@ -241,7 +242,8 @@ class _RecordingReader:
         with ErrorCollector() as errors:
             for argument, keys in (("outputs", self.selected or ()), ("noise", self.noise), ("offsets", self.offsets)):
                 for address in (address for address in keys if address not in compared):
-                    errors.add("fit.not_recorded", f"{argument}.{address}", near=NameSuggestion(address, compared))
+                    near = NameSuggestion(address, compared)
+                    errors.add("names.unknown", f"{argument}.{address}", meaning="a compared series", near=near)
             for measurement in measurements:
                 recorded = {item.address for item in measurement.inputs} | self.circuit.signals.keys()
                 for address in sorted(driving - recorded):

@@ -31,19 +31,23 @@ LARGEST_OFFSET = 0.1
 SURELY = 3.0
 """Largest offset of a sensor, in stated standard deviations."""
 SEARCH = ("loss", "starts", "seed", "kicks")
-TOP_LEVEL = {
+CIRCUIT_FIELDS = {
     "circuit": Field(is_required=True, meaning="circuit file", example='circuit = "bench.toml"'),
+    "free": Field(
+        type="table", is_required=True, meaning="list of free parameters", example='[free] with "part.parameter" = 0.3'
+    ),
+    "set": Field(type="table"),
+    "title": Field(type="text"),
+}
+"""Fields of a file that refers to a circuit with free parameters."""
+TOP_LEVEL = {
+    **CIRCUIT_FIELDS,
     "recordings": Field(
         type="table",
         is_required=True,
         meaning="list of recordings",
         example="[recordings.NAME] with file, time and channels",
     ),
-    "free": Field(
-        type="table", is_required=True, meaning="list of free parameters", example='[free] with "part.parameter" = 0.3'
-    ),
-    "set": Field(type="table"),
-    "title": Field(type="text"),
     **dict.fromkeys(SEARCH, Field()),
 }
 

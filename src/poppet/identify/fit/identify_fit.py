@@ -75,26 +75,7 @@ def identify_fit(
     Result
         Estimates with 95 % intervals and verdicts, residuals, findings.
     """
-    first = plan if isinstance(plan, FitPlan) else read_fit_file(plan)
-    result = run_fit(first, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
-    if compare is None:
-        return result
-    second, name = (
-        (compare, compare.title) if isinstance(compare, FitPlan) else (read_fit_file(compare), Path(compare).name)
-    )
-    return compare_results(result, run_fit(second, progress=progress), name)
-
-
-def run_fit(
-    plan: FitPlan,
-    *,
-    profile: Sequence[str] = (),
-    repeats: int = 0,
-    contour: bool = False,
-    progress: Progress | None = None,
-    stages: Stages | None = None,
-) -> Result:
-    """Fit the free parameters of a plan and return the result with intervals and findings."""
+    plan = plan if isinstance(plan, FitPlan) else read_fit_file(plan)
     if contour:
         contour_indices(plan.free)  # before the work of the fit
     check_effects(plan)
@@ -103,11 +84,14 @@ def run_fit(
     stages = stages or (lambda stage, completed, total: None)
     if profile and not optimum.interrupted:
         result = add_profiles(plan, optimum, result, profile, stages)
-    if contour and not result.conditions["interrupted"]:
+    if contour and not result.interrupted:
         result = add_contour(plan, optimum, result, stages)
-    if repeats and not result.conditions["interrupted"]:
+    if repeats and not result.interrupted:
         result = add_bootstrap(plan, optimum, result, repeats, stages)
-    return result
+    if compare is None:
+        return result
+    name = compare.title if isinstance(compare, FitPlan) else Path(compare).name
+    return compare_results(result, identify_fit(compare, progress=progress), name)
 
 
 def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector
+from poppet.core.tables import Field
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
 from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of, whiteness
 from poppet.identify.free_parameter import FreeParameter, by_name
@@ -31,7 +32,12 @@ WIDTHS = (SAMPLED_DIFFERENCE, 0.02, 0.002)
 """Relative widths of the finite differences for sampled circuits, whose residuals are not smooth at small scale. In
 fits of a complete valve, the error of the estimates was 1 % with the first width and 10 % with the last. In fits of a
 loop with a steep gain, the last width gave the smaller error."""
-
+SEARCH_FIELDS = {
+    "loss": Field(choices=LOSSES, meaning="loss function"),
+    "starts": Field(type="integer", low=1, high=1000, meaning="number of start points"),
+    "seed": Field(type="integer", low=0, high=2**63 - 1),
+    "kicks": Field(type="integer", low=0, high=1000, meaning="number of restart rounds"),
+}
 
 Places = NDArray[np.int64] | slice
 
@@ -59,18 +65,11 @@ class SearchSettings:
     kicks: int | None = None
 
     def __post_init__(self) -> None:
-        problems = []
-        if self.loss not in LOSSES:
-            near = NameSuggestion(str(self.loss), LOSSES)
-            problems.append(
-                InputError("fields.not_an_option", "loss", value=self.loss, meaning="loss function", near=near)
-            )
-        for name, low, high in (("starts", 1, 1000), ("seed", 0, 2**63 - 1), ("kicks", 0, 1000)):
-            value = getattr(self, name)
-            is_whole = isinstance(value, int) and not isinstance(value, bool)
-            if not ((is_whole and low <= value <= high) or (name == "kicks" and value is None)):
-                problems.append(InputError(f"search.{name}", name, value=value))
-        collect(problems)
+        with ErrorCollector() as errors:
+            for name, field in SEARCH_FIELDS.items():
+                with errors.collecting():
+                    if name != "kicks" or self.kicks is not None:
+                        field.read(getattr(self, name), name)
 
 
 class KnownOptimum(NamedTuple):
