@@ -49,7 +49,7 @@ def code_of(error: pytest.ExceptionInfo[InputError]) -> str:
     return error.value.code
 
 
-def same(first: poppet.identify.Result, second: poppet.identify.Result) -> None:
+def assert_equal_results(first: poppet.identify.Result, second: poppet.identify.Result) -> None:
     assert first.parameters.keys() == second.parameters.keys()
     for name, estimate in first.parameters.items():
         other = second.parameters[name]
@@ -61,7 +61,7 @@ def same(first: poppet.identify.Result, second: poppet.identify.Result) -> None:
 # Agreement with fit files ---------------------------------------------------------------------------------------------
 
 
-def test_six_parameters_of_the_staircase_as_in_the_fit_file(tmp_path: Path) -> None:
+def test_fit_of_six_parameters_agrees_with_the_fit_file(tmp_path: Path) -> None:
     text = (EXAMPLES / "fill_staircase.toml").read_text(encoding="utf-8")
     (tmp_path / "circuit.toml").write_text(text, encoding="utf-8")
     circuit = poppet.load(tmp_path / "circuit.toml")
@@ -91,10 +91,10 @@ def test_six_parameters_of_the_staircase_as_in_the_fit_file(tmp_path: Path) -> N
         f"[free]\n{free}\n",
         encoding="utf-8",
     )
-    same(circuit.fit(recording, starts), identify_fit(tmp_path / "fit.toml"))
+    assert_equal_results(circuit.fit(recording, starts), identify_fit(tmp_path / "fit.toml"))
 
 
-def test_two_recordings_as_in_the_fit_file(tmp_path: Path) -> None:
+def test_fit_of_two_recordings_agrees_with_the_fit_file(tmp_path: Path) -> None:
     circuit = tank()
     (tmp_path / "circuit.toml").write_text(
         'title = "tank"\n[parts.tank]\nkind = "chamber"\nvolume = "20 l"\ninitial_pressure = "7 bar"\n'
@@ -128,7 +128,7 @@ def test_two_recordings_as_in_the_fit_file(tmp_path: Path) -> None:
         start={"tank.initial_pressure": "free"},
         noise={"tank.pressure": "2 kPa"},
     )
-    same(result, identify_fit(tmp_path / "fit.toml"))
+    assert_equal_results(result, identify_fit(tmp_path / "fit.toml"))
     assert {"high.tank.initial_pressure", "low.tank.initial_pressure"} < result.parameters.keys()
     assert list(result.circuits) == ["high", "low"]
     for name, circuit in result.circuits.items():
@@ -140,14 +140,14 @@ def test_two_recordings_as_in_the_fit_file(tmp_path: Path) -> None:
 # Recordings -----------------------------------------------------------------------------------------------------------
 
 
-def test_a_recording_a_frame_and_a_file_give_the_same(measured: Recording, frame: pd.DataFrame, tmp_path: Path) -> None:
+def test_recording_frame_and_file_give_equal_fits(measured: Recording, frame: pd.DataFrame, tmp_path: Path) -> None:
     circuit, starts = tank(), {VALVE: 2e-8, "valve.critical_ratio": 0.2}
     first = circuit.fit(measured, starts)
-    same(first, circuit.fit(frame, starts))
-    same(first, circuit.fit({"recording": frame.set_index("time [s]")}, starts))
-    same(first, circuit.fit(measured.to_pandas(), starts))
+    assert_equal_results(first, circuit.fit(frame, starts))
+    assert_equal_results(first, circuit.fit({"recording": frame.set_index("time [s]")}, starts))
+    assert_equal_results(first, circuit.fit(measured.to_pandas(), starts))
     measured.save(tmp_path / "bench.csv")
-    same(first, circuit.fit(poppet.read(tmp_path / "bench.csv"), starts))
+    assert_equal_results(first, circuit.fit(poppet.read(tmp_path / "bench.csv"), starts))
     for name, value in TRUTH.items():
         assert first[name].value == pytest.approx(value, rel=0.02)
     assert isinstance(first[VALVE].value, float)
