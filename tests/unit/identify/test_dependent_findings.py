@@ -19,7 +19,7 @@ def codes(result: Result) -> set[str]:
 
 
 @pytest.mark.parametrize(
-    ("verdict", "said"),
+    ("verdict", "expected"),
     [
         ("determined", ["finding.choking.never", "flow.unusual_conductance", "finding.sampled"]),
         ("weak", ["finding.choking.perhaps_never", "finding.sampled"]),

@@ -193,7 +193,7 @@ def test_direction_without_effect_does_not_change_the_band():
     assert np.sum(band_of_three**2) == pytest.approx(np.sum(band_of_two**2) + 1.0, rel=0.1)
 
 
-@pytest.mark.parametrize(("sigmas", "part"), [(1.0, 0.683), (1.96, 0.95)])
+@pytest.mark.parametrize(("sigmas", "level"), [(1.0, 0.683), (1.96, 0.95)])
 def test_bands_have_their_stated_coverage(sigmas, level):
     """The coverage is pointwise over repeated noise; the 95 % width is scaled to other levels."""
     truth, coverage_of_truth, coverage_of_samples = TWO.sum(axis=1), [], []
