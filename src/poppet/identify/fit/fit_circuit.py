@@ -13,7 +13,6 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.tables import Field
-from poppet.core.units import convert
 from poppet.identify.fit.experiment import start_values
 from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
 from poppet.identify.fit.fit_series import driving_signals
@@ -103,8 +102,7 @@ class FitResult(Result, Generic[CircuitT]):
             signals = {**fitted.signals, **driven}
             circuits[e.name] = dataclasses.replace(fitted, signals=signals, like=fitted) if driven else fitted
         fitted = circuits[plan.experiments[0].name] if len(circuits) == 1 else circuit.with_values(result.values())
-        content = {item.name: getattr(result, item.name) for item in dataclasses.fields(Result)}
-        return FitResult(**content, circuit=fitted, circuits=circuits)
+        return FitResult(**vars(result), circuit=fitted, circuits=circuits)
 
 
 def fit_circuit(
@@ -323,40 +321,24 @@ class _RecordingReader:
             if not compared:
                 raise InputError("fit.no_series", location, near=NameSuggestion("", self.outputs))
             omitted = [address for address in candidates if address not in compared]
-        fields: dict[str, Any] = {"time": {"column": 0, "unit": table.units[0]}, "inputs": {}}
-        with ErrorCollector() as errors:
-            for address in compared:
-                with errors.collecting():
-                    unit = self._unit(table, address, self.outputs[address], location)
-                    fields[address] = {"column": table.names.index(address), "unit": unit}
-                    if address in self.noise:
-                        fields[address]["noise"] = self.noise[address]
-            for address, column, written in zip(table.names[1:], table.columns[1:], table.units[1:], strict=True):
-                if address not in self.inputs:
-                    continue
-                default = self.inputs[address].default
-                if isinstance(default, str):
-                    default = self.circuit.parameters[f"{address.partition('.')[0]}.{default}"]
-                is_si = written in ("", self.inputs[address].unit)
-                # Omit an input that equals its constant value in the circuit.
-                if address in self.circuit.signals or not is_si or not np.all(column == default):
-                    with errors.collecting():
-                        unit = self._unit(table, address, self.inputs[address].unit, location)
-                        index = table.names.index(address)
-                        fields["inputs"][address] = {"column": index, "unit": unit, "hold": self.hold}
+        # A column without a unit has the SI unit of the circuit.
+        units = dict(zip(table.names, table.units, strict=True))
+        fields: dict[str, Any] = {"time": {"column": 0, "unit": units["time"]}, "inputs": {}}
+        for address in compared:
+            unit = units[address] or self.outputs[address]
+            fields[address] = {"column": table.names.index(address), "unit": unit}
+            if address in self.noise:
+                fields[address]["noise"] = self.noise[address]
+        for address in (address for address in recorded if address in self.inputs):
+            default, unit = self.inputs[address].default, self.inputs[address].unit
+            if isinstance(default, str):
+                default = self.circuit.parameters[f"{address.partition('.')[0]}.{default}"]
+            is_default = units[address] in ("", unit) and np.all(recorded[address] == default)
+            # Omit an input that equals its constant value in the circuit.
+            if address in self.circuit.signals or not is_default:
+                column = {"column": table.names.index(address), "unit": units[address] or unit, "hold": self.hold}
+                fields["inputs"][address] = column
         return fields, omitted
-
-    def _unit(self, table: Table, address: str, unit: str, location: str) -> str:
-        """Return the unit of a column.
-
-        If the column has no unit, the result is the SI unit of the circuit, `unit`.
-        """
-        written = table.units[table.names.index(address)] or unit
-        try:
-            convert(1.0, written, unit)
-        except InputError as error:
-            raise error.at(f"{location}.{address}") from None
-        return written
 
 
 def _frame_table(frame: DataFrame, location: str) -> Table:

@@ -362,26 +362,23 @@ def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
 
 def optimum_tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[str, Any], ...]:
     """Return one plain table for each equivalent optimum, the one of lowest cost first."""
-    names = [f.name for f in plan.free]
-    result = []
-    for o, local_estimates_k in zip((optimum, *optimum.others), local, strict=True):
+    tables = []
+    for o, table in zip((optimum, *optimum.others), local, strict=True):
+        values = by_name(plan.free, o.x)
         start = o.start_point if o.start_point.size else [f.start for f in plan.free]
-        result.append(
+        tables.append(
             {
                 "name": o.name,
                 "cost": o.cost,
                 "excess": o.excess,
-                "values": by_name(plan.free, o.x),
-                "low": {name: local_estimates_k[name].low for name in names},
-                "high": {name: local_estimates_k[name].high for name in names},
+                "values": values,
+                "low": {name: e.low for name, e in table.items()},
+                "high": {name: e.high for name, e in table.items()},
                 "start": by_name(plan.free, start),
-                "rms": {
-                    channel.name: channel.summary().rms
-                    for channel in channel_fits(plan.experiments, by_name(plan.free, o.x))
-                },
+                "rms": {fit.name: fit.summary().rms for fit in channel_fits(plan.experiments, values)},
             }
         )
-    return tuple(result)
+    return tuple(tables)
 
 
 def search_tables(plan: FitPlan, optimum: Optimum) -> list[dict[str, Any]]:
