@@ -16,9 +16,8 @@ import numpy as np
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError
-from poppet.core.files import by_suffix, write_whole
+from poppet.core.files import write_tables
 from poppet.core.tables import Field
-from poppet.core.toml import json_text, toml_text
 from poppet.core.units import quantity
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, varied_specs
 from poppet.ensemble.ensemble_result import plan_of, with_parameters
@@ -141,8 +140,7 @@ class Sizing:
         path : str or Path
             File name.
         """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+        write_tables(path, self.content())
 
 
 def size(

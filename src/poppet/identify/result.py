@@ -13,11 +13,11 @@ import numpy as np
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion, needed
-from poppet.core.files import by_suffix, write_whole
+from poppet.core.files import write_tables
 from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
 from poppet.core.provenance import Number, Source
-from poppet.core.toml import from_json, json_text, toml_text
+from poppet.core.toml import from_json
 from poppet.timeseries.checks import FloatArray
 
 if TYPE_CHECKING:
@@ -275,8 +275,7 @@ class Result(HtmlMixin):
         path : str or Path
             Output file.
         """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+        write_tables(path, self.content())
 
 
 DEPENDENT_FINDINGS = {

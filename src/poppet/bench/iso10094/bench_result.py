@@ -24,9 +24,9 @@ from poppet.bench.iso10094.step import STEP
 from poppet.bench.iso10094.supply import LEAKAGE, SUPPLY
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError
-from poppet.core.files import by_suffix, write_whole
+from poppet.core.files import write_tables
 from poppet.core.notebook import HtmlMixin
-from poppet.core.toml import from_json, json_text, toml_text
+from poppet.core.toml import from_json
 
 _ALL = (CHARACTERISTIC, RESOLUTION, FLOW, SUPPLY, LEAKAGE, STEP, FREQUENCY)
 TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _ALL})  # tests by name, as in `--tests`
@@ -83,8 +83,7 @@ class BenchResult(HtmlMixin):
 
         The function replaces an existing file completely or not at all.
         """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+        write_tables(path, self.content())
 
 
 def _thinned(values: Any) -> list[float]:

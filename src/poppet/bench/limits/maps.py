@@ -15,9 +15,8 @@ from poppet.bench.limits.bandwidth import Point, bandwidth_point
 from poppet.bench.limits.limits_plan import CONTROLLER, LOAD, PARTS, SEVERAL, LimitsPlan, limits_plan
 from poppet.bench.limits.stability import Stability, stability_point
 from poppet.core.codes import Note
-from poppet.core.files import by_suffix, write_whole
+from poppet.core.files import write_tables
 from poppet.core.notebook import HtmlMixin
-from poppet.core.toml import json_text, toml_text
 
 __all__ = ["CONTROLLER", "LOAD", "PARTS", "LimitsPlan", "LimitsResult", "find_limits", "limits_plan"]
 
@@ -101,8 +100,7 @@ class LimitsResult(HtmlMixin):
 
         The function replaces an existing file completely or not at all.
         """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+        write_tables(path, self.content())
 
 
 def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | None = None) -> LimitsResult:

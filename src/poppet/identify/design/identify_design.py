@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.files import by_suffix, write_whole
-from poppet.core.toml import json_text, toml_text
+from poppet.core.files import write_tables
 from poppet.identify.design.design_file import DesignPlan, TestCandidate, read_design_file
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import recording_parameters
@@ -122,8 +121,7 @@ class Design:
         path : str or Path
             Output file.
         """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
+        write_tables(path, self.content())
 
 
 def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, int, str], Any] | None = None) -> Design:

@@ -20,7 +20,7 @@ from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.residuals import costs_of
 from poppet.identify.fit.search import KnownOptimum, Optimum, SearchSettings, initial_sigmas, optimise, random_point
-from poppet.identify.fit.statistics import RANK, UNFELT, channel_fits, errors, estimates, verdict
+from poppet.identify.fit.statistics import RANK, UNFELT, channel_fits, estimates, influences, verdict
 from poppet.identify.free_parameter import FreeParameter, by_name
 from poppet.identify.result import CONFIDENCE, VERDICTS, Estimate
 from poppet.timeseries.checks import FloatArray
@@ -80,7 +80,11 @@ class _Searches:
             sigmas=weights,
             fixed=fixed,
             start_point=start_point,
-            joinable=[KnownOptimum(o.x, errors(o), o.cost) for o in joinable if self.plan.settings.loss == "linear"],
+            joinable=[
+                KnownOptimum(o.x, np.linalg.norm(influences(o), axis=1), o.cost)
+                for o in joinable
+                if self.plan.settings.loss == "linear"
+            ],
         )
         self.evaluations += optimum.evaluations
         self.is_stopped = self.is_stopped or optimum.interrupted

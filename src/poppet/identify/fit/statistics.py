@@ -331,14 +331,6 @@ def covariance(optimum: Optimum) -> FloatArray:
     return np.asarray(result)
 
 
-def errors(optimum: Optimum) -> FloatArray:
-    """Return the standard error of each parameter for white noise.
-
-    The standard error is infinite if the data are insensitive to the parameter.
-    """
-    return np.asarray(np.linalg.norm(influences(optimum), axis=1))
-
-
 def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, dict[str, float]]:
     """Return the correlations of the estimates that are within their bounds."""
     matrix = covariance(optimum)
