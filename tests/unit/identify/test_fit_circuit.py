@@ -209,16 +209,16 @@ def driven(pilot: Steps) -> pd.DataFrame:
 def test_recorded_inputs_drive_the_model_and_hold_their_value() -> None:
     frame = driven(Steps([0.0, 2.0, 7.0], [1.5e5, 2.5e5, 1.2e5]))
     circuit = staircase()
-    held = circuit.fit(frame, {"tank.volume": "25 l"})
-    assert held["tank.volume"].value == pytest.approx(0.02, rel=1e-4)
+    fit_with_hold = circuit.fit(frame, {"tank.volume": "25 l"})
+    assert fit_with_hold["tank.volume"].value == pytest.approx(0.02, rel=1e-4)
     coarse = frame.iloc[::10]
-    held, ramped = (circuit.fit(coarse, {"tank.volume": "25 l"}, hold=hold) for hold in (True, False))
-    rms = [result.residuals["recording.tank.pressure"].rms for result in (held, ramped)]
+    fit_with_hold, ramped = (circuit.fit(coarse, {"tank.volume": "25 l"}, hold=hold) for hold in (True, False))
+    rms = [result.residuals["recording.tank.pressure"].rms for result in (fit_with_hold, ramped)]
     assert rms[0] < 0.1 * rms[1]
-    series = held.series["recording.tank.pressure"]
-    again = held.circuit.simulate().interpolate("tank.pressure", series["time"])
-    np.testing.assert_allclose(again, series["model"], rtol=1e-5)
-    assert "valve.pilot_pressure" in held.circuit.signals
+    series = fit_with_hold.series["recording.tank.pressure"]
+    repeated = fit_with_hold.circuit.simulate().interpolate("tank.pressure", series["time"])
+    np.testing.assert_allclose(repeated, series["model"], rtol=1e-5)
+    assert "valve.pilot_pressure" in fit_with_hold.circuit.signals
 
 
 # The result -----------------------------------------------------------------------------------------------------------
