@@ -210,7 +210,7 @@ def _priors(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
             margin = 1e-3 * min(f.scale, f.high - f.low)
             sample.append(min(max(value, f.low + margin), f.high - margin))
         points.append(np.array(sample))
-    information = np.diag([(f.prior.sd if f.prior else f.scale) ** -2.0 for f in plan.free])
+    information = np.diag(1.0 / np.square([f.prior.sd if f.prior else f.scale for f in plan.free]))
     if plan.known is not None:
         estimates = {name: e.standard_error for name, e in plan.known.parameters.items()}
         indices = [k for k, f in enumerate(plan.free) if math.isfinite(estimates.get(f.name, math.inf))]
@@ -250,14 +250,14 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
     slopes = experiment.slopes({**by_name(nuisances, [f.start for f in nuisances]), **values})
     whitened = np.vstack([slope / sensor.noise for slope, sensor in zip(slopes, candidate.sensors, strict=True)])
     # Each uncertain offset of a sensor is a column.
-    offsets, row = list[FloatArray](), 0
+    offsets, row = [np.zeros((len(whitened), 0))], 0
     for slope, sensor in zip(slopes, candidate.sensors, strict=True):
         column = np.zeros((len(whitened), 1))
         column[row : row + len(slope)] = 1.0 / sensor.noise
         offsets += [column] if sensor.offset > 0.0 else []
         row += len(slope)
     priors = [0.0] * len(nuisances) + [sensor.offset**-2 for sensor in candidate.sensors if sensor.offset > 0.0]
-    shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], *offsets])
+    shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], np.hstack(offsets)])
     information = shared.T @ shared
     if nuisance.shape[1]:
         # Nuisance parameters of different units can be correlated: scale them before the inversion.
