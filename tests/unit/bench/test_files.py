@@ -39,7 +39,7 @@ def test_wrong_ranges(given):
 def test_pressures_below_vacuum():
     with pytest.raises(InputError) as caught:
         pressure("-2 bar g", 1e5, "supply")
-    assert caught.value.code == "bench.range.vacuum"
+    assert caught.value.code == "fields.out_of_range"
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_lists():
     assert listed("1 l, 0.005", "m^3", "--volume") == pytest.approx((0.001, 0.005))
     with pytest.raises(InputError) as caught:
         listed("-1 Hz", "Hz", "--frequencies")
-    assert caught.value.code == "bench.range.not_positive"
+    assert (caught.value.code, caught.value.address) == ("fields.out_of_range", "--frequencies")
 
 
 # Recordings --------------------------------------------------------------------------------------------------------
@@ -148,13 +148,10 @@ def test_a_held_setpoint_is_written(folder):
         ({"setpoint_range": None}, "recordings.unit", "recordings.one.valve.setpoint"),
         ({"recording": {"test": None}}, "fields.missing", "recordings.one.test"),
         ({"recording": {"test": "steps"}}, "fields.not_an_option", "recordings.one.test"),
-        ({"recording": {"outlet.pressure": None}}, "recordings.channel_missing", "recordings.one"),
-        ({"recording": {"test": "flow"}}, "recordings.channel_missing", "recordings.one"),
-        (
-            {"recording": {"outlet.presure": {"column": "p"}}},
-            "recordings.channel_unknown",
-            "recordings.one.outlet.presure",
-        ),
+        ({"recording": {"outlet.pressure": None}}, "fields.missing", "recordings.one.outlet.pressure"),
+        ({"recording": {"test": "flow"}}, "fields.missing", "recordings.one.outlet.mass_flow_rate"),
+        ({"recording": {"outlet.presure": {"column": "p"}}}, "names.unknown", "recordings.one.outlet.presure"),
+        ({"supply_pressure": "-1 bar"}, "fields.out_of_range", "supply_pressure"),
         ({"recording": {"inputs": {}}}, "recordings.unused", "recordings.one.inputs"),
         ({"recording": {"setpoint": "5 V"}}, "recordings.setpoint_moves", "recordings.one.setpoint"),
         ({"recording": {"test": "leakage", "setpoint": "5 V"}}, "recordings.setpoint_twice", "recordings.one.setpoint"),
@@ -180,7 +177,8 @@ def test_mistakes_name_what_is_near_and_what_is_missing(folder):
         assert caught.value.facts["near"].names == names
     with pytest.raises(InputError) as caught:
         read(folder, recording={"test": "flow"})
-    assert (caught.value.facts["channel"], caught.value.facts["test"]) == ("outlet.mass_flow_rate", "flow")
+    assert caught.value.address == "recordings.one.outlet.mass_flow_rate"
+    assert caught.value.facts["meaning"].startswith("mass flow rate")
 
 
 def test_all_mistakes_at_once(folder):

@@ -126,19 +126,19 @@ class TestPlan:
     def test_unknown_valve(self, valve):
         with pytest.raises(InputError) as caught:
             limits_plan(whole(), valve)
-        assert (caught.value.code, caught.value.facts["near"].valid_names) == ("limits.unknown_valve", ["valve"])
+        assert (caught.value.code, caught.value.facts["near"].valid_names) == ("names.unknown", ["valve"])
 
     def test_several_valves_ask_for_a_name(self):
         parts = whole().parts
         with pytest.raises(InputError) as caught:
             limits_plan(Circuit({**parts, "second": parts["valve"]}))
-        assert (caught.value.code, caught.value.facts["known"]) == ("limits.several_valves", ("valve", "second"))
+        assert (caught.value.code, caught.value.facts["valves"]) == ("rig.several_valves", ("valve", "second"))
 
     def test_needs_a_valve_with_a_chamber(self):
         parts = dict(whole().parts)
         with pytest.raises(InputError) as caught:
             limits_plan(Circuit({name: parts[name] for name in ("tank", "load")}))
-        assert caught.value.code == "limits.no_valve"
+        assert caught.value.code == "rig.no_valve"
         parts["tank"] = Reservoir(pressure="3 bar")
         with pytest.raises(InputError) as caught:
             limits_plan(Circuit(parts))

@@ -86,8 +86,8 @@ def test_the_valve_is_found_or_asked_for():
     assert caught.value.code == "rig.no_valve"
     with pytest.raises(InputError) as caught:
         valve_of(one, "tank")
-    assert caught.value.code == "rig.unfit"
-    assert caught.value.facts["kind"] == "chamber"
+    assert (caught.value.code, caught.value.address) == ("names.unknown", "tank")
+    assert caught.value.facts["near"].valid_names == ["valve"]
 
 
 def test_a_record_begins_after_the_lead_at_rest():

@@ -245,7 +245,7 @@ def test_every_missing_figure_has_its_reason():
 def test_unknown_and_missing_tests():
     with pytest.raises(InputError) as caught:
         run_bench(StandIn(), tests=("frequancy",))
-    assert (caught.value.code, caught.value.facts["near"].names) == ("bench.unknown_test", ["frequency"])
+    assert (caught.value.code, caught.value.facts["near"].names) == ("fields.not_an_option", ["frequency"])
     result = run_recordings("t", {}, SCALE, tests=("step",))
     assert result.figures == {}
     assert result.notes["bench"] == (Note("bench.not_given", "step"),)

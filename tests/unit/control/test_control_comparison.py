@@ -172,7 +172,7 @@ def test_the_law_of_the_controller_may_differ(circuits):
         ({"tank.volum": 0.2}, InputError, "names.unknown"),
         ({"regulator.gain": 0.2}, InputError, "control.vary.of_controller"),
         ({"regulator.sensor.offset": 0.2}, InputError, "control.vary.zero"),
-        ({"tank.volume": 1.5}, OutOfRangeError, "control.vary.range"),
+        ({"tank.volume": 1.5}, OutOfRangeError, "fields.out_of_range"),
     ],
 )
 def test_numbers_that_cannot_be_varied(circuits, vary, error, code):
@@ -190,7 +190,7 @@ def test_nothing_to_compare():
 def test_negative_draws(circuits):
     with pytest.raises(OutOfRangeError) as caught:
         compare({"pid": circuits["pid"]}, draws=-1)
-    assert (caught.value.code, caught.value.facts["draws"]) == ("control.draws", -1)
+    assert (caught.value.address, caught.value.facts["value"]) == ("draws", -1)
 
 
 def test_the_table_has_a_row_for_every_run(comparison, tmp_path):

@@ -209,11 +209,11 @@ KNOWING = {"volume": "1 l", "fill": VALVE, "vent": VALVE, "supply_pressure": "7 
     ("circuit", "options", "error", "code"),
     [
         (tank_loop(), {"form": "pdf"}, InputError, "fields.not_an_option"),
-        (tank_loop(), {"sensitivity": 0.9}, OutOfRangeError, "tuning.bound"),
+        (tank_loop(), {"sensitivity": 0.9}, OutOfRangeError, "fields.out_of_range"),
         (tank_loop(), {"at": ["9 bar"]}, InputError, "plant.beyond_supply"),
         (tank_loop(), {"at": ["0.5 bar"]}, InputError, "plant.beyond_exhaust"),
         (tank_loop(), {"at": []}, InputError, "tuning.no_point"),
-        (tank_loop(), {"controller": "b"}, InputError, "plant.unknown_controller"),
+        (tank_loop(), {"controller": "b"}, InputError, "names.unknown"),
         (tank_loop(PressureController(**KNOWING)), {}, InputError, "tuning.no_pid"),
         (tank_loop(more={"d": PID(gain=1.0)}), {}, InputError, "plant.several_controllers"),
         (tank_loop(more={"e": Electronics(data="vppm_6l")}), {}, InputError, "plant.also_sampled"),

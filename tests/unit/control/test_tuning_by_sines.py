@@ -176,7 +176,7 @@ def test_deficiencies_of_a_step_have_notes(fields, code):
 
 @pytest.mark.parametrize("size", [0.0, -0.1, 1.5])
 def test_sizes_beyond_the_command_are_rejected(size):
-    with refused("tuning.amplitude", "c", size=size):
+    with refused("fields.out_of_range", "amplitude", value=size):
         tune(even(), at=["100 mm"], amplitudes=[size])
 
 

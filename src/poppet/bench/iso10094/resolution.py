@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Evaluation, PlottedCurve, Row, Trial, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Evaluation, Row, Trial, largest
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about
@@ -88,15 +88,16 @@ def _one(evaluation: Evaluation, record: Record) -> None:
             evaluation.set_value(row, name, change, Uncertainty(blur, 0.5 * stair, (max(low, 0.0), high)))
         if is_bound and least <= stair:
             evaluation.note("resolution.every_stair", name, stair=stair)
-    turned = _turns(level)
-    if turned and not any(move.is_reversal for move in moves):
-        changed = max(float(np.ptp(level[a : b + 1])) for a, b in turned)
+    signs = np.sign(np.diff(level))
+    turns = np.flatnonzero(signs[1:] * signs[:-1] < 0.0) + 1
+    if turns.size and not any(move.is_reversal for move in moves):
+        # The largest change between a reversal and the next one.
+        ends = [*turns[1:], level.size - 1]
+        changed = max(float(np.ptp(level[a : b + 1])) for a, b in zip(turns, ends, strict=True))
         row |= {"reversal_threshold": changed, "reversal_threshold_bound": AT_LEAST}
         evaluation.note("resolution.no_turn", record.name, changed=changed)
-    evaluation.curves += [
-        PlottedCurve("setpoint", record.name, record.time, x),
-        PlottedCurve("outlet", record.name, record.time, y),
-    ]
+    evaluation.add_curve("setpoint", record.name, record.time, x)
+    evaluation.add_curve("outlet", record.name, record.time, y)
 
 
 class Move(NamedTuple):
@@ -128,14 +129,6 @@ def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
                 moves.append(Move(abs(float(level[k] - level[since])), has_turned))
             since, is_known, has_turned = k, True, False
     return moves
-
-
-def _turns(level: FloatArray) -> list[tuple[int, int]]:
-    """Return the indices of the first and last stair after each reversal of the setpoint."""
-    signs = np.sign(np.diff(level))
-    turns = np.flatnonzero(signs[1:] * signs[:-1] < 0.0) + 1
-    ends = np.append(turns[1:], level.size - 1)[: turns.size]
-    return [(int(a), int(b)) for a, b in zip(turns, ends, strict=True)]
 
 
 RESOLUTION = BenchTest(

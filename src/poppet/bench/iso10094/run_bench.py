@@ -230,7 +230,8 @@ def check_tests(tests: Sequence[str]) -> None:
         raise InputError("bench.no_test", known=tuple(TESTS))
     for test in tests:
         if test not in TESTS:
-            raise InputError("bench.unknown_test", given=test, near=NameSuggestion(test, TESTS))
+            suggestion = NameSuggestion(test, TESTS)
+            raise InputError("fields.not_an_option", "tests", value=test, meaning="test", near=suggestion)
 
 
 def _assembled(

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row, Trial
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Jump, jumps, rested
 from poppet.bench.iso10094.smoothing import SmoothedSeries, smoothed
@@ -189,24 +189,6 @@ def _figures(evaluation: Evaluation) -> None:
 
     If steps are clipped, the largest values of the other steps become bounds.
     """
-    _of_judged(evaluation)
-    sizes = [row["amplitude"] for row in evaluation.rows if "is_clipped" in row]
-    if not sizes:
-        return
-    names = {"settling_time", "overshoot"}
-    for name, figure in list(evaluation.figures.items()):
-        step = abs(figure.conditions.get("to", math.nan) - figure.conditions.get("from", math.nan))
-        if name not in names and not name.startswith("hum") and not step > 0.98 * max(sizes):
-            del evaluation.figures[name]
-            names.add(name)
-    absent = (name for name in _FIGURES if name not in evaluation.figures and not name.startswith("hum"))
-    evaluation.limit_to_bounds(*names, *absent)
-    if "hum_amplitude" not in evaluation.figures:
-        evaluation.notes = [note for note in evaluation.notes if note.code != "bench.step.rests"]
-        evaluation.note_absence("clipped", "hum_amplitude", "hum_frequency")
-
-
-def _of_judged(evaluation: Evaluation) -> None:
     volumes = list(dict.fromkeys(row.get("volume", math.nan) for row in evaluation.rows))
     # The final value of an unsettled step is unknown, and so are fractions of this step.
     evaluated = [row for row in evaluation.rows if "response_time" in row and row["is_settled"]]
@@ -235,6 +217,20 @@ def _of_judged(evaluation: Evaluation) -> None:
     else:
         uncertainty = evaluation.uncertainties[id(row), "hum_frequency"]
         evaluation.add("hum_frequency", row["hum_frequency"], uncertainty, **_case(row))
+    sizes = [row["amplitude"] for row in evaluation.rows if "is_clipped" in row]
+    if not sizes:
+        return
+    names = {"settling_time", "overshoot"}
+    for name, figure in list(evaluation.figures.items()):
+        step = abs(figure.conditions.get("to", math.nan) - figure.conditions.get("from", math.nan))
+        if name not in names and not name.startswith("hum") and not step > 0.98 * max(sizes):
+            del evaluation.figures[name]
+            names.add(name)
+    absent = (name for name in _FIGURES if name not in evaluation.figures and not name.startswith("hum"))
+    evaluation.limit_to_bounds(*names, *absent)
+    if "hum_amplitude" not in evaluation.figures:
+        evaluation.notes = [note for note in evaluation.notes if note.code != "bench.step.rests"]
+        evaluation.note_absence("clipped", "hum_amplitude", "hum_frequency")
 
 
 def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
@@ -270,7 +266,7 @@ def _curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump
     part = 100.0 * (y[indices] - row["outlet_from"]) / (row["outlet_to"] - row["outlet_from"])
     volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
     case = f"{row['to'] - row['from']:+.3g} % FS{volume}"
-    evaluation.curves.append(PlottedCurve("outlet", case, record.time[indices] - jump.time, part))
+    evaluation.add_curve("outlet", case, record.time[indices] - jump.time, part)
 
 
 _FIGURES = {

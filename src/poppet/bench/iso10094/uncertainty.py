@@ -71,24 +71,15 @@ class Uncertainty:
             return self.ends
         half = NORMAL * self.normal
         if self.even > 0.0:
-            half = _half(self.normal / self.even) * self.even
+            normal = self.normal / self.even
+            half, low, high = COVERAGE, 0.0, 1.0 + 3.0 * normal
+            offsets = np.linspace(-1.0, 1.0, 65)  # of the uniform distribution
+            for _ in range(40 if normal >= 1e-6 else 0):
+                half = 0.5 * (low + high)
+                probability = np.mean([_phi((half - u) / normal) - _phi((-half - u) / normal) for u in offsets])
+                low, high = (half, high) if probability < COVERAGE else (low, half)
+            half *= self.even
         return value - half, value + half
-
-
-def _half(normal: float) -> float:
-    """Return the 95 % half width of the sum of a normal and a uniform distribution.
-
-    `normal` is the standard deviation of the normal distribution, relative to the half width of the uniform one.
-    """
-    if normal < 1e-6:
-        return COVERAGE
-    offsets = np.linspace(-1.0, 1.0, 65)
-    low, high = 0.0, 1.0 + 3.0 * normal
-    for _ in range(40):
-        half = 0.5 * (low + high)
-        probability = np.mean([_phi((half - u) / normal) - _phi((-half - u) / normal) for u in offsets])
-        low, high = (half, high) if probability < COVERAGE else (low, half)
-    return half
 
 
 def _phi(x: float) -> float:
