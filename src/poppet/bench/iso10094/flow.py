@@ -56,6 +56,7 @@ class Side(NamedTuple):
     """
 
     name: str
+    direction: str  # for messages
     sign: float
     change: str
     figure: str
@@ -63,8 +64,8 @@ class Side(NamedTuple):
 
 
 SIDES = (
-    Side("drawn", 1.0, "droop", "flow_droop", "flow_hysteresis"),
-    Side("fed", -1.0, "rise", "relief_rise", "relief_hysteresis"),
+    Side("drawn", "forward", 1.0, "droop", "flow_droop", "flow_hysteresis"),
+    Side("fed", "relief", -1.0, "rise", "relief_rise", "relief_hysteresis"),
 )
 
 
@@ -127,7 +128,7 @@ def _one(
     grid = np.linspace(0.0, top, PLACES)
     going, coming = _there_and_back(clipped_flow, delayed, y, grid)
     if going is None:
-        evaluation.note("flow.no_rise", record.name, way=side.name)
+        evaluation.note("flow.no_rise", record.name, way=side.direction)
         return None
     # At the limit of the valve, the outlet falls at almost constant flow, which is not hysteresis.
     fallen = flow[(side.sign * y < np.nanmin(side.sign * going) - FALLEN) & (flow > 0.5 * top)]
@@ -146,7 +147,7 @@ def _one(
     sigma = roughness(np.array(curves), 1)
     lag = _lag_error(lags) / top
     if coming is None:
-        evaluation.note("flow.no_return", record.name, way=side.name)
+        evaluation.note("flow.no_return", record.name, way=side.direction)
         return FlowSweep(row, grid, going, None, sigma, rest_uncertainty, None, lag)
     judged = (grid > 0.1 * limit) & (grid < 0.9 * limit) & np.isfinite(going) & np.isfinite(coming)
     if np.count_nonzero(judged) > FEWEST:
@@ -236,7 +237,7 @@ def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> No
         row, grid = sweep.row, sweep.grid
         if rated > grid[-1]:
             reached = float(grid[-1])
-            evaluation.note("flow.below_rated", row["record"], way=side.name, reached=reached, rated=rated)
+            evaluation.note("flow.below_rated", row["record"], way=side.direction, reached=reached, rated=rated)
             continue
         curve = sweep.going if sweep.coming is None else 0.5 * (sweep.going + sweep.coming)
         is_known = np.isfinite(curve)
