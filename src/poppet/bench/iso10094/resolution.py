@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
@@ -71,11 +70,11 @@ def _one(evaluation: Evaluation, record: Record) -> None:
     evaluation.rows.append(row)
     if least > stair:
         evaluation.note("resolution.noise", record.name, least=least, stair=stair)
-    moves = _moves(level, answer, least)
+    changes = _largest_changes(level, answer, least)
     for name, is_reversal in (("resolution", False), ("reversal_threshold", True)):
-        change = max((move.change for move in moves if move.is_reversal is is_reversal), default=math.nan)
-        if math.isnan(change):
+        if is_reversal not in changes:
             continue
+        change = changes[is_reversal]
         # A motion after one stair gives a bound, because smaller stairs were not tested.
         is_bound = change < 1.5 * stair
         row |= {name: change, f"{name}_bound": AT_MOST if is_bound else ""}
@@ -90,7 +89,7 @@ def _one(evaluation: Evaluation, record: Record) -> None:
             evaluation.note("resolution.every_stair", name, stair=stair)
     signs = np.sign(np.diff(level))
     turns = np.flatnonzero(signs[1:] * signs[:-1] < 0.0) + 1
-    if turns.size and not any(move.is_reversal for move in moves):
+    if turns.size and True not in changes:
         # The largest change between a reversal and the next one.
         ends = [*turns[1:], level.size - 1]
         changed = max(float(np.ptp(level[a : b + 1])) for a, b in zip(turns, ends, strict=True))
@@ -100,24 +99,15 @@ def _one(evaluation: Evaluation, record: Record) -> None:
     evaluation.add_curve("outlet", record.name, record.time, y)
 
 
-class Move(NamedTuple):
-    """Change of the setpoint that was necessary to move the outlet [% FS].
+def _largest_changes(level: FloatArray, answer: FloatArray, least: float) -> dict[bool, float]:
+    """Return the largest changes of the setpoint that were necessary to move the outlet [% FS].
 
-    The change is relative to the last motion of the outlet. If `is_reversal` is True, it is relative to the reversal
-    of the setpoint.
+    The key False has the change since the previous motion, and the key True the change since a reversal of the
+    setpoint. `level` is the setpoint and `answer` the outlet on each stair. A change of the outlet by `least` or more
+    counts as a motion. The first motion is omitted unless it follows a reversal, because the setpoint change before it
+    is unknown.
     """
-
-    change: float
-    is_reversal: bool
-
-
-def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
-    """Return the motions of the outlet on a staircase of the setpoint.
-
-    `level` is the setpoint and `answer` the outlet on each stair. A change of the outlet by `least` or more counts as a
-    motion. The first motion is omitted unless it follows a reversal, because the setpoint change before it is unknown.
-    """
-    moves: list[Move] = []
+    changes: dict[bool, float] = {}
     since, direction, is_known, has_turned = 0, 0, False, False
     for k in range(1, level.size):
         sign = int(np.sign(level[k] - level[k - 1]))
@@ -126,9 +116,9 @@ def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
         direction = sign or direction
         if direction * (answer[k] - answer[k - 1]) >= least:
             if is_known:
-                moves.append(Move(abs(float(level[k] - level[since])), has_turned))
+                changes[has_turned] = max(changes.get(has_turned, 0.0), abs(float(level[k] - level[since])))
             since, is_known, has_turned = k, True, False
-    return moves
+    return changes
 
 
 RESOLUTION = BenchTest(

@@ -186,7 +186,7 @@ def listed(raw: str, unit: str, name: str) -> tuple[float, ...]:
     >>> listed("1 l, 5 l", "m^3", "--volume")
     (0.001, 0.005)
     """
-    values, field = [], Field(unit=unit, above=0.0)
+    values, field = [], Field(unit=unit, above=0.0, meaning=name.lstrip("-"))
     for part in raw.split(","):
         number: Any = (text := part.strip())
         with suppress(ValueError):  # a bare number is in the SI unit

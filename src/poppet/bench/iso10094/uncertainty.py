@@ -139,7 +139,11 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
     >>> round(found.sigma, 2), abs(found.spread / 0.3 - 1.0) < 0.1
     (0.3, True)
     """
-    residuals = [_left(part, degree) for part in parts if part.size > degree + 3]
+    residuals = []
+    for part in (part for part in parts if part.size > degree + 3):
+        positions = np.linspace(-1.0, 1.0, part.size)
+        coefficients = np.polynomial.legendre.legfit(positions, part, degree)
+        residuals.append(part - np.polynomial.legendre.legval(positions, coefficients))
     if not residuals:
         return Noise(np.zeros(1))
     count = sum(residual.size for residual in residuals)
@@ -154,11 +158,6 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
     floor = max(quantum_of(part) for part in parts) ** 2 / 12.0
     covariance[0] = max(float(covariance[0]), floor)
     return Noise(covariance)
-
-
-def _left(values: FloatArray, degree: int) -> FloatArray:
-    positions = np.linspace(-1.0, 1.0, values.size)
-    return values - np.polynomial.legendre.legval(positions, np.polynomial.legendre.legfit(positions, values, degree))
 
 
 # Curves ------------------------------------------------------------------------------------------------------------
