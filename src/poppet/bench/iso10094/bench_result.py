@@ -24,9 +24,8 @@ from poppet.bench.iso10094.step import STEP
 from poppet.bench.iso10094.supply import LEAKAGE, SUPPLY
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError
-from poppet.core.files import by_suffix, write_whole
 from poppet.core.notebook import HtmlMixin
-from poppet.core.toml import from_json, json_text, toml_text
+from poppet.core.toml import ResultFileMixin, from_json
 
 _ALL = (CHARACTERISTIC, RESOLUTION, FLOW, SUPPLY, LEAKAGE, STEP, FREQUENCY)
 TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _ALL})  # tests by name, as in `--tests`
@@ -41,7 +40,7 @@ MOST_POINTS = 240
 
 
 @dataclass(frozen=True)
-class BenchResult(HtmlMixin):
+class BenchResult(ResultFileMixin, HtmlMixin):
     """Characteristic values, tables of cases, curves and notes of one test valve."""
 
     title: str
@@ -77,14 +76,6 @@ class BenchResult(HtmlMixin):
             "comparison": {k: [str(n) for n in v] if k == "notes" else v for k, v in self.comparison.items()},
             **tables, "curves": curves,
         }  # fmt: skip
-
-    def save(self, path: str | Path) -> None:
-        """Write the result as a `.toml` or `.json` file.
-
-        The function replaces an existing file completely or not at all.
-        """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 def _thinned(values: Any) -> list[float]:
