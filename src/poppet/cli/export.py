@@ -63,8 +63,7 @@ def check_targets(options: argparse.Namespace) -> int:
     """Run a circuit with every export target, and compare the results with those of the kernel."""
     from poppet.circuit.file import load
     from poppet.deploy.fmu.importers import fmi_version, read_circuit
-    from poppet.deploy.parity.parity_report import not_run_notes, results_table, write_parity
-    from poppet.deploy.parity.parity_table import compare_targets
+    from poppet.deploy.parity.parity_table import compare_targets, not_run_notes, results_table, write_parity
 
     changes = read_assignments(options.values)
     if options.duration is not None:

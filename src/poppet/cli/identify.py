@@ -9,7 +9,8 @@ from poppet.cli.main import INTERRUPTED
 from poppet.cli.progress import FitProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
 from poppet.core.errors import OutOfRangeError
-from poppet.identify.methods import METHODS, imported
+from poppet.core.plugins import import_object
+from poppet.identify.methods import METHODS
 
 FINDINGS = 3
 """Maximum number of findings that are printed without the option `--all`."""
@@ -30,8 +31,8 @@ def execute(options: argparse.Namespace) -> int:
     for item in method.options:
         path: Path | None = getattr(options, item.option.name) if item.write else None
         if path is not None:
-            imported(item.write)(result, path)
+            import_object(item.write)(result, path)
             written.append(path)
-    text = imported(method.text)(result, None if options.all else FINDINGS)
-    write_result(options, result, text, lambda path: imported(method.report)(result, path), *written)
+    text = import_object(method.text)(result, None if options.all else FINDINGS)
+    write_result(options, result, text, lambda path: import_object(method.report)(result, path), *written)
     return INTERRUPTED if result.interrupted else 0

@@ -13,8 +13,7 @@ from poppet.cli.main import run
 from poppet.deploy import comparison
 from poppet.deploy.parity import host_runs, parity_table
 from poppet.deploy.parity.parity_check import NotRunError, TargetResult
-from poppet.deploy.parity.parity_report import parity_page
-from poppet.deploy.parity.parity_table import all_checks, compare_targets, run_kernel
+from poppet.deploy.parity.parity_table import all_checks, compare_targets, parity_page, run_kernel
 from refusals import refused
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -15,6 +15,14 @@ from poppet.engine.model import Model
 from poppet.engine.printers.c import DOUBLE, print_function, print_step, used_prelude
 from poppet.engine.printers.instructions import SIGNATURES, trace_functions
 
+DIRECTIONAL = "t x u p dx du dp -> df dy"
+_SIGNATURES = {
+    **SIGNATURES,
+    "directional": DIRECTIONAL,
+    "step": "th x us p rates J drift scratch -> stages x1",
+    "dense": "stages -> coefficients",
+}
+
 
 @cache
 def integrator_code(name: str = "integrate") -> str:
@@ -78,6 +86,16 @@ def _print_functions(
 def _with_prelude(functions: list[str]) -> str:
     code = "\n\n".join(functions)
     return "\n\n".join(filter(None, (used_prelude(code), code)))
+
+
+def prototypes(names: Iterable[str], prefix: str) -> list[str]:
+    """Return the C prototypes of the named model functions, whose names in C begin with `prefix`."""
+    lines = []
+    for name in names:
+        inputs, outputs = (side.split() for side in _SIGNATURES[name].split("->"))
+        arguments = [f"double *{a}" if a == "scratch" else f"const double *{a}" for a in inputs]
+        lines.append(f"void {prefix}{name}({', '.join([*arguments, *(f'double *{a}' for a in outputs)])});")
+    return lines
 
 
 def fixed_step_functions(model: Model) -> dict[str, Any]:

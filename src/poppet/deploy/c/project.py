@@ -20,6 +20,7 @@ from poppet.deploy.c.c_model import (
     model_code,
     number_list,
     number_rows,
+    prototypes,
     static_code,
 )
 from poppet.deploy.c.controller import c_controller
@@ -37,7 +38,6 @@ from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.job import Job
 from poppet.engine.printers.c import DOUBLE
-from poppet.engine.printers.instructions import SIGNATURES
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -47,7 +47,6 @@ N_ROWS = 20
 FIXED_STEP = 0.05
 """Allowed error of a state relative to its size, in a run with a fixed step. The step is not adapted to the circuit."""
 MAX_SUBSTEPS = 10_000
-STEP = "th x us p f0 J drift w -> k x1"
 UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
 """Arguments that a step without states does not use."""
 FIXED_REASONS = {
@@ -184,19 +183,6 @@ def _sizes(export_model: ExportModel) -> dict[str, str]:
     return {name: f"{size}" for name, size in sizes.items()}
 
 
-def _prototypes(export_model: ExportModel) -> str:
-    signatures = {name: SIGNATURES[name] for name in export_model.functions}
-    if export_model.model.size:
-        signatures |= {"step": STEP, "dense": "k -> d"}
-    lines = []
-    for name, signature in signatures.items():
-        inputs, _, outputs = signature.partition("->")
-        arguments = [f"double *{a}" if a == "w" else f"const double *{a}" for a in inputs.split()]
-        arguments += [f"double *{a}" for a in outputs.split()]
-        lines.append(f"void {export_model.name}_{name}({', '.join(arguments)});")
-    return "\n".join(lines)
-
-
 def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
     """Return the C code that sets up the adaptive integrator, by template placeholder.
 
@@ -217,9 +203,10 @@ def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
     job |= {key: f"address({name}_{key})" for key in ("starts", "courses", "jumps")}
     job |= {key: f"address(m->{key})" for key in ("x", "p", "coefficients", "limits", "books", "watch", "counts")}
     job |= {"grid": "address(times)"}
+    functions = [*export_model.functions, *(("step", "dense") if model.size else ())]
     lines = [f"  job[{k}] = {job[field]}; /* {field} */" for k, field in enumerate(Job._fields)]
     return {
-        "PROTOTYPES": _prototypes(export_model),
+        "PROTOTYPES": "\n".join(prototypes(functions, f"{name}_")),
         "JOB": "\n".join(lines),
         "N_FIELDS": f"{len(lines)}",
         "SCALES": number_list(kernel.scales.ravel()) or "0.0",

@@ -1,7 +1,5 @@
 """Kernel of a live page: one WebAssembly module with the model and the integrator, and the arrays of a run.
 
-The page fills the same fields as `poppet.engine.job.Job`. The addresses refer to the memory of the module.
-
 The browser fills the same fields as `poppet.engine.job.Job`, with addresses in the memory of the module.
 """
 
@@ -19,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.deploy.fmu.binaries import compile_object
 from poppet.deploy.live.linker import LinkError, Module, link
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.job import Job
@@ -80,17 +79,7 @@ def live_module(model: Model) -> Module:
 
 def compile_wasm_object(llvm_module: Any) -> bytes:
     """Compile an LLVM module to an optimised, relocatable WebAssembly object file."""
-    import llvmlite.binding as llvm
-
-    llvm.initialize_all_targets()
-    llvm.initialize_all_asmprinters()
-    machine = llvm.Target.from_triple("wasm32-unknown-unknown").create_target_machine(features=_FEATURES, opt=2)
-    llvm_module.triple, llvm_module.data_layout = machine.triple, str(machine.target_data)
-    options = llvm.create_pipeline_tuning_options(speed_level=2)
-    options.loop_vectorization = True
-    builder = llvm.create_pass_builder(machine, options)
-    builder.getModulePassManager().run(llvm_module, builder)
-    return bytes(machine.emit_object(llvm_module))
+    return compile_object(llvm_module, "wasm32-unknown-unknown", features=_FEATURES)
 
 
 def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:
