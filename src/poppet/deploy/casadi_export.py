@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -81,7 +81,12 @@ def to_casadi(
     free = _free_indices(plant, numbers)
     x_start, p = instance.start()
     n, u = len(model.states), instance.held_inputs({})
-    driven = _input_indices(inputs, instance.input_names)
+    with ErrorCollector() as errors:
+        for name in inputs or ():
+            if name not in instance.input_names:
+                near = NameSuggestion(name, instance.input_names)
+                errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
+    driven = [*map(instance.input_names.index, instance.input_names if inputs is None else inputs)]
     sizes_by_symbol = (("x", n), ("u", len(driven)), ("p", len(free)))
     x_symbol, u_symbol, p_symbol = (ca.SX.sym(name, size) for name, size in sizes_by_symbol)
     all_u, all_p = ca.SX(u.tolist()), ca.SX(p.tolist())
@@ -128,7 +133,7 @@ def to_control(
     # In python-control a dot separates system and signal.
     names = {name: name.replace(".", "__") for name in (*model.states, *model.inputs, *model.numbers, *model.outputs)}
 
-    def adapt(function: Any) -> Any:
+    def adapt(function: casadi.Function) -> Callable[[float, Array, Array, Mapping[str, float]], Array]:
         evaluation = ArrayFunction(function)
 
         def evaluate(t: float, x: Array, u: Array, params: Mapping[str, float]) -> Array:
@@ -181,15 +186,3 @@ def _free_indices(circuit: BaseCircuit, addresses: Sequence[str]) -> list[int]:
                 errors.add("tools.fixed", address)
             indices.append(index)
     return indices
-
-
-def _input_indices(selected: Sequence[str] | None, available: Sequence[str]) -> list[int]:
-    """Return the indices of the selected inputs, or of all inputs if `selected` is None."""
-    if selected is None:
-        return [*range(len(available))]
-    with ErrorCollector() as errors:
-        for name in selected:
-            if name not in available:
-                near = NameSuggestion(name, available)
-                errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
-    return [available.index(name) for name in selected]

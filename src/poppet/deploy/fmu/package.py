@@ -26,11 +26,14 @@ from poppet.deploy.fmu.importers import circuit_resources
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.job import Job
-from poppet.engine.printers.c import print_function, used_prelude
+from poppet.engine.printers.c import print_function
 from poppet.engine.rosenbrock import scratch_size
 
 if TYPE_CHECKING:
+    import casadi
+
     from poppet.circuit.circuit import BaseCircuit
+    from poppet.engine.model import Model
 
 PER_LINE = 6
 JOB_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
@@ -51,7 +54,7 @@ class Fmu(NamedTuple):
     notes: tuple[Note, ...] = ()
 
 
-def directional_derivatives(model: Any) -> Any:
+def directional_derivatives(model: Model) -> casadi.Function:
     """Return the CasADi function of directional derivatives of rates and outputs.
 
     The direction is a change of x, u and p.
@@ -164,19 +167,17 @@ License, whose text stands in them. All other sources were written by poppet, an
 """
 
 
-def model_source(export_model: ExportModel, derivatives: Any) -> str:
+def model_source(export_model: ExportModel, derivatives: casadi.Function) -> str:
     """Return the C source of the model functions and of the integrator.
 
     It is for importers that compile the FMU. `derivatives` is the function of directional derivatives.
     """
     directional = print_function(derivatives, "directional", DIRECTIONAL, prefix="model_")
-    functions = model_code(export_model, "model_")
-    # One prelude for both.
-    prelude = used_prelude("\n\n".join([functions, directional]))
-    functions = functions.replace(used_prelude(functions), "", 1).lstrip()
     head = "/* The model and the integrator; written by poppet. */\n#include <math.h>\n#include <stdint.h>\n\n"
     head += '#include "names.h"\n\n#ifdef __cplusplus\nextern "C" {\n#endif\n'
-    return "\n\n".join([head, prelude, functions, directional, integrator_code("model_integrate"), C_END])
+    return "\n\n".join(
+        [head, model_code(export_model, "model_", [directional]), integrator_code("model_integrate"), C_END]
+    )
 
 
 def _read(folder: str, name: str) -> str:

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.number_format import USUAL, readable_unit
-from poppet.core.provenance import Number
 from poppet.core.units import Kind, convert, quantity
-from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter
+from poppet.deploy.export_model import ExportModel, ExportParameter
 from poppet.timeseries.signals import Points, Steps
 
 if TYPE_CHECKING:
@@ -79,7 +78,9 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
             address, _, span = (part.strip() for part in text.partition("="))
             with errors.collecting():
                 slider = _slider(export_model, circuit, address)
-                sliders[slider.address] = _with_range(slider, span, circuit) if span else slider
+                if span:
+                    slider = _with_range(slider, span, circuit.surroundings.pressure)
+                sliders[slider.address] = slider
     return list(sliders.values())
 
 
@@ -121,7 +122,17 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     if address in inputs and (inputs[address].is_driven or inputs[address].parameter < 0):
         if _is_guided(export_model, address) or inputs[address].slope_of >= 0:
             raise InputError("deploy.live.guided", address)
-        return _input_slider(export_model, inputs[address], list(inputs).index(address), circuit)
+        item, index, signal = inputs[address], list(inputs).index(address), circuit.signals.get(address)
+        low, high = signal.bounds() if signal else (item.value, item.value)
+        if not (math.isfinite(low) and math.isfinite(high) and low < high):
+            low, high = _default_range(item.value, item.low, item.high, item.unit)
+        else:
+            low, high = max(item.low, low - 0.25 * (high - low)), min(item.high, high + 0.25 * (high - low))
+        return Slider(
+            address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
+            "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(index,),
+            is_driven=True, **_signal(export_model, circuit, index),
+        )  # fmt: skip
     if address in inputs:
         address = export_model.parameters[inputs[address].parameter].address
     if address not in parameters:
@@ -142,24 +153,17 @@ def _parameter_slider(export_model: ExportModel, parameter: ExportParameter, cir
     )
     low, high = _default_range(value, parameter.low, parameter.high, si)
     source = "; ".join(filter(None, (number.source.kind, number.source.locator, number.source.note)))
+    match = _NUMBER.fullmatch(number.text.strip())
+    # The unit in which the user wrote the parameter, or a practical unit.
+    if match and match[1]:
+        unit = match[1]
+    else:
+        is_temperature = number.unit == "K" and number.reference == "absolute"
+        unit = "degC" if is_temperature else readable_unit(number.unit, value)
     return Slider(
-        address, value, low, high, parameter.low, parameter.high, si, _display_unit(number, value), parameter.meaning,
+        address, value, low, high, parameter.low, parameter.high, si, unit, parameter.meaning,
         source, number.source.kind == "assumed", index, inputs, is_driven=False,
         **(_signal(export_model, circuit, inputs[0]) if is_input else {}),
-    )  # fmt: skip
-
-
-def _input_slider(export_model: ExportModel, item: ExportInput, index: int, circuit: BaseCircuit) -> Slider:
-    signal = circuit.signals.get(item.address)
-    low, high = signal.bounds() if signal else (item.value, item.value)
-    if not (math.isfinite(low) and math.isfinite(high) and low < high):
-        low, high = _default_range(item.value, item.low, item.high, item.unit)
-    else:
-        low, high = max(item.low, low - 0.25 * (high - low)), min(item.high, high + 0.25 * (high - low))
-    return Slider(
-        item.address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
-        "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(index,),
-        is_driven=True, **_signal(export_model, circuit, index),
     )  # fmt: skip
 
 
@@ -192,27 +196,18 @@ def _default_range(value: float, lower_limit: float, upper_limit: float, unit: s
     return low, high
 
 
-def _display_unit(number: Number, value: float) -> str:
-    """Return the unit in which the user wrote a parameter, or a practical unit."""
-    match = _NUMBER.fullmatch(number.text.strip())
-    if match and match[1]:
-        return match[1]
-    return "degC" if number.unit == "K" and number.reference == "absolute" else readable_unit(number.unit, value)
-
-
-def _with_range(slider: Slider, span: str, circuit: BaseCircuit) -> Slider:
+def _with_range(slider: Slider, span: str, ambient_pressure: float) -> Slider:
     """Return the slider with the range in a text such as `50 l..400 l`."""
-    low_text, dots, high_text = span.partition("..")
-    if not dots:
+    if ".." not in span:
         raise InputError("deploy.live.range", slider.address, text=span)
     ends = []
-    for text in (low_text.strip(), high_text.strip()):
+    for text in map(str.strip, span.split("..", 1)):
         try:
             raw: float | str = float(text)
         except ValueError:
             raw = text
         end = quantity(raw, slider.si, kind=_KINDS.get(slider.si, "plain"), name=slider.address)
-        ends.append(end.value + (circuit.surroundings.pressure if end.reference == "gauge" else 0.0))
+        ends.append(end.value + (ambient_pressure if end.reference == "gauge" else 0.0))
     if not slider.least <= ends[0] < ends[1] <= slider.most:
         raise InputError("deploy.live.range", slider.address, text=span)
     return replace(slider, low=ends[0], high=ends[1])
