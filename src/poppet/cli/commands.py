@@ -203,7 +203,7 @@ _COMMANDS = {
     ),
     "plot": Command(
         "plot recordings in common axes",
-        "plot:plot_files",
+        "simulate:plot_files",
         (
             Option("RECORDING ...", "recordings: .csv, .parquet or .mat"),
             Option("-o, --output PICTURE", "output file (default: FIRST.png)", PICTURES),
@@ -218,7 +218,7 @@ _COMMANDS = {
     ),
     "linearise": Command(
         "linear model, eigenvalues and time constants of a circuit",
-        "linearise:linearise_file",
+        "simulate:linearise_file",
         (
             FILE,
             WITH,
