@@ -28,11 +28,24 @@ def execute(options: argparse.Namespace) -> None:
     """Convert a value to another unit, or to another flow capacity."""
     from poppet.core.units import counted_at, with_state
 
-    number, unit = _split_value(options.value)
-    if not options.to.strip():
+    # A regular expression, because `float` would also accept `nan`, `inf` and `1_000`.
+    match = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", options.value)
+    if not match:
+        raise InputError("convert.no_number", value=options.value)
+    # "1,2 bar" would be read as 1 of an unknown unit.
+    if re.match(r",\d", match[2]):
+        raise InputError(
+            "convert.decimal_comma", value=options.value, mended=options.value.strip().replace(",", ".", 1)
+        )
+    if not match[2]:
+        raise UnitError("convert.no_unit", value=options.value)
+    number = float(match[1])
+    if not math.isfinite(number):
+        raise OutOfRangeError("convert.too_large", value=options.value)
+    unit, to = match[2], options.to
+    if not to.strip():
         raise UnitError("convert.no_target", sizes=tuple(SIZES))
     context, notes = _Context.read(options), []
-    to = options.to
     # A conversion between volume flows needs no reference state (for example ANR). Any other conversion does.
     if {counted_at(unit), counted_at(to)} != {"open"}:
         texts, (unit, to) = (unit, to), (with_state(unit), with_state(to))
@@ -52,23 +65,6 @@ def execute(options: argparse.Namespace) -> None:
         target_unit = SIZES[target] if to.casefold() in _NAMES else to
         lines = _convert_capacity(number, (source, unit), (target, target_unit), context)
     print("\n  ".join([*lines, *notes]))
-
-
-def _split_value(text: str) -> tuple[float, str]:
-    """Split a text into a number and its unit."""
-    # A regular expression, because `float` would also accept `nan`, `inf` and `1_000`.
-    match = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
-    if not match:
-        raise InputError("convert.no_number", value=text)
-    # "1,2 bar" would be read as 1 of an unknown unit.
-    if re.match(r",\d", match[2]):
-        raise InputError("convert.decimal_comma", value=text, mended=text.strip().replace(",", ".", 1))
-    if not match[2]:
-        raise UnitError("convert.no_unit", value=text)
-    number = float(match[1])
-    if not math.isfinite(number):
-        raise OutOfRangeError("convert.too_large", value=text)
-    return number, match[2]
 
 
 def _capacity_of(unit: str) -> str | None:

@@ -53,7 +53,9 @@ def run(arguments: Sequence[str] | None = None) -> int:
         # A user of the program gets notes; warnings are for Python code.
         warnings.simplefilter("ignore")
         warnings.simplefilter("default", PluginWarning)
-        warnings.showwarning = _show_warning
+        warnings.formatwarning = lambda message, *_, **__: "".join(
+            f"note: {printable(line)}\n" for line in str(message).splitlines()
+        )
     try:
         code = _dispatch(list(sys.argv[1:] if arguments is None else arguments))
         # Here, where a broken pipe can still be caught, not when the interpreter ends.
@@ -157,7 +159,3 @@ def _report(text: str, code: int, prefix: str = "error: ") -> int:
             print(f"{prefix}{printable(line)}", file=sys.stderr)
         sys.stderr.flush()
     return code
-
-
-def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
-    _report(str(message), 0, "note: ")

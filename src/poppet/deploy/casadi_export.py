@@ -78,7 +78,17 @@ def to_casadi(
     model = instance.model
     if model.memory:
         raise InputError("tools.sampled", model.memory[0][0])
-    free = _free_indices(plant, numbers)
+    run = plant.run if plant.run.duration is not None else replace(plant.run, duration="1 s")
+    parameters = build_export_model(replace(plant, run=run)).parameters if numbers else ()
+    fixed = {parameter.address: parameter.fixed for parameter in parameters}
+    with ErrorCollector() as errors:
+        for address in numbers:
+            if address not in fixed:
+                near = NameSuggestion(address, fixed)
+                errors.add("names.unknown", address, meaning="a parameter of the circuit", near=near)
+            elif fixed[address] not in ("", "delay"):
+                errors.add("tools.fixed", address)
+    free = [*map(instance.place, numbers)]
     x_start, p = instance.start()
     n, u = len(model.states), instance.held_inputs({})
     with ErrorCollector() as errors:
@@ -106,10 +116,10 @@ def to_casadi(
     start = ca.Function("start", [p_symbol], [ca.densify(start_state)], ["p"], ["x"])
     units = dict(model.outputs) | {state.name: state.unit for state in model.states}
     units |= {item.name: item.unit for item in model.inputs}
-    parameters = plant.numbers()
+    declared = plant.numbers()
     return CasadiModel(
         f, g, start, tuple(state.name for state in model.states), tuple(instance.input_names[k] for k in driven),
-        tuple(numbers), model.columns[0], units | {name: parameters[name].unit for name in numbers},
+        tuple(numbers), model.columns[0], units | {name: declared[name].unit for name in numbers},
         x_start[:n].copy(), u[driven], p[free], np.array([state.nominal for state in model.states]),
     )  # fmt: skip
 
@@ -163,26 +173,3 @@ def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str])
             raise InputError("fields.not_an_option", "without", value=name, meaning="controller", near=near)
         circuit = release_command(circuit, name, keeps=False)
     return circuit
-
-
-def _free_indices(circuit: BaseCircuit, addresses: Sequence[str]) -> list[int]:
-    """Return the indices in p of the given parameters.
-
-    Parameters that cannot change without other changes are rejected.
-    """
-    if not addresses:
-        return []
-    run = circuit.run if circuit.run.duration is not None else replace(circuit.run, duration="1 s")
-    parameters = build_export_model(replace(circuit, run=run)).parameters
-    by_address = {parameter.address: (k, parameter.fixed) for k, parameter in enumerate(parameters)}
-    indices = []
-    with ErrorCollector() as errors:
-        for address in addresses:
-            index, fixed = by_address.get(address, (-1, ""))
-            if index < 0:
-                near = NameSuggestion(address, by_address)
-                errors.add("names.unknown", address, meaning="a parameter of the circuit", near=near)
-            elif fixed not in ("", "delay"):
-                errors.add("tools.fixed", address)
-            indices.append(index)
-    return indices

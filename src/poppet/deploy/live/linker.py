@@ -175,17 +175,7 @@ def _read_object(code: bytes) -> _Object:
             target = wasm_object.kinds[custom_reader.number()]
             if target != _CUSTOM:
                 wasm_object.relocations.append((target, content[custom_reader.position :]))
-    _read_imports(wasm_object)
-    wasm_object.addresses = [address for address, _ in _iterate_segments(wasm_object)]
-    _read_symbols(wasm_object)
-    return wasm_object
-
-
-def _read_imports(wasm_object: _Object) -> None:
-    """Read the imports of an object: functions, memory, table and stack pointer.
-
-    The module defines the memory, the table and the stack pointer itself.
-    """
+    # The module itself defines the memory, the table and the stack pointer.
     reader, other_imports = _ByteReader(bytes(wasm_object.sections[_IMPORT])), []
     for _ in range(reader.number()):
         begin = reader.position
@@ -207,6 +197,9 @@ def _read_imports(wasm_object: _Object) -> None:
         raise LinkError(f"imports {other_imports}")
     if _GLOBAL in wasm_object.sections or _TABLE in wasm_object.sections or _ELEMENT in wasm_object.sections:
         raise LinkError("defines globals, tables or elements")
+    wasm_object.addresses = [address for address, _ in _iterate_segments(wasm_object)]
+    _read_symbols(wasm_object)
+    return wasm_object
 
 
 def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.number_format import USUAL, readable_unit
 from poppet.core.units import Kind, convert, quantity
-from poppet.deploy.export_model import ExportModel, ExportParameter
+from poppet.deploy.export_model import ExportModel
 from poppet.timeseries.signals import Points, Steps
 
 if TYPE_CHECKING:
@@ -71,7 +71,22 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
     Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`.
     """
     if not texts:
-        return _default_sliders(export_model, circuit)
+        # Inputs with a signal, then parameters that the user gave or that are assumed; no temperatures or start values.
+        numbers = circuit.numbers()
+        candidates = [
+            p.address for p in export_model.parameters
+            if p.is_free and p.value and p.unit not in _TEMPERATURES and p.address in numbers
+            and not re.search(r"(^|[._])(initial|ambient|gas)_?", p.address) and p.unit != "1"
+        ]  # fmt: skip
+        kinds = {address: numbers[address].source.kind for address in candidates}
+        driven = [item.address for item in export_model.inputs if item.is_driven and item.slope_of < 0][:2]
+        ordered = [
+            *(address for address in driven if not _is_guided(export_model, address)),
+            *(address for address in candidates if kinds[address] == "given"),
+            *(address for address in candidates if kinds[address] == "assumed"),
+            *candidates,
+        ]
+        texts = list(dict.fromkeys(ordered))[:DEFAULT_COUNT]
     sliders = {}
     with ErrorCollector() as errors:
         for text in texts:
@@ -82,28 +97,6 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
                     slider = _with_range(slider, span, circuit.surroundings.pressure)
                 sliders[slider.address] = slider
     return list(sliders.values())
-
-
-def _default_sliders(export_model: ExportModel, circuit: BaseCircuit) -> list[Slider]:
-    """Return sliders for inputs with a signal, then for parameters that the user gave or that are assumed.
-
-    Temperatures and start values have no slider by default.
-    """
-    numbers = circuit.numbers()
-    candidates = [
-        p.address for p in export_model.parameters
-        if p.is_free and p.value and p.unit not in _TEMPERATURES and p.address in numbers
-        and not re.search(r"(^|[._])(initial|ambient|gas)_?", p.address) and p.unit != "1"
-    ]  # fmt: skip
-    kinds = {address: numbers[address].source.kind for address in candidates}
-    driven = [item.address for item in export_model.inputs if item.is_driven and item.slope_of < 0][:2]
-    ordered = [
-        *(address for address in driven if not _is_guided(export_model, address)),
-        *(address for address in candidates if kinds[address] == "given"),
-        *(address for address in candidates if kinds[address] == "assumed"),
-        *candidates,
-    ]
-    return [_slider(export_model, circuit, address) for address in list(dict.fromkeys(ordered))[:DEFAULT_COUNT]]
 
 
 def _is_guided(export_model: ExportModel, address: str) -> bool:
@@ -140,18 +133,11 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", near=near)
     if not parameters[address].is_free:
         raise InputError(f"deploy.live.{parameters[address].fixed}", address)
-    return _parameter_slider(export_model, parameters[address], circuit)
-
-
-def _parameter_slider(export_model: ExportModel, parameter: ExportParameter, circuit: BaseCircuit) -> Slider:
-    address, value, si = parameter.address, parameter.value, parameter.unit
-    number = circuit.numbers()[address]
-    index = export_model.model.parameters.index(address)
-    inputs = tuple(k for k, i in enumerate(export_model.inputs) if i.parameter == index and not i.is_driven)
-    is_input = (
-        len(inputs) == 1 and export_model.inputs[inputs[0]].address == address and not _is_guided(export_model, address)
-    )
-    low, high = _default_range(value, parameter.low, parameter.high, si)
+    parameter, number = parameters[address], circuit.numbers()[address]
+    value, index = parameter.value, list(parameters).index(address)
+    setters = tuple(k for k, i in enumerate(export_model.inputs) if i.parameter == index and not i.is_driven)
+    is_input = len(setters) == 1 and list(inputs)[setters[0]] == address and not _is_guided(export_model, address)
+    low, high = _default_range(value, parameter.low, parameter.high, parameter.unit)
     source = "; ".join(filter(None, (number.source.kind, number.source.locator, number.source.note)))
     match = _NUMBER.fullmatch(number.text.strip())
     # The unit in which the user wrote the parameter, or a practical unit.
@@ -161,9 +147,9 @@ def _parameter_slider(export_model: ExportModel, parameter: ExportParameter, cir
         is_temperature = number.unit == "K" and number.reference == "absolute"
         unit = "degC" if is_temperature else readable_unit(number.unit, value)
     return Slider(
-        address, value, low, high, parameter.low, parameter.high, si, unit, parameter.meaning,
-        source, number.source.kind == "assumed", index, inputs, is_driven=False,
-        **(_signal(export_model, circuit, inputs[0]) if is_input else {}),
+        address, value, low, high, parameter.low, parameter.high, parameter.unit, unit, parameter.meaning,
+        source, number.source.kind == "assumed", index, setters, is_driven=False,
+        **(_signal(export_model, circuit, setters[0]) if is_input else {}),
     )  # fmt: skip
 
 
