@@ -19,11 +19,7 @@ def show_library(options: argparse.Namespace) -> None:
     if options.name is not None:
         print(library.describe(options.name))
         return
-    groups = {
-        "sets": library.sets(),
-        "characteristics": library.characteristics(),
-        "gases": library.gas_names(),
-    }
+    groups = {"sets": library.sets(), "characteristics": library.characteristics(), "gases": library.gas_names()}
     for heading, names in groups.items():
         print(f"{heading + ':':<17}{', '.join(names)}")
 
