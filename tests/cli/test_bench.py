@@ -123,7 +123,7 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
         (("iso10094", VALVE, "--full-scale", "a, b, c"), "must be one pressure or two."),
         (("iso10094", VALVE, "--volume", "0 l"), "must be above 0."),
         (("iso10094", VALVE, "--volume", "1 kg"), "--volume"),
-        (("iso10094", VALVE, "--rated-flow", "0 g/s"), "must be above 0."),
+        (("iso10094", VALVE, "--rated-flow", "0 g/s"), "must be greater than 0 kg/s."),
         (("iso10094", VALVE, "--set", "valve.prset=fast"), "valve.prset"),
         (("iso10094", VALVE, "-o", "r.csv"), "is not a supported format"),
         (("iso10094", VALVE, "--report", "missing/r.html"), "does not exist"),

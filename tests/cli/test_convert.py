@@ -100,7 +100,7 @@ def test_the_definition_and_the_atmosphere_are_named(poppet):
         (("20 C", "--to", "K"), "convert.name_or_celsius"),
         (("20 K", "--to", "C"), "convert.apart"),
         (("1.2 Kv", "--to", "bar"), "convert.apart"),
-        (("1.2 Kv", "--to", "C", "--critical-ratio", "1"), "convert.critical_ratio"),
+        (("1.2 Kv", "--to", "C", "--critical-ratio", "1"), "fields.out_of_range"),
         (("-1 Kv", "--to", "C"), "iso6358.flow_coefficient"),
         (("1 bar g", "--to", "Pa", "--ambient", "1 bar g"), "convert.gauge_ambient"),
         (("1 Kv", "--to", "C", "--definition", "loose"), "cli.usage"),

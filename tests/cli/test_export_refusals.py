@@ -67,7 +67,7 @@ def test_whole_circuits(target, folder):
         ("st", JOINT, ("--part", "inverse", *ST), "deploy.controller.unsampled"),
         ("c", CONTROL, ("--part", "tank", *FOLDER), "deploy.controller.other"),
         ("c", JOINT, ("--part", "inverse", *FOLDER), "deploy.controller.unsampled"),
-        ("c", CONTROL, ("--substeps", "0", *FOLDER), "deploy.substeps"),
+        ("c", CONTROL, ("--substeps", "0", *FOLDER), "fields.out_of_range"),
         ("fmu", FILL, ("--input", "ambient.pressure", *FMU), "deploy.fmu.fixed_input"),
         ("fmu", FILL, ("--input", "tank.volum", *FMU), "names.unknown"),
         ("fmu", FILL, ("-o", "out.fmu", "--platform", "amiga"), "fields.not_an_option"),

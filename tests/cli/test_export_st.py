@@ -30,7 +30,7 @@ def test_nothing_is_written_where_something_is_wrong(tmp_path, capsys):
     for parts, code in (
         ("tank", "deploy.controller.other"),
         ("", "deploy.no_part_named"),
-        ("regulater", "deploy.controller.unknown"),
+        ("regulater", "names.unknown"),
     ):
         with refused(code):
             _execute(["--part", parts] if parts else [], file)

@@ -426,7 +426,7 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
         (("flow", "flow.toml", "--compare", "fit.toml"), "--compare is not an option of `identify flow`"),
         (("tank", "tank.toml", "--library", "x.toml"), "--library is not an option of `identify tank`"),
         (("characteristic", "characteristic.toml", "--bootstrap", "9"), "--bootstrap is not an option"),
-        (("fit", "fit.toml", "--bootstrap", "-1"), "--bootstrap -1 must be at least 0"),
+        (("fit", "fit.toml", "--bootstrap", "-1"), "the number of bootstrap fits must be at least 0"),
         (("fit", "fit.toml", "--profile", "outlet.ratio"), "outlet.ratio is not a free parameter"),
         (("fit", "fit.toml", "-o", "x.xls"), "x.xls"),
         (("fit", "nowhere.toml"), "nowhere.toml"),

@@ -16,7 +16,7 @@ from poppet.cli.commands import COMMANDS
 from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.progress import BenchProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
-from poppet.core.errors import InputError, OutOfRangeError, collect
+from poppet.core.errors import InputError, collect
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import aligned
 
@@ -134,14 +134,12 @@ def _prepare_circuit(
 
 
 def _rated_flow(options: argparse.Namespace) -> float:
-    from poppet.core.units import quantity
+    from poppet.core.tables import Field
 
     if not options.rated_flow:
         return math.nan
-    rated_flow = quantity(options.rated_flow, "kg/s", kind="mass_flow", name="--rated-flow").value
-    if not rated_flow > 0.0:
-        raise OutOfRangeError("cli.bench.rated_flow", flow=options.rated_flow)
-    return rated_flow
+    field = Field(unit="kg/s", kind="mass_flow", above=0.0, meaning="rated flow")
+    return float(field.read(options.rated_flow, "--rated-flow"))
 
 
 def _tests(options: argparse.Namespace) -> list[str]:

@@ -132,13 +132,13 @@ class _Context(NamedTuple):
     def read(cls, options: argparse.Namespace) -> _Context:
         """Read the context from the options of the command."""
         from poppet import library
+        from poppet.core.tables import Field
         from poppet.core.units import quantity
 
         ratio = ambient = None
         if options.critical_ratio is not None:
-            ratio = quantity(options.critical_ratio, "1", name="--critical-ratio").value
-            if not 0.0 <= ratio < 1.0:
-                raise OutOfRangeError("convert.critical_ratio", ratio=options.critical_ratio)
+            field = Field(unit="1", low=0.0, below=1.0, meaning="critical back-pressure ratio")
+            ratio = float(field.read(options.critical_ratio, "--critical-ratio"))
         if options.ambient is not None:
             pressure = quantity(read_value(options.ambient), "Pa", kind="pressure", name="--ambient")
             if pressure.reference == "gauge":

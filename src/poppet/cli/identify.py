@@ -8,8 +8,8 @@ from pathlib import Path
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.progress import FitProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
-from poppet.core.errors import OutOfRangeError
 from poppet.core.plugins import import_object
+from poppet.core.tables import Field
 from poppet.identify.methods import METHODS
 
 FINDINGS = 3
@@ -18,8 +18,7 @@ FINDINGS = 3
 
 def execute(options: argparse.Namespace) -> int:
     """Run an identification method, and print or write the result."""
-    if options.bootstrap < 0:
-        raise OutOfRangeError("cli.bootstrap", count=options.bootstrap)
+    Field(unit="1", low=0.0, meaning="number of bootstrap fits").read(options.bootstrap, "--bootstrap")
     require_matplotlib(options.report)
     method = METHODS[options.method]
     settings = {item.keyword: getattr(options, item.option.name) for item in method.options if item.keyword}

@@ -124,7 +124,8 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
         raise InputError("deploy.controller.several", known=[*controllers])
     for name in parts:
         if name not in circuit.parts:
-            raise InputError("deploy.controller.unknown", name, near=NameSuggestion(name, controllers))
+            near = NameSuggestion(name, controllers)
+            raise InputError("names.unknown", name, meaning="a part of the circuit", near=near)
         if name not in controllers:
             raise InputError("deploy.controller.other", name, kind=circuit.parts[name].kind, known=[*controllers])
     # In the order of the circuit, in which controllers with a common sample instant act.

@@ -134,5 +134,5 @@ def test_the_command(tmp_path, monkeypatch):
     assert {p.name for p in (tmp_path / "ctl").iterdir()} >= {"regulator.h", "regulator.c", "regulator_host.c"}
     text = (tmp_path / "ctl" / "regulator.c").read_text()
     assert re.search(r"static void update\(const double \*t, const float \*u", text)
-    with refused("deploy.controller.unknown", "nobody"):
+    with refused("names.unknown", "nobody"):
         c_controller(load(file), ("nobody",))

@@ -157,7 +157,7 @@ def test_substeps_are_steps(tmp_path):
     whole, many, parted = driven(circuit, tmp_path, "\n".join(ways)).reshape(3, -1)
     size = np.abs(many) + 1e-9
     assert np.max(np.abs(parted - many) / size) < 1e-7 < 1e-5 < np.max(np.abs(whole - many) / size)
-    with refused("deploy.substeps", count=0):
+    with refused("fields.out_of_range", "substeps", value=0):
         c_project(circuit, substeps=0)
     assert "IT_SUBSTEPS = 7" in c_project(circuit, "it", substeps=7)["it.h"]
 

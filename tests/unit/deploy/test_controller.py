@@ -91,7 +91,7 @@ def test_what_has_no_program_is_refused():
         controller_program(load(EXAMPLES / "two_tanks.toml"))
     with refused("deploy.controller.several", known=["valve", "position", "inverse"]):
         controller_program(joint)
-    with refused("deploy.controller.unknown", "regulater"):
+    with refused("names.unknown", "regulater"):
         controller_program(control, ["regulater"])
     with refused("deploy.controller.other", "tank", known=["regulator"]):
         controller_program(control, ["tank"])

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.core.errors import InputError
+from poppet.core.tables import Field
 from poppet.core.version import __version__
 from poppet.deploy.c.c_model import (
     comment_rows,
@@ -97,8 +98,8 @@ def c_project(circuit: BaseCircuit, name: str = "", *, substeps: int = 1) -> dic
     SimulationError
         If the run of the circuit fails: the test vector requires it.
     """
-    if not 1 <= substeps <= MAX_SUBSTEPS:
-        raise InputError("deploy.substeps", count=substeps, most=MAX_SUBSTEPS)
+    meaning = "number of integration steps per fixed-step call"
+    Field(type="integer", low=1, high=MAX_SUBSTEPS, meaning=meaning).read(substeps, "substeps")
     export_model = build_export_model(circuit, name)
     name = export_model.name
     fields = {
