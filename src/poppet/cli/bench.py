@@ -11,7 +11,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list, with_result
+from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list
 from poppet.cli.commands import COMMANDS
 from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.progress import BenchProgress, PointProgress
@@ -108,8 +108,8 @@ def _prepare_circuit(
     from poppet.bench.iso10094.scale import listed, pressure, pressure_range
     from poppet.circuit.file import load
 
-    circuit, result_notes = with_result(load(path), None if is_comparison else options.result)
-    circuit, change_notes = change_circuit(circuit, read_assignments(values))
+    identified = None if is_comparison else options.result
+    circuit, notes = change_circuit(load(path), read_assignments(values), identified)
     ambient = circuit.surroundings.pressure
     rig = rig_of(
         circuit,
@@ -120,7 +120,7 @@ def _prepare_circuit(
     )
     conditions = {"circuit": str(path), "valve": rig.valve} | ({"changed": list(values)} if values else {})
     rig.title = f"{rig.title}, {', '.join(values)}" if values else rig.title
-    notes = [*result_notes, *change_notes, *rig.notes]
+    notes += rig.notes
     fields: dict[str, Any] = {"rated_flow": _rated_flow(options)}
     if options.volume:
         fields["volumes"] = listed(options.volume, "m^3", "--volume")

@@ -12,7 +12,6 @@ from poppet.cli.assignments import (
     load_circuit,
     read_assignments,
     read_value,
-    with_result,
 )
 from poppet.cli.commands import PICTURES
 from poppet.cli.main import INTERRUPTED
@@ -56,15 +55,14 @@ def execute(options: argparse.Namespace) -> int:
     selection = OutputSelection.read(options.select, options.units)
     require_matplotlib(options.plot, options.report)
     with Spinner("The model is prepared", is_quiet=options.quiet):
-        circuit, notes = with_result(load(options.file), options.result)
-        values = read_assignments(options.values)
+        circuit, values = load(options.file), read_assignments(options.values)
         for name, address in _RUN_OPTIONS.items():
             if getattr(options, name) is not None:
                 values[address] = read_value(getattr(options, name))
         # Before `--set`, which may replace all conditions.
         if options.stop_when:
             circuit = circuit.with_values({"run.stop_when": [*circuit.run.stop_texts, *options.stop_when]})
-        circuit, change_notes = change_circuit(circuit, values)
+        circuit, notes = change_circuit(circuit, values, options.result)
         if options.start_from:
             # The values are applied again: they override the state at the end of the recording.
             circuit = circuit.resumed(Recording.read(options.start_from)).with_values(values)
@@ -83,7 +81,7 @@ def execute(options: argparse.Namespace) -> int:
             recording = circuit.simulate(progress=progress)
         except SimulationError as error:
             failure, recording = error, error.recording
-    print_notes([*notes, *change_notes, *recording.remarks])
+    print_notes([*notes, *recording.remarks])
     _write(recording, selection, options, circuit)
     if failure is not None:
         if failure.note.code == "run.ended.interrupted":

@@ -13,13 +13,17 @@ import sys
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.errors import InputError
-from poppet.deploy.export_model import ExportModel
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.printers.llvm import PRELUDE, print_function
 from poppet.engine.printers.llvm_step import print_step
+
+if TYPE_CHECKING:
+    import casadi
+
+    from poppet.engine.model import Model
 
 
 class Platform(NamedTuple):
@@ -46,12 +50,8 @@ PLATFORMS = {
 FLAGS = ("-shared", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-s")
 
 
-def kernel_code(export_model: ExportModel, added: Mapping[str, Any]) -> str:
-    """Return the functions of a model and the `added` functions as LLVM IR."""
-    functions = {name: f for name, f in export_model.functions.items() if name != "energy"} | dict(added)
-    model = export_model.model
-    if not model.size:
-        functions = {name: functions[name] for name in functions if name not in ("jacobian", "factor", "solve")}
+def kernel_code(model: Model, functions: Mapping[str, casadi.Function]) -> str:
+    """Return the given functions of a model, and its integration step, as LLVM IR."""
     step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + step
 

@@ -131,11 +131,12 @@ def build_fmu(
     layout = build_layout(build_export_model(circuit, name), inputs)
     export_model = layout.export_model
     identifier, derivatives = export_model.name, directional_derivatives(export_model.model)
-    kernel = kernel_code(export_model, {"directional": derivatives})
-    functions = [name for name in (*export_model.functions, "directional", "step", "dense") if name != "energy"]
-    if not export_model.model.size:
-        unused = ("jacobian", "factor", "solve", "step", "dense")
-        functions = [name for name in functions if name not in unused]
+    unused = ("energy",) if export_model.model.size else ("energy", "jacobian", "factor", "solve")
+    printed = {name: f for name, f in export_model.functions.items() if name not in unused} | {
+        "directional": derivatives
+    }
+    kernel = kernel_code(export_model.model, printed)
+    functions = [*printed, *(("step", "dense") if export_model.model.size else ())]
     sources = {file: _read("c", file) for file in ("core.h", "core.c", f"fmi{fmi}.c")}
     sources |= {file: _read("headers", file) for file in HEADERS[fmi]}
     sources["names.h"] = names_header(functions, fmi)

@@ -17,14 +17,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.deploy.fmu.binaries import compile_object
+from poppet.deploy.fmu.binaries import compile_object, kernel_code
 from poppet.deploy.live.linker import LinkError, Module, link
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.job import Job
 from poppet.engine.model import Model
 from poppet.engine.printers.instructions import trace_functions
-from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, print_function
-from poppet.engine.printers.llvm_step import print_step
+from poppet.engine.printers.llvm import OF_ONE, OF_TWO
 from poppet.engine.problem import Problem
 
 CALLED = ("jacobian", "step", "dense", "outputs", "update")
@@ -58,11 +57,8 @@ def live_module(model: Model) -> Module:
     import llvmlite.binding as llvm
 
     functions = trace_functions(model)
-    code = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items())
-    if model.size:
-        code += print_step(model.size, len(model.states), len(model.inputs))
     llvm_module = llvm.parse_assembly(INTEGRATOR.read())
-    llvm_module.link_in(llvm.parse_assembly(code))
+    llvm_module.link_in(llvm.parse_assembly(kernel_code(model, functions)))
     defined = [function for function in llvm_module.functions if not function.is_declaration]
     exports, tabled = ("integrate", "start"), [name for name in CALLED if name in {f.name for f in defined}]
     for function in defined:
