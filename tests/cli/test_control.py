@@ -26,7 +26,7 @@ def files(tmp_path):
     return "pid.toml", "scheduled.toml", "law.toml"
 
 
-def test_tune_writes_gains_that_the_circuit_takes(poppet, files, tmp_path):
+def test_tune_writes_gains_for_the_circuit(poppet, files, tmp_path):
     code, out, err = poppet("control", "tune", "pid.toml", "--at", "3 bar", "--sensitivity", "1.6", "-o", "gains.toml")
     assert (code, err) == (0, "")
     assert "phase margin [deg]" in out
@@ -36,7 +36,7 @@ def test_tune_writes_gains_that_the_circuit_takes(poppet, files, tmp_path):
     assert poppet("simulate", "pid.toml", *changes, "--quiet").code == 0
 
 
-def test_tune_says_what_it_bounded_of_a_plant_that_leaks(poppet, files):
+def test_tune_reports_the_bounded_plant_with_a_leak(poppet, files):
     leak = '[parts.leak]\nkind = "orifice"\nfrom = "tank"\nto = "ambient"\nsonic_conductance = "0.001 dm^3/(s bar)"\n'
     text = Path("pid.toml").read_text(encoding="utf-8")
     Path("pid.toml").write_text(text + leak + "critical_ratio = 0.35\n", encoding="utf-8")
@@ -48,7 +48,7 @@ def test_tune_says_what_it_bounded_of_a_plant_that_leaks(poppet, files):
     assert float(out.split("vent_factor = ")[1].split()[0]) == pytest.approx(0.116, abs=2e-3)
 
 
-def test_tune_finds_what_the_examples_say(poppet, files, tmp_path):
+def test_tune_reproduces_the_gains_of_the_examples(poppet, files, tmp_path):
     """The numbers in the example files are those that the command in their comments prints."""
     assert poppet("control", "tune", "pid.toml", "-o", "fixed.toml").code == 0
     assert poppet("control", "tune", "pid.toml", "--schedule", "-o", "table.toml").code == 0
@@ -87,7 +87,7 @@ def test_the_command_of_the_docs_for_a_valve_without_its_overlap(poppet):
     assert "--amplitude" in refused.err
 
 
-def test_a_loop_is_tuned_on_answers_to_sines(poppet, tmp_path):
+def test_a_loop_is_tuned_for_responses_to_sines(poppet, tmp_path):
     """Without an integral the body sticks beside its setpoint, which the step that verifies shows and a note says."""
     shutil.copy(EXAMPLES / "position_control.toml", tmp_path)
     sines = "--form", "p", "--at", "100 mm", "--amplitude", "0.1", "--report", "page.html", "-o", "gains.toml"
@@ -140,14 +140,14 @@ def test_compare_shows_nominal_median_and_worst(poppet, files, tmp_path):
     assert (tmp_path / "spread.png").stat().st_size > 20_000
 
 
-def test_compare_without_uncertain_numbers(poppet, files):
+def test_compare_without_uncertain_parameters(poppet, files):
     code, out, _ = poppet("control", "compare", "pid.toml", "law.toml")
     assert code == 0
     assert "--vary ADDRESS=RANGE makes them uncertain" in out
     assert "median" not in out
 
 
-def test_a_comparison_that_fails_ends_in_one(poppet, files):
+def test_a_failed_comparison_gives_exit_code_1(poppet, files):
     text = Path("pid.toml").read_text(encoding="utf-8")
     Path("pid.toml").write_text(text + 'stop_when = "tank.pressure > 4.5 bar"\n', encoding="utf-8")
     code, out, _ = poppet("control", "compare", "pid.toml")
@@ -178,7 +178,7 @@ def test_refusals(poppet, files, arguments, code):
     assert (answer.code, answer.codes) == (2, [code])
 
 
-def test_both_actions_write_pages(poppet, files, tmp_path):
+def test_both_actions_write_reports(poppet, files, tmp_path):
     pytest.importorskip("matplotlib")
     assert poppet("control", "tune", "pid.toml", "--at", "3 bar", "--report", "tuning.html").code == 0
     assert poppet("control", "compare", "pid.toml", "law.toml", "--report", "comparison.html").code == 0
@@ -187,7 +187,7 @@ def test_both_actions_write_pages(poppet, files, tmp_path):
 
 
 @pytest.mark.parametrize("tuned", [(), ("--schedule",)])
-def test_gains_go_into_every_command(poppet, tmp_path, tuned):
+def test_gains_are_accepted_by_every_command(poppet, tmp_path, tuned):
     """As if the circuit file had them, a schedule in place of a gain or the other way; an FMU carries them."""
     from poppet.deploy.fmu.importers import circuit_resources, read_circuit
 
@@ -230,7 +230,7 @@ def test_gains_go_into_every_command(poppet, tmp_path, tuned):
         ("[gains]\nregulator = 2\n", "result.unreadable"),
     ],
 )
-def test_a_file_of_numbers_that_fits_nothing_is_refused(poppet, tmp_path, text, code):
+def test_a_parameter_file_without_matching_address_is_refused(poppet, tmp_path, text, code):
     (tmp_path / "gains.toml").write_text(text)
     answer = poppet("show", str(EXAMPLES / "pressure_control.toml"), "--with", "gains.toml")
     assert answer.code == 2

@@ -38,7 +38,7 @@ def test_another_dataset_is_refused(poppet, file):
     assert poppet("ensemble", "tank.toml", "--runs", "11", "-o", "other").code == 0
 
 
-def test_mistakes_stand_in_their_lines(poppet, file):
+def test_errors_have_line_numbers(poppet, file):
     changes = {
         "runs = 300": "runs = 0",
         '"tank.volume"': '"tank.volum"',
@@ -62,7 +62,7 @@ def test_mistakes_stand_in_their_lines(poppet, file):
     assert poppet("simulate", "tank.toml").code == 0
 
 
-def test_impossible_values_are_said_before_the_first_run(poppet, file, tmp_path):
+def test_invalid_values_are_reported_before_the_first_run(poppet, file, tmp_path):
     file.write_text((TANK + TABLES).replace("relative_sigma = 0.02", "relative_sigma = 0.3"), encoding="utf-8")
     answer = poppet("ensemble", "tank.toml")
     assert (answer.code, answer.codes) == (2, ["ensemble.impossible"])
@@ -70,7 +70,7 @@ def test_impossible_values_are_said_before_the_first_run(poppet, file, tmp_path)
     assert not (tmp_path / "tank.ensemble").exists()
 
 
-def test_an_interruption_keeps_what_is_done(poppet, file, monkeypatch):
+def test_an_interruption_keeps_completed_runs(poppet, file, monkeypatch):
     from poppet.cli import progress
 
     def interrupt(self, done, total, kind):

@@ -48,7 +48,7 @@ def command(target, file, *more):
 
 
 @pytest.mark.parametrize("target", WHOLE)
-def test_whole_circuits(target, folder):
+def test_every_target_exports_whole_circuits(target, folder):
     with refused("fields.missing", "run.duration"):
         command(target, "endless.toml", *WHOLE[target])
     with refused("deploy.segments", "signals", most=100_000):
@@ -77,12 +77,12 @@ def test_whole_circuits(target, folder):
         ("live", DELAYED, ("--number", "valve.sonic_conductance", *PAGE), "deploy.live.derived"),
     ],
 )
-def test_what_a_target_does_not_have(target, file, given, code, folder):
+def test_invalid_options_of_a_target_are_refused(target, file, given, code, folder):
     with refused(code):
         command(target, file, *given)
 
 
-def test_a_python_function_is_no_signal():
+def test_a_python_function_as_signal_is_refused():
     """So no target meets one: what a circuit holds is data."""
     parts = {
         "tank": Chamber(volume="1 l", initial_pressure="5 bar"),
@@ -92,7 +92,7 @@ def test_a_python_function_is_no_signal():
         Circuit(parts, {"vent.opening": lambda t: 0.5 + 0.5 * t})
 
 
-def test_sampled_memory_in_continuous_tools():
+def test_sampled_circuits_are_refused_by_continuous_tools():
     for tool in ("to_casadi", "to_control"):
         with refused("tools.sampled", "regulator.sample"):
             getattr(load(CONTROL), tool)()
@@ -115,7 +115,7 @@ def test_a_missing_extra_is_named(monkeypatch, tmp_path):
     assert not any(name.startswith("binaries/") for name in names)
 
 
-def test_an_fmu_that_is_none(tmp_path, monkeypatch):
+def test_an_invalid_fmu_is_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with refused("files.unreadable", path="missing.fmu"):
         command("check", "missing.fmu")

@@ -60,13 +60,13 @@ def remarks(result: Result, code: str) -> list[Note]:
 # What the documents show ------------------------------------------------------------------------------------------
 
 
-def test_a_key_that_is_not_documented_is_found():
+def test_an_undocumented_key_is_detected():
     keys = {"aicc": 1.0, "new": 2.0}, {"loss": "linear", "old": 1}
     result = Result("fit", "a title", {}, comparison=keys[0], conditions=keys[1])
     assert undocumented(result) == ["comparison.new", "conditions.old"]
 
 
-def test_the_documents_show_all_ways():
+def test_the_documentation_shows_all_methods():
     shown = {
         way for page in PAGES for way in re.findall(r"poppet identify (\w+) examples", page.read_text(encoding="utf-8"))
     }
@@ -123,7 +123,7 @@ def test_every_field_is_documented(method, names):
 # What the ways find -----------------------------------------------------------------------------------------------
 
 
-def test_the_recordings_are_what_their_script_makes(tmp_path):
+def test_recordings_equal_the_output_of_their_script(tmp_path):
     spec = importlib.util.spec_from_file_location("make_data", EXAMPLES / "make_data.py")
     assert spec
     assert spec.loader
@@ -159,7 +159,7 @@ TRUTH = {
 
 
 @pytest.mark.parametrize("way", TRUTH)
-def test_the_truth_of_the_examples_is_found(poppet, bench, way):
+def test_true_parameters_of_the_examples_are_identified(poppet, bench, way):
     code, out, err = poppet("identify", way, str(bench / f"{way}.toml"), "-o", "result.toml")
     result = read_result("result.toml")
     assert (code, err, result.method) == (0, "", way)
@@ -169,7 +169,7 @@ def test_the_truth_of_the_examples_is_found(poppet, bench, way):
         assert re.search(rf"^  {re.escape(name)} .* determined$", out, re.MULTILINE)
 
 
-def test_a_characteristic_goes_into_a_circuit(poppet, bench):
+def test_an_identified_characteristic_is_used_in_a_circuit(poppet, bench):
     file = str(bench / "characteristic.toml")
     code, out, err = poppet("identify", "characteristic", file, "--library", "seat.toml")
     assert (code, err) == (0, "")
@@ -182,13 +182,13 @@ def test_a_characteristic_goes_into_a_circuit(poppet, bench):
         assert seat.critical_ratio_at(stroke) == pytest.approx(truth.critical_ratio_at(stroke), abs=0.02)
 
 
-def test_strokes_that_are_too_short_are_said(bench):
+def test_too_short_strokes_are_reported(bench):
     """At 80 mm/s the example has 12 samples of a stroke."""
     (said,) = remarks(identify_friction(bench / "friction.toml"), "friction.short_strokes")
     assert said.facts["count"] == 8
 
 
-def test_a_spline_says_that_the_data_reject_its_constraint(poppet, bench):
+def test_a_spline_reports_that_the_data_reject_its_constraint(poppet, bench):
     path = bench / "characteristic.toml"
     path.write_text(path.read_text().replace('"polynomial"', '"spline"'))
     code, out, _ = poppet("identify", "characteristic", str(path))
@@ -210,14 +210,14 @@ def test_a_result_is_used_by_simulate(poppet, bench, tmp_path):
     assert np.sqrt(np.mean((with_result - measured) ** 2)) < 1.1 * data["residuals"]["discharge.tank.pressure"]["rms"]
 
 
-def test_json_holds_the_same(poppet, bench):
+def test_a_json_result_contains_the_same_values(poppet, bench):
     for name in ("result.toml", "result.json"):
         assert poppet("identify", "flow", str(bench / "flow.toml"), "-o", name).code == 0
     assert read_result("result.toml").parameters == read_result("result.json").parameters
     assert json.loads(Path("result.json").read_text())["method"] == "flow"
 
 
-def test_a_worse_model_is_called_so(poppet, bench):
+def test_a_worse_model_is_reported(poppet, bench):
     files = str(bench / "fit.toml"), "--compare", str(bench / "fit_adiabatic.toml")
     assert poppet("identify", "fit", *files, "-o", "result.toml").code == 0
     assert undocumented(read_result("result.toml")) == []
@@ -228,7 +228,7 @@ def test_a_worse_model_is_called_so(poppet, bench):
     assert comparison["AICc"] == comparison["aicc"]
 
 
-def test_settings_below_the_free_numbers_are_settings(bench):
+def test_settings_after_the_free_parameters_are_settings(bench):
     """Lines appended to a fit file land in its last table."""
     path = bench / "fit.toml"
     path.write_text(path.read_text(encoding="utf-8") + 'starts = 3\nloss = "huber"\n', encoding="utf-8")
@@ -237,7 +237,7 @@ def test_settings_below_the_free_numbers_are_settings(bench):
     assert "starts" not in [f.name for f in plan.free]
 
 
-def test_loss_and_starts_may_stand_with_a_number(bench):
+def test_loss_and_starts_are_accepted_in_the_table_of_a_parameter(bench):
     path = bench / "fit.toml"
     text = path.read_text(encoding="utf-8").replace("{ start = 0.3 }", '{ start = 0.3, starts = 3, loss = "huber" }')
     path.write_text(text, encoding="utf-8")
@@ -285,7 +285,7 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
         ("tank", '"20 l"', '"20 l"\ncritical_ratio = { strt = 0.3 }', "critical_ratio =", "fields.unknown"),
     ],
 )
-def test_mistakes_are_told_with_their_line(bench, way, old, new, marked, code):
+def test_errors_have_their_line_number(bench, way, old, new, marked, code):
     path = bench / f"{way}.toml"
     text = path.read_text(encoding="utf-8")
     assert old in text
@@ -300,7 +300,7 @@ def test_mistakes_are_told_with_their_line(bench, way, old, new, marked, code):
 @pytest.mark.parametrize(
     ("way", "old", "wrong", "meant"), [("fit", "use =", "usee =", "use"), ("tank", "closes", "closs", "closes")]
 )
-def test_what_a_fit_reads_itself_may_be_misspelt(bench, way, old, wrong, meant):
+def test_misspelt_keys_have_a_suggestion(bench, way, old, wrong, meant):
     path = bench / f"{way}.toml"
     path.write_text(path.read_text(encoding="utf-8").replace(old, wrong, 1), encoding="utf-8")
     with pytest.raises(InputError) as error:
@@ -310,7 +310,7 @@ def test_what_a_fit_reads_itself_may_be_misspelt(bench, way, old, wrong, meant):
 
 
 @pytest.mark.parametrize("way", READERS)
-def test_mistakes_end_the_command_with_their_line(poppet, bench, way):
+def test_errors_end_the_command_with_their_line(poppet, bench, way):
     path = bench / f"{way}.toml"
     path.write_text("starts = 0\n" + path.read_text(encoding="utf-8"), encoding="utf-8")
     code, out, err = poppet("identify", way, str(path))
@@ -318,7 +318,7 @@ def test_mistakes_end_the_command_with_their_line(poppet, bench, way):
     assert f"{way}.toml:1: " in err
 
 
-def test_a_mistake_in_what_the_fit_file_sets_is_told_with_its_line(poppet, bench):
+def test_an_invalid_value_of_the_fit_file_has_its_line(poppet, bench):
     path = bench / "fit.toml"
     text = path.read_text(encoding="utf-8").replace("[recordings", '[set]\n"tank.volum" = 3\n\n[recordings', 1)
     path.write_text(text, encoding="utf-8")
@@ -326,7 +326,7 @@ def test_a_mistake_in_what_the_fit_file_sets_is_told_with_its_line(poppet, bench
     assert f"fit.toml:{line}: " in poppet("identify", "fit", str(path)).err
 
 
-def test_a_gauge_pressure_read_as_absolute_is_named(poppet, bench):
+def test_a_gauge_pressure_read_as_absolute_is_reported(poppet, bench):
     path = bench / "tank.toml"
     path.write_text(path.read_text(encoding="utf-8").replace('unit = "bar g"', 'unit = "bar"'), encoding="utf-8")
     result = identify_tank(path)
@@ -337,7 +337,7 @@ def test_a_gauge_pressure_read_as_absolute_is_named(poppet, bench):
     assert len([note for note in remarks(result, "suspicion.read_as_absolute") if "discharge" in note.address]) == 1
 
 
-def test_a_page_that_cannot_be_drawn_is_told_before_the_fit(poppet, bench, monkeypatch):
+def test_missing_matplotlib_is_reported_before_the_fit(poppet, bench, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     result = bench / "result.toml"
     asked = ("identify", "flow", str(bench / "flow.toml"), "-o", str(result), "--report", str(bench / "page.html"))
@@ -347,7 +347,7 @@ def test_a_page_that_cannot_be_drawn_is_told_before_the_fit(poppet, bench, monke
     assert not result.exists()
 
 
-def test_profiles_and_bootstrap_tell_how_far_they_are(bench):
+def test_profiles_and_bootstrap_report_progress(bench):
     told = []
     options = {"profile": ["valve.critical_ratio"], "repeats": 2}
     identify_tank(bench / "tank.toml", stages=lambda *parts: told.append(parts), **options)
@@ -391,7 +391,7 @@ def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, note):
     assert result.parameters == plain
 
 
-def test_a_pressure_that_stays_is_missed_by_a_number(poppet, bench):
+def test_a_constant_pressure_gives_a_finding(poppet, bench):
     """A recording that does not change has no range to compare with."""
     rows = "\n".join(f"{0.1 * k:.1f},5.0,20.0" for k in range(200))
     (bench / "discharge.csv").write_text("t,p_tank,T_gas\n" + rows, encoding="utf-8")
@@ -436,14 +436,14 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
         (("characteristic", "flow.toml"), "is not a valid field of a list of tests"),
     ],
 )
-def test_what_does_not_fit_is_refused(poppet, bench, monkeypatch, arguments, message):
+def test_invalid_options_are_refused(poppet, bench, monkeypatch, arguments, message):
     monkeypatch.chdir(bench)
     code, out, err = poppet("identify", *arguments)
     assert (code, out) == (2, "")
     assert message in err
 
 
-def test_an_interrupted_fit_hands_over_its_best(poppet, bench, monkeypatch):
+def test_an_interrupted_fit_returns_its_best_point(poppet, bench, monkeypatch):
     calls = []
 
     def interrupt(self, count, cost):
@@ -493,7 +493,7 @@ RECORDINGS = [("fit", "discharge.csv"), ("tank", "tank_discharge.csv"), ("charac
 
 @pytest.mark.parametrize(("way", "file"), RECORDINGS)
 @pytest.mark.parametrize(("change", "message"), REFUSED)
-def test_recordings_that_cannot_be_read_are_refused(poppet, bench, way, file, change, message):
+def test_invalid_recordings_are_refused(poppet, bench, way, file, change, message):
     rewrite(bench / file, change)
     code, out, err = poppet("identify", way, str(bench / f"{way}.toml"), "-o", "result.toml")
     assert (code, out) == (2, "")
@@ -540,7 +540,7 @@ def test_a_tank_fuller_than_its_supply_is_refused(poppet, bench):
         (lambda rows: [[row[0], row[2], row[1], row[3]] for row in rows], "pressure_2"),
     ],
 )
-def test_points_that_cannot_be_are_refused(poppet, bench, change, message):
+def test_implausible_points_are_refused(poppet, bench, change, message):
     rewrite(bench / "flow_points.csv", change)
     code, out, err = poppet("identify", "flow", str(bench / "flow.toml"))
     assert (code, out) == (2, "")
@@ -564,7 +564,7 @@ def doubtful(path: Path) -> Result:
     return result
 
 
-def test_a_sensor_that_does_not_move_is_suspected(bench):
+def test_a_constant_sensor_gives_a_finding(bench):
     rewrite(bench / "discharge.csv", with_pressure("5.0"))
     result = doubtful(bench / "fit.toml")
     assert "Check the connection of the sensor." in " ".join(result.findings)
@@ -572,13 +572,13 @@ def test_a_sensor_that_does_not_move_is_suspected(bench):
     assert result.parameters["outlet.sonic_conductance"].verdict in ("not determined", "at bound")
 
 
-def test_a_pressure_that_rises_in_a_discharge_does_not_fit(bench):
+def test_a_rising_pressure_in_a_discharge_gives_a_finding(bench):
     rewrite(bench / "discharge.csv", rising)
     (found,) = remarks(doubtful(bench / "fit.toml"), "finding.residuals.not_white")[:1]
     assert found.address == "discharge.tank.pressure"
 
 
-def test_gauge_read_as_absolute_is_suspected(bench):
+def test_gauge_read_as_absolute_gives_a_finding(bench):
     path = bench / "fit.toml"
     path.write_text(path.read_text().replace('"bar g"', '"bar"'))
     assert "If it is a gauge pressure" in " ".join(doubtful(path).findings)

@@ -10,7 +10,7 @@ import pytest
 from unit.ensemble.test_sizing import CHARGE, EXACT, C
 
 
-def test_at_the_command_line(poppet, tmp_path: Path):
+def test_size_prints_and_writes_its_result(poppet, tmp_path: Path):
     file = tmp_path / "charge.toml"
     file.write_text(CHARGE.replace("THERMAL", "isothermal"))
     result, page = tmp_path / "size.toml", tmp_path / "size.html"

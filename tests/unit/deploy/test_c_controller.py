@@ -32,7 +32,7 @@ MOST_CODE = 12_000
 
 @pytest.mark.parametrize("precision", ["double", "single"])
 @pytest.mark.parametrize("name", CONTROLLERS)
-def test_the_host_finds_all_well(name, precision, tmp_path):
+def test_host_program_reports_success(name, precision, tmp_path):
     files = c_controller(load(EXAMPLES / f"{name}.toml"), CONTROLLERS[name], name="ctl", precision=precision)
     made = compile_c(files, tmp_path, "-std=c99", "-O1", "-ffp-contract=off")
     found = subprocess.run([made], capture_output=True, text=True, check=False)
@@ -42,7 +42,7 @@ def test_the_host_finds_all_well(name, precision, tmp_path):
 
 
 @pytest.mark.parametrize("precision", ["double", "single"])
-def test_numbers_change_between_calls(precision, tmp_path):
+def test_parameters_change_between_calls(precision, tmp_path):
     """A gain is doubled after half of the calls; Python's program, begun with it, is the same where no memory is."""
     circuit = load(EXAMPLES / "pressure_control.toml").with_values({"regulator.integral_time": "1e9 s"})
     files = {n: t for n, t in c_controller(circuit, name="ctl", precision=precision).items() if "host" not in n}
@@ -74,7 +74,7 @@ def test_numbers_change_between_calls(precision, tmp_path):
     assert found[39] != pytest.approx(found[19], rel=0.1)
 
 
-def test_no_instant_is_lost_after_hours(tmp_path):
+def test_all_sample_instants_are_executed_after_hours(tmp_path):
     """In single precision 2^24 calls are where a count of calls stands still, and a time of half an hour is coarse."""
     files = c_controller(load(EXAMPLES / "pressure_control.toml"), name="ctl", precision="single")
     files = {name: text for name, text in files.items() if "host" not in name}
@@ -99,7 +99,7 @@ def test_no_instant_is_lost_after_hours(tmp_path):
 
 
 @pytest.mark.parametrize("precision", ["double", "single"])
-def test_it_is_compiled_for_a_microcontroller(precision, tmp_path):
+def test_controller_compiles_for_a_microcontroller(precision, tmp_path):
     ziglang = pytest.importorskip("ziglang", reason="a compiler for other processors")
     library = Path(str(ziglang.__file__)).parent / "lib" / "libc" / "include"
     headers = [option for name in ("generic-musl", "arm-linux-musl") for option in ("-isystem", str(library / name))]

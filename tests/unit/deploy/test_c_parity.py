@@ -53,7 +53,7 @@ def run(problem: Problem, function: Any, monkeypatch: pytest.MonkeyPatch) -> tup
 
 
 @pytest.mark.parametrize("name", EVERYDAY)
-def test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch):
+def test_exported_c_equals_the_kernel_in_every_bit(name, tmp_path, monkeypatch):
     circuit = TEN[name]()
     mine = run(*in_c(build_export_model(circuit), tmp_path), monkeypatch)
     theirs = run(*without_fused(circuit), monkeypatch)
@@ -64,8 +64,8 @@ def test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("name", [name for name in TEN if name not in EVERYDAY])
-def test_every_bit_of_ten_circuits(name, tmp_path, monkeypatch):
-    test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch)
+def test_exported_c_of_ten_circuits_equals_the_kernel(name, tmp_path, monkeypatch):
+    test_exported_c_equals_the_kernel_in_every_bit(name, tmp_path, monkeypatch)
 
 
 def test_the_integrator_in_c_is_made_from_the_present_source(monkeypatch):

@@ -37,7 +37,7 @@ def driven(circuit: Circuit, folder: Path, body: str) -> np.ndarray:
     return np.array([float(word) for word in out.stdout.split()])
 
 
-def test_the_host_finds_all_well(tmp_path):
+def test_host_program_reports_success(tmp_path):
     found = host(c_project(TEN["two tanks"](), "tanks"), tmp_path, "-std=c99", "-O1", step="0.1")
     assert found.returncode == 0, found.stdout
 
@@ -51,7 +51,7 @@ def test_all_hosts_and_languages(name, options, tmp_path):
     assert found.returncode == 0, found.stdout
 
 
-def test_a_run_that_follows_rounding_is_held_to_what_that_becomes():
+def test_allowed_differences_follow_the_effect_of_rounding():
     """The states of a valve that hunts, by what they are from a start that is moved, and no looser before it does."""
     files = c_project(example("muscle_joint", "0.4 s"), "it")
     rows = re.search(r"allowed_adaptive\[\] = \{\n(.*?)\n\};", files["it_host.c"], re.DOTALL)
@@ -61,7 +61,7 @@ def test_a_run_that_follows_rounding_is_held_to_what_that_becomes():
     assert allowed[:, -1].max() > 1e-4
 
 
-def test_a_changed_test_vector_is_noticed(tmp_path):
+def test_a_changed_test_vector_is_detected(tmp_path):
     files = c_project(TEN["two tanks"](), "it")
     text = files["it_host.c"]
     rows = text.index("known[] = {")
@@ -71,7 +71,7 @@ def test_a_changed_test_vector_is_noticed(tmp_path):
     assert host(files, tmp_path, "-std=c99", "-O1", step="0.1").returncode == 1
 
 
-def test_names_and_titles_stay_text(tmp_path):
+def test_special_characters_in_names_and_titles_are_escaped(tmp_path):
     circuit = replace(TEN["two tanks"](), title=HOSTILE)
     files = c_project(circuit, HOSTILE)
     assert all(re.fullmatch(r"[A-Za-z0-9_.]+", name) for name in files)
@@ -79,7 +79,7 @@ def test_names_and_titles_stay_text(tmp_path):
     assert host(files, tmp_path, "-std=c90", "-O0", step="0.1").returncode == 0
 
 
-def test_nothing_is_allocated_and_nothing_kept(tmp_path):
+def test_exported_c_has_no_allocation_and_no_global_state(tmp_path):
     if shutil.which("nm") is None:
         pytest.skip("there is no nm on this machine")
     for name, text in c_project(TEN["staircase"](), "it").items():
@@ -99,7 +99,7 @@ def test_nothing_is_allocated_and_nothing_kept(tmp_path):
         assert all(symbol.startswith("it_") for symbol, kind in kinds.items() if kind in "TR"), name
 
 
-def test_nothing_calls_itself_and_the_stack_is_bounded(tmp_path):
+def test_exported_c_has_no_recursion_and_a_bounded_stack(tmp_path):
     """By the call graph and the stack usage that GCC writes down."""
     if COMPILER is None:
         pytest.skip("there is no C compiler on this machine")
@@ -149,7 +149,7 @@ def test_the_fixed_step_is_of_second_order(tmp_path):
     assert np.all((ratios > 3.0) & (ratios < 5.5)), ratios
 
 
-def test_substeps_are_steps(tmp_path):
+def test_substeps_equal_as_many_calls(tmp_path):
     """Calls in substeps give what as many calls give, where a clock ticks too."""
     circuit = example("pressure_control", "0.3 s", **{"tank.initial_pressure": "3 bar"})
     loop = "it_fixed_begin(&m); %s for (k = 1; k <= %d; k++) if (it_fixed_step(&m, k * 0.3 / %d.0)) return 1;"
@@ -162,7 +162,7 @@ def test_substeps_are_steps(tmp_path):
     assert "IT_SUBSTEPS = 7" in c_project(circuit, "it", substeps=7)["it.h"]
 
 
-def test_numbers_change_at_run_time(tmp_path):
+def test_parameters_change_at_run_time(tmp_path):
     circuit = smooth()
     numbers = {name: k for k, name in enumerate(circuit.model.parameters)}
     k, fixed = numbers["low.volume"], numbers["ambient.pressure"]
@@ -182,7 +182,7 @@ def test_numbers_change_at_run_time(tmp_path):
     assert np.max(np.abs(found[8:] - known) / (np.abs(known) + 1e-9)) < 1e-6
 
 
-def test_an_input_that_is_no_number_ends_a_step(tmp_path):
+def test_an_input_of_nan_ends_a_step(tmp_path):
     circuit = check_and_relief()
     place = circuit.instance.input_names.index("line.pressure")
     body = f"""it_fixed_begin(&m); m.by_host[{place}] = 1; m.u[{place}] = 2e5; it_fixed_step(&m, 0.01);
@@ -193,7 +193,7 @@ def test_an_input_that_is_no_number_ends_a_step(tmp_path):
     assert np.all(np.isfinite(states))
 
 
-def test_an_input_is_driven_by_the_host_as_by_its_signal(tmp_path):
+def test_an_input_of_the_host_replaces_its_signal(tmp_path):
     circuit = check_and_relief()
     place = circuit.instance.input_names.index("line.pressure")
     signal = circuit.signals["line.pressure"]
@@ -207,7 +207,7 @@ def test_an_input_is_driven_by_the_host_as_by_its_signal(tmp_path):
     assert np.max(np.abs(found - own) / (np.abs(own) + 1e-9)) < 1e-9
 
 
-def test_the_command_writes_a_folder(tmp_path, monkeypatch, capsys):
+def test_export_command_writes_a_folder(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     file = str(EXAMPLES / "two_tanks.toml")
     assert run(["export", "c", file, "-o", "tanks"]) == 0
@@ -226,7 +226,7 @@ def test_the_command_writes_a_folder(tmp_path, monkeypatch, capsys):
     assert "export c" in capsys.readouterr().out
 
 
-def test_a_run_that_never_ends_is_refused_before_anything_is_written():
+def test_a_circuit_without_duration_is_refused_before_writing():
     circuit = smooth()
     with refused("fields.missing", "run.duration"):
         c_project(replace(circuit, run=replace(circuit.run, duration=None)))

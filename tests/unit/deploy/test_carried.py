@@ -24,7 +24,7 @@ def of(name: str) -> ExportModel:
 
 
 @pytest.mark.parametrize("name", ["fill_staircase", "datasheet_valve", "pressure_control"])
-def test_a_free_number_changes_nothing_else(name):
+def test_a_free_parameter_changes_no_other_parameter(name):
     circuit, found = load(EXAMPLES / f"{name}.toml"), of(name)
     kernel = circuit.kernel
     free = {k: number for k, number in enumerate(found.parameters) if number.is_free}
@@ -61,7 +61,7 @@ def test_tied_parameters_agree_with_a_change_of_the_whole_circuit(name):
     assert len(tied) >= 5
 
 
-def test_numbers_say_why_they_are_fixed():
+def test_fixed_parameters_have_a_reason():
     numbers = {number.address: number.fixed for number in of("datasheet_valve").parameters}
     assert numbers["valve.critical_ratio"] == numbers["ambient.pressure"] == "tied"
     assert numbers["valve.delay"] == "delay"
@@ -70,7 +70,7 @@ def test_numbers_say_why_they_are_fixed():
 
 
 @pytest.mark.parametrize("name", ["fill_staircase", "pressure_regulator"])
-def test_limits_are_the_outermost_numbers_that_python_takes(name):
+def test_limits_are_the_extreme_valid_values(name):
     """A volume of 0 gives temperatures that are no numbers."""
     specs, found = number_specs(load(EXAMPLES / f"{name}.toml")), of(name)
     free = [number for number in found.parameters if number.is_free and number.address in specs]
@@ -82,7 +82,7 @@ def test_limits_are_the_outermost_numbers_that_python_takes(name):
             assert not np.isfinite(end) or (spec.holds(end) and not spec.holds(beyond)), number.address
 
 
-def test_everything_stands_in_the_order_of_the_model():
+def test_quantities_have_the_order_of_the_model():
     found = of("pressure_control")
     model, problem = found.model, found.problem
     assert tuple(number.address for number in found.parameters) == model.parameters
@@ -97,7 +97,7 @@ def test_everything_stands_in_the_order_of_the_model():
     assert all(item.value == found.parameters[item.parameter].value for item in held.values())
 
 
-def test_a_run_without_end_and_signals_without_number_are_refused():
+def test_missing_duration_and_too_many_segments_are_refused():
     circuit = load(EXAMPLES / "fill_staircase.toml")
     with refused("fields.missing", "run.duration"):
         build_export_model(replace(circuit, run=replace(circuit.run, duration=None)))

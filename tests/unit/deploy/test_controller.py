@@ -36,7 +36,7 @@ CASES = {
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_a_program_gives_the_commands_of_the_run(case):
+def test_program_gives_the_commands_of_the_run(case):
     file, parts, sensors, duration = CASES[case]
     circuit = load(EXAMPLES / f"{file}.toml")
     program = controller_program(circuit, parts)
@@ -52,7 +52,7 @@ def test_a_program_gives_the_commands_of_the_run(case):
     assert np.ptp(found, axis=0).astype(bool).sum() >= 2
 
 
-def test_sensors_are_outside_and_connections_inside():
+def test_program_excludes_sensors_and_includes_connections():
     program = controller_program(load(EXAMPLES / "muscle_joint.toml"), ["position", "inverse", "valve"])
     inputs = [each.address for each in program.inputs]
     assert "position.setpoint" in inputs
@@ -62,14 +62,14 @@ def test_sensors_are_outside_and_connections_inside():
     assert [*program.functions] == [*SIGNATURES]
 
 
-def test_an_offset_of_the_sensor_reaches_the_program_by_its_input():
+def test_sensor_offset_is_part_of_the_input():
     circuit = load(EXAMPLES / "pressure_control.toml")
     moved = circuit.with_values({"regulator.sensor.offset": "0.2 bar"})
     u = np.array([[4e5, 3e5, 1.0, 0.0], [4e5, 3.1e5, 1.0, 0.0]])
     assert np.array_equal(controller_program(circuit).run(u), controller_program(moved).run(u))
 
 
-def test_numbers_are_free_and_the_cycle_is_the_shortest_sample_time():
+def test_parameters_are_free_and_the_cycle_is_the_shortest_sample_time():
     circuit = load(EXAMPLES / "pressure_control.toml").with_values({"regulator.acts": "at_once"})
     program = controller_program(circuit)
     assert program.cycle == 2e-3
@@ -85,7 +85,7 @@ def test_numbers_are_free_and_the_cycle_is_the_shortest_sample_time():
     assert np.allclose(program.run(u, p), changed, rtol=1e-15)
 
 
-def test_what_has_no_program_is_refused():
+def test_parts_without_a_program_are_refused():
     control, joint = load(EXAMPLES / "pressure_control.toml"), load(EXAMPLES / "muscle_joint.toml")
     with refused("deploy.controller.none"):
         controller_program(load(EXAMPLES / "two_tanks.toml"))
@@ -99,7 +99,7 @@ def test_what_has_no_program_is_refused():
         controller_program(joint, ["inverse"])
 
 
-def test_an_input_without_a_number_may_be_left_alone():
+def test_an_undriven_input_has_its_default_value():
     """Its default is a value of its own; the note that nobody drives it shows that."""
     circuit = load(EXAMPLES / "muscle_joint.toml")
     alone = Circuit({"inverse": circuit.parts["inverse"]})
@@ -121,6 +121,6 @@ class Slow(Proportional):
         return ControlOutputs(super().control(scope).outputs, {"filtered": rate})
 
 
-def test_what_runs_between_samples_is_refused():
+def test_a_controller_with_continuous_states_is_refused():
     with refused("deploy.controller.continuous", "slow.filtered"):
         controller_program(Circuit({"slow": Slow()}))

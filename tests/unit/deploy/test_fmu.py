@@ -32,7 +32,7 @@ SHOWN = ("tank.pressure", "tank.mass", "valve.stroke", "valve.supply_mass_flow_r
 @pytest.mark.parametrize(
     ("name", "duration"), [("fill_staircase", None), ("pressure_control", 2.0), ("two_tanks", None)]
 )
-def test_cosimulation_has_the_numbers_and_steps_of_the_kernel(fmi: int, name: str, duration: float | None) -> None:
+def test_cosimulation_has_the_values_and_steps_of_the_kernel(fmi: int, name: str, duration: float | None) -> None:
     row = held(built(name, fmi, duration), example(name, duration), "fmu cs", fmi)
     assert row.why is None
     assert len(row.differences) > 8
@@ -49,7 +49,7 @@ def test_model_exchange_by_cvode(fmi: int, name: str, duration: float | None) ->
 
 
 @pytest.mark.parametrize(("name", "duration"), [("fill_staircase", 3.0), ("pressure_control", 0.2)])
-def test_a_second_host_gives_the_same_bits(name: str, duration: float) -> None:
+def test_a_second_importer_gives_the_same_bits(name: str, duration: float) -> None:
     """libcosim, whose steps end where the rows of Python are."""
     pytest.importorskip("libcosimpy", reason="the second host of FMUs is not installed")
     row = held(built(name, 2, duration), example(name, duration), "fmu cs (second host)")
@@ -58,7 +58,7 @@ def test_a_second_host_gives_the_same_bits(name: str, duration: float) -> None:
 
 
 @FMI
-def test_one_step_over_the_whole_run_is_the_run(fmi: int) -> None:
+def test_one_long_step_equals_the_run(fmi: int) -> None:
     circuit = example("fill_staircase")
     run = Call(circuit.problem(circuit.run)).run()
     with Host(built("fill_staircase", fmi)).begin() as host:
@@ -81,7 +81,7 @@ def test_reset_and_two_instances(fmi: int) -> None:
 
 
 @FMI
-def test_going_back_is_exact(fmi: int) -> None:
+def test_a_restored_state_continues_exactly(fmi: int) -> None:
     with Host(built("pressure_control", fmi, 2.0)).begin() as host:
         names = [v.name for v in host.description.modelVariables if v.causality in ("output", "local")]
         host.run(POINTS[:8], *names)
@@ -99,7 +99,7 @@ def test_going_back_is_exact(fmi: int) -> None:
 
 
 @FMI
-def test_steps_of_other_lengths_come_to_the_same(fmi: int) -> None:
+def test_results_do_not_depend_on_the_length_of_steps(fmi: int) -> None:
     path = built("fill_staircase", fmi, 3.0)
     with Host(path).begin() as even, Host(path).begin() as uneven:
         (expected,) = even.run(POINTS, *SHOWN)[-1:]
@@ -108,7 +108,7 @@ def test_steps_of_other_lengths_come_to_the_same(fmi: int) -> None:
 
 
 @FMI
-def test_numbers_changed_between_runs_and_within_one(fmi: int) -> None:
+def test_parameters_change_between_runs_and_within_a_run(fmi: int) -> None:
     circuit = example("two_tanks")
     changed = circuit.with_values({"high.volume": 0.02})
     names, _ = circuit.model.columns
@@ -137,7 +137,7 @@ def test_numbers_changed_between_runs_and_within_one(fmi: int) -> None:
         ("pressure_control", {"tank.volume": 0.002, "tank.initial_pressure": 1.7e5, "regulator.gain": 4e-5}),
     ],
 )
-def test_changed_numbers_are_those_of_with_values(fmi: int, name: str, changes: dict[str, float]) -> None:
+def test_changed_parameters_act_like_with_values(fmi: int, name: str, changes: dict[str, float]) -> None:
     duration = 3.0 if name == "fill_staircase" else 2.0
     end = 0.9995 * duration  # at no instant: a host is shown what comes after it
     circuit = example(name).with_values({**changes, "run.duration": end, "run.output_step": end})
@@ -153,7 +153,7 @@ def test_changed_numbers_are_those_of_with_values(fmi: int, name: str, changes: 
 
 
 @FMI
-def test_numbers_that_make_no_model_end_in_a_status_that_is_told(fmi: int) -> None:
+def test_invalid_parameters_give_an_error_status_and_a_message(fmi: int) -> None:
     path = built("fill_staircase", fmi, 3.0)
     with Host(path) as host:
         wrong = (-1.0, 0.0, 1e-300, 1e300, float("nan"), float("inf"))
@@ -190,7 +190,7 @@ def test_numbers_that_make_no_model_end_in_a_status_that_is_told(fmi: int) -> No
 
 
 @FMI
-def test_a_number_that_is_refused_stays_as_it_was(fmi: int) -> None:
+def test_a_refused_parameter_keeps_its_value(fmi: int) -> None:
     """Between events of model exchange nothing but inputs may change."""
     with Host(built("fill_staircase", fmi, 3.0, ("tank.volume", "bleed.opening")), "ModelExchange").begin() as host:
         host.fmu.enterContinuousTimeMode()
@@ -205,7 +205,7 @@ def test_a_number_that_is_refused_stays_as_it_was(fmi: int) -> None:
 
 
 @FMI
-def test_a_kept_state_goes_on_in_another_instance_of_its_kind(fmi: int) -> None:
+def test_a_saved_state_continues_in_another_instance(fmi: int) -> None:
     path = built("pressure_control", fmi, 2.0)
     own = "FMUstate" if fmi == 2 else "FMUState"
     back = f"{'deSerialize' if fmi == 2 else 'deserialize'}{own}"
@@ -282,7 +282,7 @@ def test_derivatives_along_a_direction(fmi: int) -> None:
 
 
 @FMI
-def test_calls_that_are_not_allowed_are_answered(fmi: int) -> None:
+def test_calls_that_are_not_allowed_return_an_error(fmi: int) -> None:
     with Host(built("fill_staircase", fmi, 3.0)) as host:
         for wrong in (lambda: host.step(0.0, 0.1), host.fmu.exitInitializationMode, lambda: host.get("tank.pressure")):
             with pytest.raises(Exception, match="status 3"):
@@ -329,7 +329,7 @@ def test_a_stop_condition_ends_a_step_early(fmi: int, tmp_path: Path) -> None:
 
 
 @FMI
-def test_time_may_begin_anywhere(fmi: int) -> None:
+def test_start_time_is_arbitrary(fmi: int) -> None:
     """Signals begin where the run does."""
     path = built("fill_staircase", fmi, 3.0)
     rows = []
@@ -342,7 +342,7 @@ def test_time_may_begin_anywhere(fmi: int) -> None:
     np.testing.assert_allclose(rows[1], rows[0], rtol=1e-9)
 
 
-def test_inputs_move_along_the_slope_of_the_host(tmp_path: Path) -> None:
+def test_inputs_follow_the_derivative_that_the_importer_sets(tmp_path: Path) -> None:
     """A ramp that the host gives by slopes over long steps is the ramp of a signal in Python."""
     circuit = check_and_relief()
     path = build(circuit, 2, tmp_path / "ramp.fmu")
@@ -361,7 +361,7 @@ def test_inputs_move_along_the_slope_of_the_host(tmp_path: Path) -> None:
 
 
 @FMI
-def test_models_that_are_linked_together_share_no_name(fmi: int, tmp_path: Path) -> None:
+def test_linked_models_share_no_symbol(fmi: int, tmp_path: Path) -> None:
     """Sources with the function prefix of the standard, as C++ too."""
     assert COMPILER is not None
     if shutil.which("nm") is None:
@@ -388,7 +388,7 @@ def test_models_that_are_linked_together_share_no_name(fmi: int, tmp_path: Path)
 
 
 @FMI
-def test_calls_out_of_place_are_answered(fmi: int) -> None:
+def test_calls_in_a_wrong_state_return_an_error(fmi: int) -> None:
     """Functions of one kind in an instance of the other, and without an instance."""
     names = ["EnterEventMode", "EnterContinuousTimeMode", *(["GetDerivatives"] if fmi == 2 else [])]
     with Host(built("fill_staircase", fmi, 3.0)).begin() as steps:
@@ -409,7 +409,7 @@ def test_calls_out_of_place_are_answered(fmi: int) -> None:
             exchange.fmu.setTime(float("nan"))
 
 
-def test_an_fmu_is_held_beside_the_circuit_that_it_carries(
+def test_an_fmu_is_compared_with_the_circuit_that_it_contains(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("poppet.deploy.fmu.binaries.has_zig", lambda: False)
@@ -453,7 +453,7 @@ def test_description(fmi: int) -> None:
     assert by_name["tank.mass"].get("initial") == "calculated"
 
 
-def test_hostile_names_stay_text_and_wrong_wishes_are_refused() -> None:
+def test_special_characters_are_escaped_and_invalid_inputs_are_refused() -> None:
     text = (EXAMPLES / "two_tanks.toml").read_text()
     title = "'/><script>&]]>../x"
     circuit = loads(f'title = "{title}"\n' + "\n".join(x for x in text.splitlines() if not x.startswith("title")))
@@ -471,7 +471,7 @@ def test_hostile_names_stay_text_and_wrong_wishes_are_refused() -> None:
         build_fmu(example("fill_staircase", 3.0), inputs=("ambient.pressure",), platforms=())
 
 
-def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_a_compiler_the_fmu_has_sources_and_a_note(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("poppet.deploy.fmu.package.link_commands", lambda platform: [])
     fmu = build_fmu(example("two_tanks"), platforms=("linux64", "win64"))
     assert [(note.code, note.facts["platform"]) for note in fmu.notes] == [
@@ -484,7 +484,7 @@ def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.Mon
 
 @FMI
 @pytest.mark.parametrize("standard", ["c99", "c90"])
-def test_sources_make_the_same_binary_on_a_host_that_compiles(fmi: int, standard: str, tmp_path: Path) -> None:
+def test_compiled_sources_give_the_same_results(fmi: int, standard: str, tmp_path: Path) -> None:
     path = built("fill_staircase", fmi, 3.0)
     with zipfile.ZipFile(path) as archive:
         content = {name: archive.read(name) for name in archive.namelist()}
@@ -527,7 +527,7 @@ def exported(library: bytes) -> set[str]:
 
 @FMI
 @pytest.mark.slow
-def test_the_windows_library_exports_what_the_one_for_linux_does(fmi: int) -> None:
+def test_windows_and_linux_libraries_export_the_same_functions(fmi: int) -> None:
     """Symbol by symbol; test_fmu_windows.py runs it where there is Wine."""
     pytest.importorskip("ziglang", reason="the extra fmu is not installed")
     fmu = build_fmu(example("two_tanks"), fmi=fmi, platforms=("linux64", "win64"))

@@ -27,7 +27,7 @@ OUTPUTS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("name", OUTPUTS)
-def test_the_windows_library_gives_the_numbers_of_the_one_for_linux(name: str, fmi: int, tmp_path: Path) -> None:
+def test_windows_and_linux_libraries_give_the_same_values(name: str, fmi: int, tmp_path: Path) -> None:
     pytest.importorskip("ziglang", reason="the extra fmu is not installed")
     if WINE is None:
         pytest.skip("there is no Wine on this machine")

@@ -57,7 +57,7 @@ def sections(code: bytes) -> list[int]:
     return found
 
 
-def test_a_module_owns_what_an_object_asks_for():
+def test_a_module_defines_the_imports_of_the_object():
     module = small()
     assert module.code.startswith(b"\0asm\1\0\0\0")
     # Types, imports, functions, table, memory, globals, exports, elements, code and data, in this order.
@@ -70,7 +70,7 @@ def test_a_module_owns_what_an_object_asks_for():
 
 
 @needs_node
-def test_addresses_of_data_are_moved_behind_the_stack(tmp_path):
+def test_data_follows_the_stack(tmp_path):
     import subprocess
 
     (tmp_path / "m.wasm").write_bytes(small().code)
@@ -83,7 +83,7 @@ def test_addresses_of_data_are_moved_behind_the_stack(tmp_path):
     assert told.stdout.split() == ["5", "102", "105", "65536"]
 
 
-def test_what_the_linker_does_not_know_it_refuses():
+def test_unsupported_objects_are_refused():
     text = SMALL.replace("load volatile ptr, ptr @place", "load volatile ptr, ptr @elsewhere")
     with pytest.raises(LinkError):
         small("@elsewhere = external global double\n" + text)
@@ -100,7 +100,7 @@ def test_the_module_of_the_paper_is_small():
 
 @needs_node
 @pytest.mark.parametrize("name", TEN)
-def test_a_browser_computes_the_same_bits(name, tmp_path, monkeypatch):
+def test_wasm_kernel_gives_the_same_bits(name, tmp_path, monkeypatch):
     circuit = TEN[name]()
     expected = unfused(circuit, monkeypatch, tmp_path)
     ended, table = with_functions_of_this_machine(expected.problem, tmp_path, monkeypatch)
@@ -118,7 +118,7 @@ def difference(circuit, table, own) -> np.ndarray:
 
 @needs_node
 @pytest.mark.parametrize("name", [name for name in TEN if name not in SENSITIVE])
-def test_of_the_kernel_of_this_machine_it_differs_by_rounding(name, tmp_path):
+def test_wasm_differs_from_the_native_kernel_by_rounding(name, tmp_path):
     circuit = TEN[name]()
     own = Call(circuit.problem(circuit.run))
     own.repeat()
@@ -129,7 +129,7 @@ def test_of_the_kernel_of_this_machine_it_differs_by_rounding(name, tmp_path):
 
 @needs_node
 @pytest.mark.parametrize("name", SENSITIVE)
-def test_where_it_differs_more_so_does_a_kernel_that_is_moved_by_rounding(name, tmp_path):
+def test_larger_differences_have_the_size_of_the_effect_of_rounding(name, tmp_path):
     circuit = TEN[name]()
     problem = circuit.problem(circuit.run)
     own = Call(problem)

@@ -52,7 +52,7 @@ def inputs_of(case, rows=400):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_a_block_gives_the_bits_of_the_program(case):
+def test_block_gives_the_same_bits_as_the_program(case):
     one, given = program(case), inputs_of(case)
     block = FunctionBlock(function_block(one))
     names = block.names("VAR_INPUT")[: len(one.inputs)]
@@ -67,7 +67,7 @@ def test_a_block_gives_the_bits_of_the_program(case):
 
 
 @pytest.mark.parametrize("case", ["pid", "electronics"])
-def test_a_block_gives_the_commands_of_the_run(case):
+def test_block_gives_the_commands_of_the_run(case):
     """From the circuit's own run to the text, without anything of the house between."""
     file, _ = CASES[case]
     one, circuit = program(case), load(EXAMPLES / f"{file}.toml")
@@ -88,7 +88,7 @@ def test_a_block_gives_the_commands_of_the_run(case):
         assert np.allclose(np.array(found)[:, k], known, rtol=1e-11, atol=1e-11 * np.abs(known).max()), output.address
 
 
-def test_numbers_are_inputs_and_restart_begins_anew():
+def test_parameters_are_inputs_and_restart_resets_the_block():
     one = program("pid")
     block, changed = (
         FunctionBlock(function_block(one)),
@@ -104,14 +104,14 @@ def test_numbers_are_inputs_and_restart_begins_anew():
         assert np.array_equal(found, known[:, 0])
 
 
-def test_a_block_samples_by_its_own_count_and_says_when_it_cannot():
+def test_block_counts_its_calls_and_reports_overruns():
     block = FunctionBlock(function_block(program("pid")))
     held = [block(setpoint=4e5, measurement=3e5 + 1e3 * k, cycle_time=5e-4)["integral_1"] for k in range(5)]
     assert held[:4] == [held[0]] * 4 != [held[4]] * 4
     assert block(sample_time=0.0, restart=True)["overrun"] is True
 
 
-def test_hostile_names_become_valid_and_different_ones():
+def test_special_names_become_valid_and_distinct():
     names = BlockNames()
     texts = [
         "a.b", "A_B", "a__b_", "end_if", "INTEGRAL", "v12", "Fired_1", "now", "1st", "größe", "(* x *)", "x" * 50,
@@ -124,7 +124,7 @@ def test_hostile_names_become_valid_and_different_ones():
     assert not {each.lower() for each in found} & {"end_if", "integral", "v12", "fired_1", "now", "end_function_block"}
 
 
-def test_hostile_titles_stay_in_their_comment():
+def test_special_characters_in_titles_stay_in_the_comment():
     circuit = load(EXAMPLES / "pressure_control.toml")
     hostile = "x *) END_FUNCTION_BLOCK (* ü\nVAR\n" + "y" * 30
     parts = {("Pid" + "a" * 60): circuit.parts["regulator"]}
@@ -135,7 +135,7 @@ def test_hostile_titles_stay_in_their_comment():
     assert re.search(r"FUNCTION_BLOCK (\w{1,32})\n", text)
 
 
-def test_what_cannot_be_said_is_refused(monkeypatch):
+def test_unsupported_operations_are_refused(monkeypatch):
     x = ca.SX.sym("x")
     for expression in (ca.erf(x), x + ca.SX(float("inf"))):
         with pytest.raises(UnsupportedOperationError):
@@ -178,7 +178,7 @@ def _with_erf(function):
         ("y := 1.0", SyntaxError), ("y := 1;", TypeError),
     ],
 )  # fmt: skip
-def test_the_evaluator_is_stricter_than_a_machine(text, kind):
+def test_evaluator_refuses_invalid_structured_text(text, kind):
     head = "FUNCTION_BLOCK b VAR_OUTPUT y : LREAL; END_VAR VAR z : LREAL; END_VAR "
     with pytest.raises(kind):
         FunctionBlock(f"{head}{text} END_FUNCTION_BLOCK")()
