@@ -31,30 +31,27 @@ def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
     with ErrorCollector() as errors:
         for address, value in values.items():
             name, _, path = address.partition(".") if isinstance(address, str) else (address, "", "")
-            if name not in owners or not path:
-                errors.extend([_unknown_owner(str(address), owners)])
-            else:
+            if name in owners and path:
                 changes_by_owner[name][path] = value
+                continue
+            address = str(address)
+            addresses = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
+            # Similar addresses first, then addresses that contain the single word.
+            suggestions = get_close_matches(address, addresses, n=3) or [
+                candidate
+                for word in (address, *get_close_matches(address, {a.partition(".")[2] for a in addresses}, n=1))
+                for candidate in addresses
+                if word in candidate.split(".")
+            ]
+            if suggestions:
+                errors.add("address.meant", address, names=suggestions[:3])
+            else:
+                errors.add("address.no_owner", address, owners=[*owners])
         # All changes of a part together: two values can be valid only in combination.
         for name, changes in changes_by_owner.items():
             with errors.collecting():
                 result[name] = _change_owner(owners[name], name, changes)
     return result
-
-
-def _unknown_owner(address: str, owners: Mapping[str, Any]) -> InputError:
-    """Return the error for an address that begins with no name of a part or section."""
-    addresses = [f"{name}.{key}" for name, owner in owners.items() for key in specs(type(owner))]
-    # Similar addresses first, then addresses that contain the single word.
-    suggestions = get_close_matches(address, addresses, n=3) or [
-        candidate
-        for word in (address, *get_close_matches(address, {a.partition(".")[2] for a in addresses}, n=1))
-        for candidate in addresses
-        if word in candidate.split(".")
-    ]
-    if suggestions:
-        return InputError("address.meant", address, names=suggestions[:3])
-    return InputError("address.no_owner", address, owners=[*owners])
 
 
 def _change_owner(owner: Any, name: str, changes: Mapping[str, Any], inherited: Sequence[str] = ()) -> Any:
@@ -71,35 +68,30 @@ def _change_owner(owner: Any, name: str, changes: Mapping[str, Any], inherited: 
     with ErrorCollector() as errors:
         for field, subchanges in changes_by_field.items():
             with errors.collecting():
-                _check_field(owner, name, field, subchanges, inherited)
                 # Here, not in the constructor: errors of several fields are reported together.
-                fields[attribute(field)] = _change_field(owner, name, field, subchanges)
+                fields[attribute(field)] = _change_field(owner, name, field, subchanges, inherited)
     try:
         return dataclasses.replace(owner, **fields)
     except InputError as error:
         raise error.within(name) from None
 
 
-def _check_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> None:
-    if field in inherited:
-        raise InputError("address.told", f"{name}.{field}", whole=name.rpartition(".")[0])
-    valid = [key for key in specs(type(owner)) if key not in inherited]
-    if field in valid:
-        return
-    # Only signals can drive an input that is not a parameter.
-    if isinstance(owner, Part) and field in {item.name for item in owner.inputs()}:
-        raise InputError("address.is_input", f"{name}.{field}")
-    # A missing group name is as common as a misspelt field.
-    path = next(f"{field}.{subpath}" if subpath else field for subpath in changes)
-    nested = [key for key in getattr(owner, "numbers", dict)() if key.endswith(f".{path}")]
-    raise _unknown_field(name, path, nested or valid)
-
-
-def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any]) -> Any:
+def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> Any:
     """Return the new value of one field after all changes in it.
 
     The key of a change is the path inside the field, or empty for the whole field.
     """
+    if field in inherited:
+        raise InputError("address.told", f"{name}.{field}", whole=name.rpartition(".")[0])
+    valid = [key for key in specs(type(owner)) if key not in inherited]
+    if field not in valid:
+        # Only signals can drive an input that is not a parameter.
+        if isinstance(owner, Part) and field in {item.name for item in owner.inputs()}:
+            raise InputError("address.is_input", f"{name}.{field}")
+        # A missing group name is as common as a misspelt field.
+        path = next(f"{field}.{subpath}" if subpath else field for subpath in changes)
+        nested = [key for key in getattr(owner, "numbers", dict)() if key.endswith(f".{path}")]
+        raise _unknown_field(name, path, nested or valid)
     if "" in changes:
         if len(changes) > 1:
             raise InputError("address.whole_and_part", f"{name}.{field}")

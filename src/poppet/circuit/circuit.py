@@ -210,15 +210,26 @@ class BaseCircuit(HtmlMixin):
             values = self._placed[name].parameters
             return np.array([values.get(f"{name}.initial_{quantity}", values.get(address, 0.0))])
 
-        return (
-            *gas_notes,
-            *self._real_gas_notes(initial_value),
-            *(note for part in placed for note in part.notes),
-            *self._other_gas_notes(),
-            *value_notes(self._shared_numbers()),
-            *signal_notes(self.signals, self.inputs),
-            *self._open_loop_notes(),
-        )
+        notes = [*gas_notes, *self._real_gas_notes(initial_value), *(note for part in placed for note in part.notes)]
+        # Values of air in a circuit with another gas: volume flows at ANR and heat transfer laws.
+        for address, number in {} if self.gas.is_air else self.numbers().items():
+            if number.unit == "kg/s" and counted_at(number.text):
+                notes.append(Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value))
+        gas = self.gas.of_library()
+        for name, part in self.parts.items() if gas is None or not gas.is_like_air else ():
+            law, thermal = (part.options().get(key, "") for key in ("heat_transfer", "thermal"))
+            if thermal == "energy" and law not in ("", "constant"):
+                notes.append(Note("gas.heat_as_of_air", f"{name}.heat_transfer", law=law))
+        notes += [*value_notes(self._shared_numbers()), *signal_notes(self.signals, self.inputs)]
+        # Controllers whose measured input has neither a signal nor a connection.
+        for name, part in self.parts.items():
+            for local in part.measured if isinstance(part, Controller) else ():
+                address = f"{name}.{local}"
+                if address not in self.signals and address not in self.connections:
+                    item = self.inputs[address]
+                    value = self.parameters[f"{name}.{item.default}"] if isinstance(item.default, str) else item.default
+                    notes.append(Note("circuit.uncontrolled", address, value=value, unit=item.unit))
+        return tuple(notes)
 
     def _real_gas_notes(self, series: Series) -> Iterator[Note]:
         """Yield notes on gas nodes whose state deviates from an ideal gas.
@@ -230,33 +241,6 @@ class BaseCircuit(HtmlMixin):
         for name, part in self.parts.items():
             if gas is not None and isinstance(part, Store):
                 yield from real_gas_notes(name, series(f"{name}.pressure"), series(f"{name}.temperature"), gas)
-
-    def _other_gas_notes(self) -> Iterator[Note]:
-        """Yield notes on values of air in a circuit with another gas.
-
-        Such values are volume flows at ANR and heat transfer laws.
-        """
-        for address, number in {} if self.gas.is_air else self.numbers().items():
-            if number.unit == "kg/s" and counted_at(number.text):
-                yield Note("gas.volume_of_air", address, shown=number.text, mass_flow_rate=number.value)
-        gas = self.gas.of_library()
-        for name, part in self.parts.items() if gas is None or not gas.is_like_air else ():
-            law, thermal = (part.options().get(key, "") for key in ("heat_transfer", "thermal"))
-            if thermal == "energy" and law not in ("", "constant"):
-                yield Note("gas.heat_as_of_air", f"{name}.heat_transfer", law=law)
-
-    def _open_loop_notes(self) -> Iterator[Note]:
-        """Yield a note for each controller without a measured signal.
-
-        The measured input of such a controller has neither a signal nor a connection.
-        """
-        for name, part in self.parts.items():
-            for local in part.measured if isinstance(part, Controller) else ():
-                address = f"{name}.{local}"
-                if address not in self.signals and address not in self.connections:
-                    item = self.inputs[address]
-                    value = self.parameters[f"{name}.{item.default}"] if isinstance(item.default, str) else item.default
-                    yield Note("circuit.uncontrolled", address, value=value, unit=item.unit)
 
     # Variants ----------------------------------------------------------------------------------------------------
 

@@ -18,7 +18,7 @@ from poppet.core.units import quantity
 from poppet.engine.kernel import Kernel
 from poppet.engine.lru_cache import LruCache
 from poppet.engine.model import InputInfo, Model
-from poppet.engine.problem import Problem, StopCondition
+from poppet.engine.problem import Problem
 from poppet.parts.part import Surroundings
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.segments import MergedSegments, SegmentTable, Signal, held, merge
@@ -233,17 +233,14 @@ class Instance:
         for k, item in enumerate(inputs):
             if item.name not in self.signals and not item.slope_of:
                 coefficients[:, k, 0] = self._number(item.default)
-        x, p = self.start()
-        return Problem(
-            self.kernel, p, x, starts, courses, coefficients, jumps, grid,
-            run.tolerance, self._stop_conditions(run), run.longest_step,
-        )  # fmt: skip
-
-    def _stop_conditions(self, run: Run) -> tuple[StopCondition, ...]:
         outputs = dict(self.model.outputs)
         conditions = [parse_stop_condition(text, outputs, self.surroundings.pressure) for text in run.stop_texts]
         for address, (curve, stops) in self.domains.items():
             # After the conditions of the user, which have priority if two become true in the same step.
             if curve.edge == "error":
                 conditions += domain_conditions(address, curve.limits(stops), outputs)
-        return tuple(conditions)
+        x, p = self.start()
+        return Problem(
+            self.kernel, p, x, starts, courses, coefficients, jumps, grid,
+            run.tolerance, tuple(conditions), run.longest_step,
+        )  # fmt: skip

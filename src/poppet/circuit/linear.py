@@ -16,7 +16,7 @@ from poppet.circuit.sampled.sampled_steady_state import find_sampled_steady_stat
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, SimulationError
 from poppet.engine.model_evaluation import ArrayFunction
-from poppet.engine.problem import Outcome, RawRun, constant_input_problem
+from poppet.engine.problem import Outcome, constant_input_problem
 from poppet.engine.solve import solve
 from poppet.timeseries.recording import Recording
 
@@ -44,7 +44,17 @@ def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) ->
     if instance.model.memory:
         return find_sampled_steady_state(instance, u)
     point = _LinearisationPoint(instance, u)
-    x, duration, run = _run_transients(point)
+    limits = {"relative_tolerance": TRANSIENT_TOLERANCE, "most_attempts": TRANSIENT_STEPS}
+    for duration in TRANSIENTS:
+        # Each transient begins at the initial state: the absolute tolerances of a run depend on its first state.
+        start = point.padded(point.start)
+        run = solve(constant_input_problem(point.kernel, point.p, start, point.u, np.array([duration]), **limits))
+        x = run.x[: point.start.size]
+        if not run.outcome.is_success:
+            break
+        residual, limit = scaled_residual(point.scaled, x, point.size)
+        if np.all(residual <= limit):
+            break
     method = Note("rest.settled", duration=duration)
     if run.outcome is Outcome.TOO_MANY and not np.all(point.positive):
         # The circuit hunts: the fast mechanics do not settle, although a steady state exists.
@@ -53,7 +63,12 @@ def steady_state(instance: Instance, inputs: Mapping[str, Any] | None = None) ->
     # Newton's method can stop early: the residual decides.
     residual, limit = scaled_residual(point.scaled, x, point.size)
     if not np.all(residual <= limit):
-        raise SimulationError(_failure_note(point, x, residual, duration, run))
+        worst = int(np.argmax(residual))
+        state = point.model.states[worst]
+        facts = {"value": float(x[worst]), "unit": state.unit, "rate": float(point.linear(x)[0][worst])}
+        code = "rest.endless" if run.outcome.is_success else "rest.emptied"
+        code = "rest.oscillates" if run.outcome is Outcome.TOO_MANY else code
+        raise SimulationError(Note(code, state.name, duration=duration, **facts))
     y = dict(zip(point.model.columns[0], point.linear(x)[1].tolist(), strict=True))
     inputs_used = dict(zip(instance.input_names, u.tolist(), strict=True))
     return SteadyState(x, y, inputs_used, float(np.max(residual, initial=0.0)), (method,))
@@ -119,26 +134,6 @@ class _LinearisationPoint:
         return LinearModel(a, b, c, d, *names, self.model.columns[0], x, self.u, y, f)
 
 
-def _run_transients(point: _LinearisationPoint) -> tuple[Array, float, RawRun]:
-    """Run transients of increasing length until one is steady or fails.
-
-    The result contains the final state, the duration and the run of the last transient.
-
-    Each transient begins at the initial state, because the absolute tolerances of a run depend on its first state.
-    """
-    limits = {"relative_tolerance": TRANSIENT_TOLERANCE, "most_attempts": TRANSIENT_STEPS}
-    for duration in TRANSIENTS:
-        start = point.padded(point.start)
-        run = solve(constant_input_problem(point.kernel, point.p, start, point.u, np.array([duration]), **limits))
-        x = run.x[: point.start.size]
-        if not run.outcome.is_success:
-            break
-        residual, limit = scaled_residual(point.scaled, x, point.size)
-        if np.all(residual <= limit):
-            break
-    return x, duration, run
-
-
 def _run_slow_gas(point: _LinearisationPoint) -> Array:
     """Return the final state of a transient with slowed gas and unchanged mechanics.
 
@@ -156,15 +151,3 @@ def _run_slow_gas(point: _LinearisationPoint) -> Array:
         if method.status == "running":
             method.step()
     return np.asarray(method.y) * point.size
-
-
-def _failure_note(point: _LinearisationPoint, x: Array, residual: Array, duration: float, run: RawRun) -> Note:
-    """Return a note on why no steady state was found."""
-    worst = int(np.argmax(residual))
-    state = point.model.states[worst]
-    facts = {"value": float(x[worst]), "unit": state.unit, "rate": float(point.linear(x)[0][worst])}
-    if run.outcome is Outcome.TOO_MANY:
-        return Note("rest.oscillates", state.name, duration=duration, **facts)
-    if not run.outcome.is_success:
-        return Note("rest.emptied", state.name, duration=duration, **facts)
-    return Note("rest.endless", state.name, duration=duration, **facts)

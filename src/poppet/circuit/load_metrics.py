@@ -207,16 +207,22 @@ def load_metrics(run: LoadData) -> LoadMetrics | None:
     """
     if run.raw.time.size < 2:
         return None
-    supplied = dict(_supplied_air(run))
-    # Gas density at ANR; that of air is the value of the standard, for moist air.
-    density = ANR.density * AIR_GAS_CONSTANT / run.surroundings.gas_constant
+    from poppet.parts.bodies import find_impacts  # only runs with bodies need it
+
+    arrivals = []
+    for name, owner, prefix in run.stops():
+        stops = tuple(run.parameters.get(f"{owner}.{end}_stop.position", math.nan) for end in ("lower", "upper"))
+        if prefix:
+            stops = 0.0, run.parameters[f"{owner}.piston.stroke_length"]
+        position, velocity = run[f"{owner}.{prefix}position"], run[f"{owner}.{prefix}velocity"]
+        unit = run.unit(f"{owner}.{prefix}velocity")
+        for time, speed in find_impacts(run.raw.time, position, velocity, run[name], stops):
+            arrivals.append(Arrival(owner, run.body_of.get(owner, owner), time, speed, unit))
     return LoadMetrics(
         tuple(stroke for name, _ in run.bodies for stroke in _strokes(run, name)),
-        tuple(_arrivals(run)),
+        tuple(arrivals),
         tuple(_work(run, body, integrals) for body, integrals in run.bodies),
-        {name: float(mass / density) for name, (mass, _, pressure) in supplied.items() if pressure > 1.0},
-        sum(exergy for _, exergy, _ in supplied.values()),
-        _stored_exergy(run),
+        *_air_and_exergy(run),
     )
 
 
@@ -233,22 +239,14 @@ def _strokes(run: LoadData, body: str) -> Iterator[BodyStroke]:
         # The first row at the end of the stroke, and the last row before it at the start.
         end_row = int(np.argmax(fraction >= STROKE_END))
         start_row = int(np.flatnonzero(fraction[: end_row + 1] <= STROKE_START)[-1])
+        t = time[first : last + 1]
         start, end = (
-            _crossing_time(time[first : last + 1], fraction, k, level)
+            float(t[k] + (t[k + 1] - t[k]) * (level - fraction[k]) / (fraction[k + 1] - fraction[k]))
             for k, level in ((start_row, STROKE_START), (end_row - 1, STROKE_END))
         )
         peak = float(speed[first : last + 1].max())
         mean = (STROKE_END - STROKE_START) * abs(travel) / (end - start)
         yield BodyStroke(body, unit, start, end - start, travel, mean, peak)
-
-
-def _crossing_time(time: Array, values: Array, k: int, level: float) -> float:
-    """Return the time at which a series crosses a level after sample k.
-
-    The crossing is between samples k and k + 1; the interpolation is linear.
-    """
-    step = values[k + 1] - values[k]
-    return float(time[k] + (time[k + 1] - time[k]) * (level - values[k]) / step)
 
 
 def turning_points(position: Array) -> list[int]:
@@ -278,19 +276,6 @@ def turning_points(position: Array) -> list[int]:
     return [*turns, extreme] if extreme != turns[-1] else turns
 
 
-def _arrivals(run: LoadData) -> Iterator[Arrival]:
-    from poppet.parts.bodies import find_impacts  # only runs with bodies need it
-
-    for name, owner, prefix in run.stops():
-        stops = tuple(run.parameters.get(f"{owner}.{end}_stop.position", math.nan) for end in ("lower", "upper"))
-        if prefix:
-            stops = 0.0, run.parameters[f"{owner}.piston.stroke_length"]
-        position, velocity = run[f"{owner}.{prefix}position"], run[f"{owner}.{prefix}velocity"]
-        unit = run.unit(f"{owner}.{prefix}velocity")
-        for time, speed in find_impacts(run.raw.time, position, velocity, run[name], stops):
-            yield Arrival(owner, run.body_of.get(owner, owner), time, speed, unit)
-
-
 # Energy ----------------------------------------------------------------------------------------------------------
 
 
@@ -299,7 +284,11 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...]) -> BodyWork:
     effort, inertia = ("force", "mass") if run.unit(f"{body}.load_force") else ("torque", "inertia")
     mass = run.parameters[f"{body}.{inertia}"]
     weight = mass * GRAVITY * math.sin(run.parameters.get(f"{body}.inclination", 0.0))
-    on_load = _load_work(run[f"{body}.load_{effort}"], position) + weight * float(position[-1] - position[0])
+    load = run[f"{body}.load_{effort}"]
+    # A load that changes at less than 10 % of the output times counts as piecewise constant.
+    is_staircase = np.count_nonzero(np.diff(load)) < 0.1 * load.size
+    load_work = np.sum((load[:-1] if is_staircase else 0.5 * (load[:-1] + load[1:])) * np.diff(position))
+    on_load = float(load_work) + weight * float(position[-1] - position[0])
     power, is_free = run[f"{body}.actuator_{effort}"] * velocity, True
     for name, owner, prefix in run.stops():
         # The end stops of a cylinder also push its body, which is not work of the air.
@@ -316,22 +305,16 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...]) -> BodyWork:
     return BodyWork(body, done, returned, on_load, done - returned - on_load - kinetic)
 
 
-def _load_work(load: Array, position: Array) -> float:
-    """Return the work of a load: its integral over the position.
+def _air_and_exergy(run: LoadData) -> tuple[dict[str, float], float, float]:
+    """Return the net air consumption of each reservoir, its exergy, and the increase in stored exergy.
 
-    A load that changes at less than 10 % of the output times counts as piecewise constant.
-    """
-    steps = np.diff(position)
-    is_staircase = np.count_nonzero(np.diff(load)) < 0.1 * load.size
-    return float(np.sum((load[:-1] if is_staircase else 0.5 * (load[:-1] + load[1:])) * steps))
-
-
-def _supplied_air(run: LoadData) -> Iterator[tuple[str, tuple[float, float, float]]]:
-    """Yield the name of each reservoir with the air that it supplied.
-
-    The air is described by mass [kg], exergy [J], and the ratio of mean pressure to ambient pressure.
+    The increase is that of the gas in all volumes [J]. It is NaN if pressure, temperature or mass of a volume is not
+    an output.
     """
     stores, air = {store.name for store in run.stores}, run.surroundings
+    # Gas density at ANR; that of air is the value of the standard, for moist air.
+    density = ANR.density * AIR_GAS_CONSTANT / air.gas_constant
+    consumption, total = {}, 0.0
     ends = dict.fromkeys(end for flow in run.flows for end in (flow.source, flow.target) if end is not None)
     for name in ends:
         if name in stores:
@@ -347,7 +330,19 @@ def _supplied_air(run: LoadData) -> Iterator[tuple[str, tuple[float, float, floa
                 exergy += sign * float(np.trapezoid(run[flow.name] * specific, run.raw.time))
             else:
                 exergy += flow_mass * float(specific.mean())
-        yield name, (mass, exergy, float(pressure.mean()) / air.pressure)
+        total += exergy
+        if float(pressure.mean()) / air.pressure > 1.0:
+            consumption[name] = float(mass / density)
+    stored = 0.0
+    for store in run.stores:
+        names = [f"{store.name}.{quantity}" for quantity in ("pressure", "temperature", "mass")]
+        if not all(map(run.unit, names)):
+            return consumption, total, math.nan
+        p, t, m = (run[name][[0, -1]] for name in names)
+        # Exergy of enclosed gas: flow exergy minus the work of displacing the surroundings, (p - p_a) V.
+        enclosed = m * flow_exergy(p, t, air) - (p - air.pressure) * m * air.gas_constant * t / p
+        stored += float(enclosed[1] - enclosed[0])
+    return consumption, total, stored
 
 
 def flow_exergy(pressure: Any, temperature: Any, air: Surroundings) -> Any:
@@ -358,20 +353,3 @@ def flow_exergy(pressure: Any, temperature: Any, air: Surroundings) -> Any:
     heat, ratio = air.heat_capacity_pressure, temperature / air.temperature
     entropy = heat * np.log(ratio) - air.gas_constant * np.log(pressure / air.pressure)
     return heat * (temperature - air.temperature) - air.temperature * entropy
-
-
-def _stored_exergy(run: LoadData) -> float:
-    """Return the increase in exergy of the gas in all volumes over the run [J].
-
-    It is NaN if pressure, temperature or mass of a volume is not an output.
-    """
-    air, total = run.surroundings, 0.0
-    for store in run.stores:
-        names = [f"{store.name}.{quantity}" for quantity in ("pressure", "temperature", "mass")]
-        if not all(map(run.unit, names)):
-            return math.nan
-        p, t, m = (run[name][[0, -1]] for name in names)
-        # Exergy of enclosed gas: flow exergy minus the work of displacing the surroundings, (p - p_a) V.
-        exergy = m * flow_exergy(p, t, air) - (p - air.pressure) * m * air.gas_constant * t / p
-        total += float(exergy[1] - exergy[0])
-    return total

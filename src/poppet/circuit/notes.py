@@ -53,7 +53,18 @@ def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tupl
         if item.name in instance.signals:
             delay = instance.parameters[item.delay] if item.delay else 0.0
             yield from instance.signals[item.name].notes(end, item.name, delay)
-    yield from _domain_notes(instance, problem, raw)
+    # Characteristics that were used outside their domains. For states, the check covers all steps of the solver,
+    # because rows may miss an excursion between them. For other outputs, it covers the output times.
+    model = problem.kernel.model
+    state_index = {state.name: k for k, state in enumerate(model.states)}
+    for address, (curve, stops) in instance.domains.items():
+        if address in state_index:
+            low, high = raw.extremes[:, state_index[address]]
+        else:
+            values = raw.values[model.columns[0].index(address)]
+            low, high = (values.min(), values.max()) if values.size else (0.0, 0.0)
+        if note := curve.outside(float(low), float(high), stops):
+            yield note.within(address)
     if raw.time.size:
         indices = {name: k for k, (name, _) in enumerate(problem.kernel.model.outputs)}
 
@@ -75,22 +86,3 @@ def _run_notes(instance: Instance, problem: Problem, raw: RawRun, balances: tupl
             if not r.is_kept:
                 facts = {"quantity": r.quantity, "error": r.error, "unit": r.unit, "allowed": r.allowed}
                 yield Note("run.not_conserved", r.store, **facts)
-
-
-def _domain_notes(instance: Instance, problem: Problem, raw: RawRun) -> Iterator[Note]:
-    """Yield a note for each characteristic that was used outside its domain.
-
-    For states, the check covers all steps of the solver. For other outputs, it covers the output times.
-    """
-    model = problem.kernel.model
-    places = {state.name: k for k, state in enumerate(model.states)}
-    for address, (curve, stops) in instance.domains.items():
-        if address in places:
-            # Rows may miss an excursion between them; steps do not.
-            low, high = raw.extremes[:, places[address]]
-        else:
-            row = raw.values[model.columns[0].index(address)]
-            low, high = (row.min(), row.max()) if row.size else (0.0, 0.0)
-        note = curve.outside(float(low), float(high), stops)
-        if note:
-            yield note.within(address)

@@ -263,26 +263,18 @@ class Run(_OptionSection):
         return _output_times(duration, step)
 
 
-def _multiples(step: float, count: int) -> NDArray[np.float64]:
-    """Return the first multiples of a step: 0, step, 2 step, ..., count step.
-
-    Each multiple is rounded once from the exact decimal value.
-
-    Rows then coincide with breakpoints written as decimals: 3 * 0.1 differs from 0.3, but 3 / 10 does not.
-    """
-    _, digits, exponent = Decimal(repr(step)).as_tuple()
-    mantissa = int("".join(map(str, digits)))
-    # 10^22 is the largest power of ten, and 2^53 the largest range of integers, that doubles represent exactly.
-    if isinstance(exponent, int) and -22 <= exponent < 0 and mantissa * count < 2**53:
-        return np.arange(count + 1, dtype=np.float64) * float(mantissa) / 10.0**-exponent
-    return np.arange(count + 1, dtype=np.float64) * step
-
-
 @lru_cache(maxsize=64)
 def _output_times(duration: float, step: float) -> NDArray[np.float64]:
     # The tolerance includes a last step that rounding of the quotient would lose.
     count = math.floor(duration / step * (1.0 + 1e-12))
-    times = _multiples(step, count)
+    times = np.arange(count + 1, dtype=np.float64)
+    # Each multiple is rounded once from the exact decimal value. Rows then coincide with breakpoints written as
+    # decimals: 3 * 0.1 differs from 0.3, but 3 / 10 does not. 10^22 is the largest power of ten, and 2^53 the largest
+    # range of integers, that doubles represent exactly.
+    _, digits, exponent = Decimal(repr(step)).as_tuple()
+    mantissa = int("".join(map(str, digits)))
+    is_exact = isinstance(exponent, int) and -22 <= exponent < 0 and mantissa * count < 2**53
+    times = times * float(mantissa) / 10.0 ** -int(exponent) if is_exact else times * step
     if duration - times[-1] > 1e-9 * step:
         times = np.append(times, duration)
     # The last multiple can differ from the duration by rounding.

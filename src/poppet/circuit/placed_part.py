@@ -68,7 +68,16 @@ class PlacedPart:
             {f"{name}.{output}": f"{name}.{key}" for output, key in part.resume.items()},
             frozenset(f"{name}.{series}" for series in part.list_internal_outputs()),
             (name, part.structure(), tuple(parameters)),
-            (*(note.within(name) for note in part.notes()), *value_notes(numbers), *_volume_flow_notes(numbers)),
+            (
+                *(note.within(name) for note in part.notes()),
+                *value_notes(numbers),
+                *(
+                    note.within(address)
+                    for address, number in numbers.items()
+                    if number.unit in ("kg/s", "m^3/s ANR")
+                    for note in volume_flow_note(number.text, number.value, number.unit)
+                ),
+            ),
         )
 
 
@@ -89,13 +98,6 @@ def value_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
             continue
         if number.display() != number.text:  # the text has no unit
             yield Note("doubt.bare_number", address, value=number.value, unit=number.unit, meant=intended_unit)
-
-
-def _volume_flow_notes(numbers: Mapping[str, Number]) -> Iterator[Note]:
-    """Yield notes on volume flows without a reference state."""
-    for address, number in numbers.items():
-        if number.unit in ("kg/s", "m^3/s ANR"):
-            yield from (note.within(address) for note in volume_flow_note(number.text, number.value, number.unit))
 
 
 def volume_flow_note(text: str, value: float, unit: str) -> Iterator[Note]:

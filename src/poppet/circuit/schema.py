@@ -48,6 +48,27 @@ def circuit_schema() -> Schema:
     'critical ratio b [1]'
     """
     parts = {"type": "object", "additionalProperties": {"$ref": "#/$defs/part"}, "minProperties": 1}
+    nested_inputs = {"allOf": [{"type": "object"}, {"$ref": "#/$defs/input"}]}
+    definitions = {
+        "value": {"type": ["number", "string"], "description": 'SI number, or text with unit: "6 bar g"'},
+        "part": by_kind("part", {name: name for name in KINDS}),
+        **{name: _part(name) for name in KINDS},
+        "signal": by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
+        **{f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS},
+        "connected": {"type": "object", "additionalProperties": {"type": "string"}},
+        "input": {
+            "description": "a constant, a signal, or signals of inputs further down the address",
+            # Not `anyOf`: for one error an editor would show the errors of all branches.
+            "if": {"type": "object"},
+            "then": {
+                "if": {"required": ["kind"]},
+                "then": {"$ref": "#/$defs/signal"},
+                # [signals.valve.pilot_pressure] without quotes is a table in a table
+                "else": {"minProperties": 1, "additionalProperties": nested_inputs},
+            },
+            "else": {"$ref": "#/$defs/value"},
+        },
+    }
     return {
         "$schema": DRAFT,
         "title": "poppet circuit file",
@@ -68,31 +89,7 @@ def circuit_schema() -> Schema:
             },
             required=["parts"],
         ),
-        "$defs": _definitions(),
-    }
-
-
-def _definitions() -> dict[str, Schema]:
-    nested_inputs = {"allOf": [{"type": "object"}, {"$ref": "#/$defs/input"}]}
-    return {
-        "value": {"type": ["number", "string"], "description": 'SI number, or text with unit: "6 bar g"'},
-        "part": by_kind("part", {name: name for name in KINDS}),
-        **{name: _part(name) for name in KINDS},
-        "signal": by_kind("signal", {kind: f"signal_{kind}" for kind in signal_tables.KINDS}),
-        **{f"signal_{kind}": _signal(kind) for kind in signal_tables.KINDS},
-        "connected": {"type": "object", "additionalProperties": {"type": "string"}},
-        "input": {
-            "description": "a constant, a signal, or signals of inputs further down the address",
-            # Not `anyOf`: for one error an editor would show the errors of all branches.
-            "if": {"type": "object"},
-            "then": {
-                "if": {"required": ["kind"]},
-                "then": {"$ref": "#/$defs/signal"},
-                # [signals.valve.pilot_pressure] without quotes is a table in a table
-                "else": {"minProperties": 1, "additionalProperties": nested_inputs},
-            },
-            "else": {"$ref": "#/$defs/value"},
-        },
+        "$defs": definitions,
     }
 
 
@@ -205,25 +202,19 @@ def _characteristic() -> Schema:
     return {"anyOf": [{"type": "string", "examples": list(library.characteristics())}, table]}
 
 
-def _schedule() -> Schema:
-    """Return the schema of a gain schedule.
-
-    The first column of a schedule has the name of the controlled quantity.
-    """
-    columns = [name for name in GainSchedule.column_specs("pressure", "opening") if name not in QUANTITIES]
-    return closed(dict.fromkeys((*QUANTITIES, *columns), _LIST), ["gain", "integral_time"])
-
-
-def _force_table() -> Schema:
-    columns = ForceRows.column_specs()
-    return {"type": "object", "required": list(columns), "properties": dict.fromkeys(columns, _LIST)}
-
-
 _REFERENCES: dict[str, Callable[[], Schema]] = {
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
     "characteristic": _characteristic,
-    "schedule": _schedule,
-    "force_table": _force_table,
+    # The first column of a schedule has the name of the controlled quantity.
+    "schedule": lambda: closed(
+        dict.fromkeys((*QUANTITIES, *GainSchedule.column_specs("pressure", "opening")), _LIST),
+        ["gain", "integral_time"],
+    ),
+    "force_table": lambda: {
+        "type": "object",
+        "required": list(ForceRows.column_specs()),
+        "properties": dict.fromkeys(ForceRows.column_specs(), _LIST),
+    },
     "name": _gas_name,
     "profile": lambda: {"type": "object", "additionalProperties": {"$ref": "#/$defs/value"}},
     "stop_when": lambda: {"anyOf": [_TEXT, {"type": "array", "items": _TEXT}]},

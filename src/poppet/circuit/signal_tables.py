@@ -90,6 +90,13 @@ class _SignalReader:
     def plain(self, name: str, unit: str, default: float | None = None) -> float:
         return quantity(self.table.get(name, default), unit, name=name).value
 
+    def integer(self, name: str) -> int:
+        value = self.table[name]
+        # In Python, True is an int.
+        if isinstance(value, bool) or not isinstance(value, int):
+            raise InputError("inputs.no_seed", name, value=value)
+        return value
+
     def list_of(self, name: str, read: Callable[[Any, str], float]) -> list[float]:
         elements = self.table[name]
         if not isinstance(elements, list) or not elements:
@@ -130,14 +137,6 @@ def _read_file(reader: _SignalReader) -> Signal:
     # Through text: units and gauge pressures are read as in files; 17 digits preserve the value.
     values = [reader.absolute(f"{v:.17g} {unit}" if unit != "1" else float(v), name) for v in recording[name]]
     return SampledSignal(tuple(recording.time), tuple(values), str(path))
-
-
-def _read_prbs(reader: _SignalReader) -> Signal:
-    seed = reader.table["seed"]
-    # In Python, True is an int.
-    if isinstance(seed, bool) or not isinstance(seed, int):
-        raise InputError("inputs.no_seed", "seed", value=seed)
-    return Prbs(reader.value("low"), reader.value("high"), reader.plain("bit_time", "s"), seed)
 
 
 def _read_pwm(reader: _SignalReader) -> Signal:
@@ -188,7 +187,11 @@ _KINDS = {
             r.plain("phase", "rad", 0.0),
         ),
     ),
-    "prbs": _SignalKind(("low", "high", "bit_time", "seed"), (), _read_prbs),
+    "prbs": _SignalKind(
+        ("low", "high", "bit_time", "seed"),
+        (),
+        lambda r: Prbs(r.value("low"), r.value("high"), r.plain("bit_time", "s"), r.integer("seed")),
+    ),
     "square": _SignalKind(
         ("low", "high", "frequency"),
         ("duty",),

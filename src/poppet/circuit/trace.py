@@ -128,20 +128,22 @@ class _Tracer:
             for name, part in self.parts.items()
             if isinstance(part, Passage)
         }
-        balances = self._balances(scopes, passages)
-        forces = self._actuator_forces(scopes, gas)
-        dynamics = self._dynamics(scopes, forces)
+        balances, flows, stores, quadratures = self._balances(scopes, passages)
+        dynamics, forces = self._dynamics(scopes, gas)
         controls = {n: part.control(scopes[n]) for n, part in self.parts.items() if isinstance(part, Controller)}
         # In the order of their outputs in a recording.
         results: tuple[Mapping[str, Any], ...] = (balances, passages, dynamics, forces, controls)
-        all_outputs = self._all_outputs(scopes, results)
+        # All inputs and outputs of elementary parts, also of the members of compound parts, with their units.
+        all_outputs: dict[str, tuple[Any, str]] = {}
         rates_of: dict[str, dict[str, Any]] = {name: {} for name in self.parts}
-        for source in results:
-            for name, result in source.items():
-                rates_of[name] |= result.rates
+        for name, part in self.parts.items():
+            for item in part.inputs():
+                all_outputs[f"{name}.{item.name}"] = scopes[name].inputs[item.name], item.unit
+            for source in results:
+                if name in source:
+                    all_outputs |= {f"{name}.{local}": value for local, value in source[name].outputs.items()}
+                    rates_of[name] |= source[name].rates
         rates = [rates_of[name][state.name] for name, state in self.states]
-        flows, quadratures = self._quadratures(passages)
-        stores = self._store_infos(balances, quadratures, len(self.states))
         bodies = [name for name, body in dynamics.items() if body.energy is not None]
         powers = []
         for name in bodies:
@@ -195,43 +197,61 @@ class _Tracer:
         """Return the public address of an element inside a compound part."""
         return self.shown.get(address, address)
 
-    def _actuator_forces(self, scopes: Mapping[str, Scope], gas: Mapping[str, GasState]) -> dict[str, ActuatorForce]:
-        result = {}
+    def _dynamics(
+        self, scopes: Mapping[str, Scope], gas: Mapping[str, GasState]
+    ) -> tuple[dict[str, BodyDynamics], dict[str, ActuatorForce]]:
+        """Return the dynamics of all bodies, and the forces of all actuators."""
+        forces, dynamics = {}, {}
         for name, part in self.parts.items():
             if isinstance(part, Actuator):
                 states = {SELF: gas[name]} if name in gas else {}
                 states |= {port: gas[store] for port, store in self._ports(name).items()}
-                result[name] = part.actuator_force(scopes[name], states)
-        return result
-
-    def _dynamics(self, scopes: Mapping[str, Scope], forces: Mapping[str, ActuatorForce]) -> dict[str, BodyDynamics]:
-        result = {}
+                forces[name] = part.actuator_force(scopes[name], states)
         for name, part in self.parts.items():
             if isinstance(part, Body):
                 acting = [force for actuator, force in forces.items() if self.parts[actuator].body_name() == name]
                 total = sum(force.force for force in acting)
-                result[name] = part.dynamics(scopes[name], total, sum(force.friction for force in acting))
-        return result
+                dynamics[name] = part.dynamics(scopes[name], total, sum(force.friction for force in acting))
+        return dynamics, forces
 
     def _end(self, name: str, port: str | None) -> str | None:
         if port is None or port == SELF:
             return None if port is None else name
         return self._ports(name)[port]
 
-    def _balances(self, scopes: Mapping[str, Scope], passages: Mapping[str, PassageFlows]) -> dict[str, GasBalance]:
+    def _balances(
+        self, scopes: Mapping[str, Scope], passages: Mapping[str, PassageFlows]
+    ) -> tuple[dict[str, GasBalance], list[FlowInfo], list[StoreInfo], list[Any]]:
+        """Return the balances of all gas nodes, the flows and stores, and the rates of their integrals.
+
+        A flow has integrals of mass and enthalpy, a gas node with a mass those of heat and work.
+        """
         arriving: dict[str, list[tuple[Any, Any]]] = defaultdict(list)
+        flows, stores = [], []
+        quadratures: list[Any] = []
         for name, result in passages.items():
             for flow in result.flows:
+                index = len(self.states) + len(quadratures)
                 source, target = self._end(name, flow.source), self._end(name, flow.target)
+                flows.append(FlowInfo(self._shown(f"{name}.{flow.name}"), source, target, index, index + 1))
+                quadratures += [flow.mass, flow.enthalpy]
                 if source is not None:
                     arriving[source].append((-flow.mass, -flow.enthalpy))
                 if target is not None:
                     arriving[target].append((flow.mass, flow.enthalpy))
-        return {
+        balances = {
             name: part.balance(scopes[name], tuple(arriving[name]))
             for name, part in self.parts.items()
             if isinstance(part, Store)
         }
+        state_index = {address: k for k, address in enumerate(self.symbols)}
+        for name, balance in balances.items():
+            if f"{name}.mass" in state_index:
+                index = len(self.states) + len(quadratures)
+                work = None if balance.work is None else index + 1
+                stores.append(StoreInfo(name, state_index[f"{name}.mass"], index, balance.energy is not None, work))
+                quadratures += [balance.heat] if work is None else [balance.heat, balance.work]
+        return balances, flows, stores, quadratures
 
     # Connections and discrete states -----------------------------------------------------------------------------
 
@@ -317,30 +337,6 @@ class _Tracer:
 
     # Indices and addresses ---------------------------------------------------------------------------------------
 
-    def _quadratures(self, passages: Mapping[str, PassageFlows]) -> tuple[list[FlowInfo], list[Any]]:
-        flows: list[FlowInfo] = []
-        quadratures: list[Any] = []
-        offset = len(self.states)
-        for name, result in passages.items():
-            for flow in result.flows:
-                index = offset + len(quadratures)
-                ends = self._end(name, flow.source), self._end(name, flow.target)
-                flows.append(FlowInfo(self._shown(f"{name}.{flow.name}"), *ends, index, index + 1))
-                quadratures += [flow.mass, flow.enthalpy]
-        return flows, quadratures
-
-    def _store_infos(self, balances: Mapping[str, GasBalance], quadratures: list[Any], offset: int) -> list[StoreInfo]:
-        state_index = {address: k for k, address in enumerate(self.symbols)}
-        infos = []
-        for name, balance in balances.items():
-            if f"{name}.mass" in state_index:
-                has_energy = balance.energy is not None
-                index = offset + len(quadratures)
-                work = None if balance.work is None else index + 1
-                infos.append(StoreInfo(name, state_index[f"{name}.mass"], index, has_energy, work))
-                quadratures += [balance.heat] if work is None else [balance.heat, balance.work]
-        return infos
-
     def _starts(self, connected: Sequence[tuple[Any, Any]]) -> tuple[Any, Any]:
         """Return expressions for the initial states and initial discrete states.
 
@@ -365,22 +361,6 @@ class _Tracer:
         for _ in range(2):  # for connected inputs, then for the inputs on which these depend
             x, z = (self._substitute(self._substitute(ca.SX(start), connected), present) for start in (x, z))
         return x, z
-
-    def _all_outputs(
-        self, scopes: Mapping[str, Scope], results: tuple[Mapping[str, Any], ...]
-    ) -> dict[str, tuple[Any, str]]:
-        """Return a mapping from addresses to expressions and units of all inputs and outputs.
-
-        It contains all elementary parts, also the members of compound parts. The inputs of a part precede its outputs.
-        """
-        result: dict[str, tuple[Any, str]] = {}
-        for name, part in self.parts.items():
-            for item in part.inputs():
-                result[f"{name}.{item.name}"] = scopes[name].inputs[item.name], item.unit
-            for source in results:
-                outputs = source[name].outputs if name in source else {}
-                result |= {f"{name}.{local}": value for local, value in outputs.items()}
-        return result
 
     def _outputs(self, all_outputs: Mapping[str, tuple[Any, str]]) -> dict[str, tuple[Any, str]]:
         """Return the outputs of the circuit in file order.

@@ -116,7 +116,12 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
             elif store not in stores and store != AMBIENT:
                 suggestion = NameSuggestion(store, {*stores, AMBIENT})
                 errors.add("fields.not_an_option", address, value=store, meaning="gas node", near=suggestion)
-        twice = _joined_twice(part.ports)
+        # A gas node that a part joins at both ends of a flow path. All paths of a valve with three ports end at the
+        # outlet, of a valve with five ports at a or b.
+        ends = list(part.ports.values())
+        outlets = [part.ports[port] for port in ("outlet", "a", "b") if port in part.ports]
+        ends_of_paths = outlets or (ends if len(set(ends)) == 1 else [])
+        twice = next((store for store in ends_of_paths if ends.count(store) > 1), None)
         if twice is not None:
             errors.add("wiring.joined_twice", f"parts.{name}", store=twice)
         # Enclosed gas that a body compresses changes without a connection.
@@ -166,18 +171,6 @@ def _check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
                 errors.add("fields.not_an_option", address, value=part.body, meaning="body", near=suggestion)
         elif name in bodies and name not in driven:
             errors.add("wiring.unmoved", f"parts.{name}")
-
-
-def _joined_twice(ports: Mapping[str, str]) -> str | None:
-    """Return the gas node that a part joins at both ends of a flow path.
-
-    The result is None if there is no such gas node.
-    """
-    ends = list(ports.values())
-    # All paths of a valve with three ports end at the outlet, of a valve with five ports at a or b.
-    if outlets := [ports[name] for name in ("outlet", "a", "b") if name in ports]:
-        return next((store for store in outlets if ends.count(store) > 1), None)
-    return ends[0] if len(ends) > 1 and len(set(ends)) == 1 else None
 
 
 def check_connections(

@@ -15,6 +15,14 @@ from typing import Any, Literal
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.units import Kind, quantity, sizes_of
 
+_TYPES: dict[str, tuple[tuple[type, ...], str, str | list[str]]] = {
+    "string": ((str,), "text", "string"),
+    "boolean": ((bool,), "true or false, without quotes", "boolean"),
+    "number": ((int, float), "a number without a unit", "number"),
+    "name": ((str, int), "a name or an index", ["string", "integer"]),
+}
+"""Python types, meaning and JSON type of the strict types of fields."""
+
 
 @dataclass(frozen=True, kw_only=True)
 class NumberRange:
@@ -63,12 +71,13 @@ class Field(NumberRange):
     """Declaration of one field of a table.
 
     A field with a `unit` is a number. Its `choices` are words that are valid instead of a number. A field without a
-    unit is returned as it is written, if it is one of its `choices` and of its `type`.
+    unit is returned as it is written, if it is one of its `choices` and of its `type`. The type `text` also accepts
+    other values and converts them to text.
     """
 
     unit: str = ""
     kind: Kind = "plain"
-    type: Literal["value", "text", "integer", "table"] = "value"
+    type: Literal["value", "text", "integer", "table", "string", "boolean", "number", "name"] = "value"
     choices: tuple[str, ...] = ()
     is_required: bool = False
     default: Any = None
@@ -91,6 +100,11 @@ class Field(NumberRange):
             raise InputError("fields.not_an_option", address, value=raw, meaning=meaning, near=suggestion)
         if self.type == "table" and not isinstance(raw, Mapping):
             raise InputError("fields.no_table", address, value=raw)
+        if self.type in _TYPES:
+            types, expected, _ = _TYPES[self.type]
+            is_wrong_boolean = isinstance(raw, bool) and self.type != "boolean"  # in Python, True is an int
+            if not isinstance(raw, types) or is_wrong_boolean or (isinstance(raw, float) and not math.isfinite(raw)):
+                raise InputError("fields.other_type", address, value=raw, meaning=meaning, expected=expected)
         is_integer = isinstance(raw, int) and not isinstance(raw, bool)
         if self.type == "integer" and not (is_integer and self.low <= raw <= self.high):
             limits = ["an integer", f"at least {self.low:g}", f"at most {self.high:g}"]
@@ -106,7 +120,8 @@ class Field(NumberRange):
         elif self.choices:
             schema = {"enum": list(self.choices)}
         elif self.type != "value":
-            schema = {"type": {"text": "string", "table": "object"}.get(self.type, self.type)}
+            names = {"text": "string", "table": "object", "integer": "integer"}
+            schema = {"type": names[self.type] if self.type in names else _TYPES[self.type][2]}
         if self.type == "integer":
             schema |= {"minimum": self.low, "maximum": self.high}
         if self.default is not None:

@@ -5,10 +5,9 @@ from typing import Any
 
 from poppet.ensemble.bands import Bands
 from poppet.ensemble.ensemble_plan import EnsemblePlan
-from poppet.ensemble.ensemble_result import Ensemble, plan_of, run_ensemble, run_plan
+from poppet.ensemble.ensemble_result import Ensemble, WorstCase, plan_of, run_ensemble, run_plan
 from poppet.ensemble.sizing import Sizing, size
 from poppet.ensemble.statistics import SobolIndex, Summary, TornadoRange, Yield
-from poppet.ensemble.worst_cases import WorstCase
 
 __all__ = [
     "Bands",

@@ -23,7 +23,6 @@ from poppet.core.errors import InputError
 from poppet.core.files import write_whole
 from poppet.core.version import __version__
 from poppet.engine.lane_kernel import kernel_of_this_machine
-from poppet.ensemble.designs import design_of
 from poppet.ensemble.ensemble_plan import EnsemblePlan
 from poppet.timeseries.tables.reading import arrow, table_in
 
@@ -100,7 +99,8 @@ class Dataset:
         content = {"format": FORMAT, "poppet ensemble": describe_plan(plan), "versions": versions()}
         # As it is read from a file.
         content = json.loads(_text(content))
-        content["sha256"] = _hash({k: v for k, v in content["poppet ensemble"].items() if k not in _NOT_OF_RUNS})
+        of_runs = {k: v for k, v in content["poppet ensemble"].items() if k not in _NOT_OF_RUNS}
+        content["sha256"] = hashlib.sha256(json.dumps(of_runs, sort_keys=True).encode()).hexdigest()
         path, stored = folder / MANIFEST, None
         if path.exists():
             stored = _read_manifest(path, content)
@@ -142,15 +142,15 @@ class Dataset:
 
         `kind` is `runs`, `tornado` or `indices`.
         """
-        design = design_of(plan, kind)
+        size, shard_size = plan.counts(kind)
         curve_folder = {"bands": "bands", "all": "curves"}.get(plan.keep) if kind == "runs" and plan.curves else None
-        missing, count = [], -(-design.size // design.shard)
+        missing, count = [], -(-size // shard_size)
         for folder in (kind, curve_folder) if curve_folder else (kind,):
             names = {path.name for path in (self.folder / folder).glob("part-*.parquet")}
             if strays := names - {*map(_name, range(count))}:
                 raise InputError("ensemble.stray_file", path=str(self.folder / folder / min(strays)))
         for number in range(count):
-            rows = min(design.shard, design.size - number * design.shard)
+            rows = min(shard_size, size - number * shard_size)
             if self._rows(kind, number) != rows or (curve_folder and self._rows(curve_folder, number) < 0):
                 missing.append(number)
         return missing
@@ -229,10 +229,6 @@ def _read_manifest(path: Path, content: Mapping[str, Any]) -> dict[str, Any]:
 
 def _text(content: Mapping[str, Any]) -> str:
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
-
-
-def _hash(content: Any) -> str:
-    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
 
 
 def _digest(path: Path) -> str:

@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
 from poppet.core.provenance import Number
-from poppet.core.tables import Field, read_fields
+from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.units import Kind, quantity
 from poppet.parts.fields import NumberSpec
 
@@ -45,10 +45,6 @@ def _special() -> Any:
     return special
 
 
-def _below_lognormal(x: float, n: Mapping[str, float]) -> float:
-    return 0.0 if x <= 0.0 else float(_special().ndtr(math.log(x / n["median"]) / n["log_sigma"]))
-
-
 def _triangular(u: Array, n: Mapping[str, float]) -> Array:
     low, mode, high = n["low"], n["mode"], n["high"]
     left = low + np.sqrt(u * (high - low) * (mode - low))
@@ -73,7 +69,8 @@ FORMS = {
     ),
     "lognormal": Form(
         ("median", "log_sigma"), (), ("log_sigma",), "",
-        lambda u, n: np.asarray(n["median"] * np.exp(n["log_sigma"] * _special().ndtri(u))), _below_lognormal,
+        lambda u, n: np.asarray(n["median"] * np.exp(n["log_sigma"] * _special().ndtri(u))),
+        lambda x, n: 0.0 if x <= 0.0 else float(_special().ndtr(math.log(x / n["median"]) / n["log_sigma"])),
     ),
     "uniform": Form(
         ("low", "high"), (), (), "relative_range",
@@ -138,7 +135,8 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
         elif raw.get("distribution") not in FORMS:
             kind = raw.get("distribution", "")
             near = NameSuggestion(str(kind), FORMS)
-            errors.add("ensemble.distribution", f"{address}.distribution", value=kind, near=near)
+            facts = {"value": kind, "meaning": "distribution", "near": near}
+            errors.add("fields.not_an_option", f"{address}.distribution", **facts)
     kind = raw["distribution"]
     form, relative = FORMS[kind], FORMS[kind].relative
     factor, value = Field(unit="1"), Field(unit=spec.unit, kind=spec.kind)
@@ -157,9 +155,7 @@ def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, 
             raise InputError("ensemble.given_twice", address, names=[relative, *(derived.keys() & read.keys())])
         read |= derived
     read |= {key: middle for key in MIDDLES if key in form.fields and key not in read}
-    missing = [key for key in form.fields if key not in read]
-    if missing:
-        raise InputError("ensemble.missing", address, names=missing, count=len(missing), kind=kind)
+    collect([missing_field(f"{address}.{key}", fields[key]) for key in form.fields if key not in read])
     numbers = {key: float(read[key]) for key in form.fields}
     _check(numbers, read, address)
     limits = (read.get("low", -math.inf), read.get("high", math.inf)) if "low" not in form.fields else (-np.inf, np.inf)

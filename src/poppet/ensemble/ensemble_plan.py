@@ -1,4 +1,7 @@
-"""Plan of an ensemble: uncertain parameters, metrics and requirements, read from tables."""
+"""Plan of an ensemble: uncertain parameters, metrics and requirements, read from tables.
+
+A plan has three kinds of runs: the random sample, the runs of a tornado chart, and those of Sobol indices.
+"""
 
 from __future__ import annotations
 
@@ -17,16 +20,22 @@ from poppet.circuit.options import Ambient, GasChoice
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
 from poppet.core.tables import Field, read_fields
+from poppet.core.units import convert, quantity
 from poppet.ensemble.distributions import MAX_INVALID_PROBABILITY, Distribution, read_distribution
 from poppet.ensemble.metrics import Metric, Requirement, read_metric, read_requirement
 from poppet.ensemble.sampling import MAX_SOBOL, METHODS, points
 from poppet.identify.free_parameter import number_specs
 from poppet.identify.result import Result, read_result
 from poppet.parts.fields import NumberSpec, declared
+from poppet.timeseries.tables.reading import read_table
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 
+KINDS = ("runs", "tornado", "indices")
+"""Kinds of runs."""
+LOW, HIGH = 0.05, 0.95
+"""Low and high probability of the quantiles of a parameter in a tornado chart."""
 STORED = ("metrics", "bands", "all")
 """Choices of stored data: metrics of each run, also quantile bands of outputs, or also complete outputs."""
 LEVELS = 5
@@ -39,18 +48,21 @@ The limits are: minimum, minimum with discrete states, maximum, maximum with sto
 as hundreds of runs. Runs with discrete states take a hundred times longer than others.
 """
 FIELDS = {
-    "runs": Field(meaning="number of runs; set by the grid or the file"),
-    "seed": Field(meaning="seed of the random numbers; the same seed gives bit-identical results"),
+    "runs": Field(type="integer", low=1, high=MAX_RUNS, meaning="number of runs; set by the grid or the file"),
+    "seed": Field(
+        type="integer", low=0, high=2**63,
+        meaning="seed of the random numbers; the same seed gives bit-identical results",
+    ),
     "sampling": Field(choices=METHODS, meaning="sampling method"),
-    "levels": Field(meaning="of a grid: values per parameter"),
+    "levels": Field(type="integer", low=1, high=1_000_000, meaning="of a grid: values per parameter"),
     "file": Field(meaning="of sampling = file: a table whose columns are addresses with units"),
     "keep": Field(choices=STORED, meaning="stored data"),
     "curves": Field(meaning="addresses of the outputs whose bands or curves are stored"),
-    "indices": Field(meaning="base sample size of the Sobol indices"),
+    "indices": Field(type="integer", low=0, high=2**20, meaning="base sample size of the Sobol indices"),
     "parameters": Field(type="table"),
     "numbers": Field(type="table"),  # old name of `parameters`
     "metrics": Field(type="table"),
-}
+}  # fmt: skip
 """Fields of the table `ensemble`."""
 
 
@@ -123,11 +135,49 @@ class EnsemblePlan:
                 values[:, n + k] = joint_normal.mean[k] + joint_normal.sigma[k] * total
         return values
 
-    def sample(self, first: int, last: int) -> Array:
-        """Return the parameter values of the runs from `first` up to `last` (excluded)."""
+    def counts(self, kind: str) -> tuple[int, int]:
+        """Return the number of runs of one kind, and the number of runs in a shard.
+
+        `kind` is `runs`, `tornado` or `indices`.
+        """
+        if kind == "runs":
+            return self.runs, self.shard
+        if kind == "tornado":
+            return 2 * len(self.addresses) + 1, 1024
+        return self.indices * (len(self.factors) + 2), min(self.shard, 4096)
+
+    def sample(self, first: int, last: int, kind: str = "runs") -> Array:
+        """Return the parameter values of the runs of one kind from `first` up to `last` (excluded).
+
+        The first run of a tornado chart has the median of all parameters. Two further runs for each parameter have a
+        low and a high quantile of it, with the medians of all other parameters.
+
+        The runs for Sobol indices form blocks: A, B, and one block for each factor. The block of a factor is a copy of
+        A with the columns of that factor from B. A and B are halves of one Sobol sequence of twice the dimension
+        (Saltelli et al., Comput. Phys. Commun. 181, 2010).
+        """
+        n = len(self.addresses)
+        if kind == "tornado":
+            values = np.tile([self.quantile(address, 0.5) for address in self.addresses], (2 * n + 1, 1))
+            for k, address in enumerate(self.addresses):
+                values[1 + 2 * k, k], values[2 + 2 * k, k] = (self.quantile(address, u) for u in (LOW, HIGH))
+            return values[first:last]
+        if kind == "indices":
+            runs = np.arange(first, last)
+            block, row = runs // self.indices, runs % self.indices
+            values = np.empty((runs.size, n))
+            for block_index in np.unique(block):
+                rows = row[block == block_index]
+                # Another seed: the points must differ from those of the sample.
+                ab = points("sobol", self.seed + 1, self.indices, 2 * n, int(rows[0]), int(rows[-1]) + 1, ())
+                u = ab[:, n:].copy() if block_index == 1 else ab[:, :n].copy()
+                if block_index >= 2:
+                    columns = list(list(self.factors.values())[block_index - 2])
+                    u[:, columns] = ab[:, n:][:, columns]
+                values[block == block_index] = self.values(u)
+            return values
         if self.table is not None:
             return self.table[1][first:last]
-        n = len(self.addresses)
         return self.values(points(self.sampling, self.seed, self.runs, n, first, last, (self.levels,) * n))
 
     def quantile(self, address: str, u: float) -> float:
@@ -169,48 +219,58 @@ def read_plan(circuit: BaseCircuit, ensemble: Any, requirements: Any, folder: Pa
     ambient = circuit.surroundings.pressure
     with ErrorCollector() as errors:
         read = read_fields(errors, ensemble, FIELDS, "ensemble")
-        counts = {key: _read_count(errors, read, key, *limits) for key, limits in COUNTS.items() if key in read}
+        indices = read.get("indices", 0)
+        if indices & (indices - 1):
+            errors.add("ensemble.power_of_two", "ensemble.indices", value=indices)
         grid = np.zeros(0)
         with errors.collecting():
             grid = circuit.run.grid()
         numbers = _ParameterReader(errors, circuit, read, folder)
         metrics: dict[str, Metric] = {}
-        for name, raw in read.get("metrics", {}).items():
+        raw_metrics = read.get("metrics", {})
+        for name, raw in raw_metrics.items():
             with errors.collecting():
                 address = f"ensemble.metrics.{name}"
                 identifier = _identifier(name, address, RESERVED)
                 metric = read_metric(identifier, raw, outputs, ambient, address, str(folder))
-                metrics[name] = _check_rows(metric, grid, address) if grid.size else metric
-        required = _requirements(errors, requirements, read.get("metrics", {}), metrics, ambient)
+                if grid.size:
+                    window: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
+                    if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):
+                        raise InputError("ensemble.beyond", address, **window)
+                    if not ((grid >= metric.begin) & (grid <= metric.end)).any():
+                        raise InputError("ensemble.no_rows", address, **window)
+                metrics[name] = metric
+        required = []
+        if not isinstance(requirements, Mapping):
+            errors.add("fields.no_table", "requirements", value=requirements)
+            requirements = {}
+        for name, text in requirements.items():
+            address = f"requirements.{name}"
+            try:
+                required.append(read_requirement(_identifier(name, address, (ALL,)), text, metrics, ambient, address))
+            except InputError as error:
+                if error.code == "fields.not_an_option":
+                    if error.facts["value"] in raw_metrics:  # an invalid metric is one error, not two
+                        continue
+                    error.facts["near"] = NameSuggestion(error.facts["value"], raw_metrics)
+                errors.extend([error])
         keep, curves = read.get("keep", "metrics"), read.get("curves", ())
         curves = (curves,) if isinstance(curves, str) else tuple(map(str, curves))
         for address in curves:
             if address not in outputs:
-                errors.add("ensemble.output", "ensemble.curves", value=address, near=NameSuggestion(address, outputs))
+                near = NameSuggestion(address, outputs)
+                errors.add("fields.not_an_option", "ensemble.curves", value=address, meaning="output", near=near)
         if not curves and keep != "metrics":
             curves = tuple(dict.fromkeys(metric.of[0] for metric in metrics.values()))
         if not metrics and not curves:
             errors.add("ensemble.no_metric", "ensemble.metrics")
     notes = (Note("ensemble.old_numbers", "ensemble.numbers"),) if "numbers" in read else ()
     plan = EnsemblePlan(
-        circuit, counts.get("runs", 0), counts.get("seed", 0), numbers.sampling, numbers.alone, numbers.joint,
-        numbers.normal, numbers.table, counts.get("levels", LEVELS), tuple(metrics.values()), tuple(required), keep,
-        curves if keep != "metrics" else (), counts.get("indices", 0), notes,
+        circuit, 0, read.get("seed", 0), numbers.sampling, numbers.alone, numbers.joint, numbers.normal, numbers.table,
+        read.get("levels", LEVELS), tuple(metrics.values()), tuple(required), keep,
+        curves if keep != "metrics" else (), indices, notes,
     )  # fmt: skip
-    return _with_run_count(plan, counts)
-
-
-COUNTS = {"runs": (1, MAX_RUNS), "seed": (0, 2**63), "levels": (1, 1_000_000), "indices": (0, 2**20)}
-
-
-def _read_count(errors: ErrorCollector, read: Mapping[str, Any], key: str, low: int, high: int) -> int:
-    value = read[key]
-    if isinstance(value, bool) or not isinstance(value, int) or not low <= value <= high:
-        errors.extend([OutOfRangeError("ensemble.count", f"ensemble.{key}", value=value, low=low, high=high)])
-        return low
-    if key == "indices" and value & (value - 1):
-        errors.add("ensemble.power_of_two", "ensemble.indices", value=value)
-    return value
+    return _with_run_count(plan, read.get("runs"))
 
 
 RESERVED = ("run", "done", "outcome", "notes", "balance")
@@ -228,49 +288,18 @@ def _identifier(name: str, address: str, reserved: tuple[str, ...]) -> str:
     return name
 
 
-def _check_rows(metric: Metric, grid: Array, address: str) -> Metric:
-    """Reject a metric whose time window contains no output time or exceeds the run."""
-    facts: dict[str, Any] = {"begin": metric.begin, "end": metric.end, "duration": float(grid[-1])}
-    if math.isfinite(metric.end) and metric.end > grid[-1] * (1.0 + 1e-9):
-        raise InputError("ensemble.beyond", address, **facts)
-    if not ((grid >= metric.begin) & (grid <= metric.end)).any():
-        raise InputError("ensemble.no_rows", address, **facts)
-    return metric
-
-
-def _requirements(
-    errors: ErrorCollector, raw: Any, metric_names: Mapping[str, Any], metrics: Mapping[str, Metric], ambient: float
-) -> list[Requirement]:
-    required = []
-    if not isinstance(raw, Mapping):
-        errors.add("fields.no_table", "requirements", value=raw)
-        return []
-    for name, text in raw.items():
-        with errors.collecting():
-            address = f"requirements.{name}"
-            try:
-                required.append(read_requirement(_identifier(name, address, (ALL,)), text, metrics, ambient, address))
-            except InputError as error:
-                # An invalid metric is one error, not two.
-                if error.code != "ensemble.unknown_metric" or error.facts["name"] not in metric_names:
-                    error.facts["near"] = NameSuggestion(error.facts.get("name", ""), metric_names)
-                    raise
-    return required
-
-
-def _with_run_count(plan: EnsemblePlan, counts: Mapping[str, int]) -> EnsemblePlan:
+def _with_run_count(plan: EnsemblePlan, runs: int | None) -> EnsemblePlan:
     """Return the plan with the number of runs.
 
     A grid or a file of parameter values determines this number; otherwise it is the field `runs`.
     """
-    n, runs = len(plan.addresses), counts.get("runs")
+    n = len(plan.addresses)
     fixed = plan.levels**n if plan.sampling == "grid" else len(plan.table[1]) if plan.table is not None else runs
     if fixed is None:
         raise InputError("ensemble.no_runs", "ensemble.runs")
     if runs is not None and runs != fixed:
         raise InputError("ensemble.runs_follow", "ensemble.runs", runs=runs, fixed=fixed, sampling=plan.sampling)
-    if fixed > (2**30 if plan.sampling == "sobol" else MAX_RUNS):
-        raise OutOfRangeError("ensemble.count", "ensemble.runs", value=fixed, low=1, high=MAX_RUNS)
+    replace(FIELDS["runs"], high=2**30 if plan.sampling == "sobol" else MAX_RUNS).read(fixed, "ensemble.runs")
     if plan.sampling == "sobol" and n > MAX_SOBOL:
         raise OutOfRangeError("ensemble.dimensions", "ensemble.sampling", dimensions=n, most=MAX_SOBOL)
     if plan.indices and plan.table is not None:
@@ -307,23 +336,21 @@ class _ParameterReader:
             errors.add("ensemble.no_numbers", self.address)
         for address, raw in parameters.items():
             with errors.collecting():
-                self.alone[address] = self._one(address, raw)
+                location = f"{self.address}.{address}"
+                spec = self._spec(address, location)
+                distribution = read_distribution(raw, spec, self.given[address], location, self.ambient)
+                self.alone[address] = restrict_to_valid(distribution, spec, location)
         if fit is not None:
             with errors.collecting():
                 self._of_fit(errors, fit, parameters)
 
     def _spec(self, address: str, location: str) -> NumberSpec:
         if address not in self.specs:
-            raise InputError("ensemble.number", location, near=NameSuggestion(address, self.specs))
+            near = NameSuggestion(address, self.specs)
+            raise InputError("names.unknown", location, meaning="a parameter of this circuit", near=near)
         if address in self.circuit.signals or address in self.circuit.connections:
             raise InputError("ensemble.driven", location)
         return self.specs[address]
-
-    def _one(self, address: str, raw: Any) -> Distribution:
-        location = f"{self.address}.{address}"
-        spec = self._spec(address, location)
-        distribution = read_distribution(raw, spec, self.given[address], location, self.ambient)
-        return restrict_to_valid(distribution, spec, location)
 
     def _of_fit(self, errors: ErrorCollector, raw: Any, listed: Mapping[str, Any]) -> None:
         location = f"{self.address}.from_fit"
@@ -343,19 +370,29 @@ class _ParameterReader:
                     raise InputError("ensemble.undetermined", location, name=name, verdict=estimate.verdict)
                 restrict_to_valid(_normal(estimate.value, sigma), spec, location, name)
         sigmas = tuple(result.parameters[name].standard_error for name in names)
-        rows = [[1.0 if a == b else _correlation(result, a, b) for b in names] for a in names]
+        table = result.correlation
+        matrix = np.eye(len(names))
+        for i, a in enumerate(names):
+            for j, b in enumerate(names):
+                matrix[i, j] = 1.0 if a == b else table.get(a, {}).get(b, table.get(b, {}).get(a, 0.0))
+        try:
+            factor = np.linalg.cholesky(matrix)
+        except np.linalg.LinAlgError:
+            # Use the nearest positive definite matrix.
+            values, vectors = np.linalg.eigh(matrix)
+            nearest = (vectors * np.maximum(values, 1e-12)) @ vectors.T
+            size = np.sqrt(np.diag(nearest))
+            factor = np.linalg.cholesky(nearest / size / size[:, np.newaxis])
         means = tuple(result.parameters[name].value for name in names)
         title = raw if isinstance(raw, str) else raw.title
         self.joint = tuple(names)
-        self.normal = JointNormal(title, means, sigmas, _factor(np.array(rows)))
+        self.normal = JointNormal(title, means, sigmas, tuple(tuple(map(float, row)) for row in factor))
 
     def _of_file(self, errors: ErrorCollector, read: Mapping[str, Any], listed: Mapping[str, Any]) -> None:
         if not isinstance(read.get("file"), str):
             raise InputError("ensemble.no_file", "ensemble.file")
         if listed:
             errors.add("ensemble.file_and_numbers", self.address)
-        from poppet.timeseries.tables.reading import read_table
-
         table = read_table(self.folder / read["file"])
         columns = []
         for k, (name, unit, column) in enumerate(zip(table.names, table.units, table.columns, strict=True)):
@@ -363,7 +400,7 @@ class _ParameterReader:
                 if name in table.names[:k]:
                     raise InputError("ensemble.column_twice", f"ensemble.file: {name}")
                 spec = self._spec(name, f"ensemble.file: {name}")
-                columns.append(_in_si(column, unit, spec, name, self.ambient))
+                columns.append(_in_si(column, unit, spec, f"ensemble.file: {name}", self.ambient))
         if not table.names:
             raise InputError("ensemble.no_columns", "ensemble.file", path=read["file"])
         if len(columns) == len(table.names):
@@ -396,31 +433,8 @@ def _normal(mean: float, sigma: float) -> Distribution:
     return Distribution("normal", {"mean": mean, "sigma": sigma})
 
 
-def _correlation(result: Result, a: str, b: str) -> float:
-    table = result.correlation
-    return float(table.get(a, {}).get(b, table.get(b, {}).get(a, 0.0)))
-
-
-def _factor(correlation: Array) -> tuple[tuple[float, ...], ...]:
-    """Return the Cholesky factor of a correlation matrix.
-
-    If the matrix is not positive definite, the factor is that of the nearest positive definite matrix.
-    """
-    try:
-        factor = np.linalg.cholesky(correlation)
-    except np.linalg.LinAlgError:
-        values, vectors = np.linalg.eigh(correlation)
-        nearest = (vectors * np.maximum(values, 1e-12)) @ vectors.T
-        size = np.sqrt(np.diag(nearest))
-        factor = np.linalg.cholesky(nearest / size / size[:, np.newaxis])
-    return tuple(tuple(map(float, row)) for row in factor)
-
-
-def _in_si(column: Array, unit: str, spec: NumberSpec, name: str, ambient: float) -> Array:
+def _in_si(column: Array, unit: str, spec: NumberSpec, location: str, ambient: float) -> Array:
     """Convert a column of parameter values to SI units, and reject invalid values."""
-    from poppet.core.units import convert, quantity
-
-    location = f"ensemble.file: {name}"
     if unit:
         # Check unit and reference once; convert the whole column.
         quantity(f"1 {unit}", spec.unit, kind=spec.kind, name=location)

@@ -2,32 +2,50 @@
 
 from __future__ import annotations
 
+import os
 import shutil
 import tempfile
 import warnings
 import weakref
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from copy import deepcopy
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
+from poppet.circuit.circuit import BaseCircuit
+from poppet.circuit.file import ABOVE, loads
 from poppet.core.codes import Note
-from poppet.core.errors import InputError
+from poppet.core.errors import InputError, needed
+from poppet.core.files import write_whole
 from poppet.core.notebook import HtmlMixin
+from poppet.core.toml import toml_text
 from poppet.ensemble.bands import Bands
-from poppet.ensemble.dataset import Dataset
-from poppet.ensemble.ensemble_plan import ALL, EnsemblePlan, read_plan
+from poppet.ensemble.dataset import Dataset, fingerprint
+from poppet.ensemble.ensemble_plan import ALL, EnsemblePlan, read_plan, varied_specs
 from poppet.ensemble.executors import run_missing
 from poppet.ensemble.statistics import SobolIndex, Summary, TornadoRange, Yield, sobol_indices, summary_of, wilson
-from poppet.ensemble.worst_cases import WorstCase, save_case, worst_of
-
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import BaseCircuit
 
 MAX_EXACT_RUNS = 2**20
 """Maximum number of runs from which quantiles are computed, to limit the memory."""
+
+
+_PATHS = ("path", "characteristic")
+"""Fields that can contain the path of a file."""
+
+
+@dataclass(frozen=True)
+class WorstCase:
+    """One of the worst runs of a requirement."""
+
+    requirement: str
+    run: int
+    value: float  # of the metric, in its unit; NaN of a run that failed
+    margin: float  # distance to the bound, positive if met; -inf for a failed run
+    outcome: str
+    numbers: Mapping[str, float]  # SI, absolute
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,8 +79,6 @@ class Ensemble(HtmlMixin):
         pandas.DataFrame
             One row for each run. The Parquet files and the manifest contain the units.
         """
-        from poppet.core.errors import needed
-
         with needed("pandas", "A data frame", "data"):
             import pandas
         return pandas.DataFrame(self.dataset.columns("runs"))
@@ -87,21 +103,17 @@ class Ensemble(HtmlMixin):
         """
         runs, fine = self.done, ("run.done", "run.stopped")
         failed = [(code, count) for code, count in self.outcomes().items() if code not in fine]
-        without = self._without_value()
+        # The number of completed runs that have no value of a metric.
+        without = {metric.name: 0 for metric in self.plan.metrics}
+        for shard in self.dataset.shards("runs", ["done", *without]):
+            for name in without:
+                without[name] += int(np.count_nonzero(shard["done"] & np.isnan(shard[name])))
         return (
             *self.plan.notes,
             *(Note("ensemble.failed", count=count, runs=runs, outcome=code) for code, count in failed),
             *(Note("ensemble.undefined", count=n, runs=runs, metric=name) for name, n in without.items() if n),
             *(Note("ensemble.noted", count=count, runs=runs, said=code) for code, count in self.noted().items()),
         )
-
-    def _without_value(self) -> dict[str, int]:
-        """Return, for each metric, the number of completed runs that have no value of the metric."""
-        counts = {metric.name: 0 for metric in self.plan.metrics}
-        for shard in self.dataset.shards("runs", ["done", *counts]):
-            for name in counts:
-                counts[name] += int(np.count_nonzero(shard["done"] & np.isnan(shard[name])))
-        return counts
 
     def _counted(self, column: str) -> dict[str, int]:
         counts: dict[str, int] = {}
@@ -196,7 +208,22 @@ class Ensemble(HtmlMixin):
         dict
             Requirement to its runs with the smallest margins; failed runs are first.
         """
-        return {r.name: worst_of(self.dataset, self.plan, r, count) for r in self.plan.requirements}
+        worst = {}
+        for requirement in self.plan.requirements:
+            cases: list[WorstCase] = []
+            for shard in self.dataset.shards("runs"):
+                values = shard[requirement.metric]
+                margins = np.where(shard["done"].astype(bool), requirement.margin(values), -np.inf)
+                margins = np.where(np.isnan(margins), -np.inf, margins)
+                for k in np.argsort(margins, kind="stable")[:count].tolist():
+                    run, outcome = int(shard["run"][k]), str(shard["outcome"][k])
+                    numbers = {address: float(shard[address][k]) for address in self.plan.addresses}
+                    cases.append(
+                        WorstCase(requirement.name, run, float(values[k]), float(margins[k]), outcome, numbers)
+                    )
+                cases = sorted(cases, key=lambda case: (case.margin, case.run))[:count]
+            worst[requirement.name] = cases
+        return worst
 
     def save_worst(self, folder: str | Path, count: int = 3) -> list[Path]:
         """Write the worst runs as circuit files.
@@ -222,8 +249,58 @@ class Ensemble(HtmlMixin):
         if not self.plan.requirements:
             raise InputError("ensemble.no_requirements")
         target.mkdir(parents=True, exist_ok=True)
-        cases = [(case, k) for worst in self.worst(count).values() for k, case in enumerate(worst, 1)]
-        return [save_case(self.plan.circuit, case, target / f"{case.requirement}-{k}.toml") for case, k in cases]
+        circuit, paths = self.plan.circuit, []
+        for worst in self.worst(count).values():
+            for k, case in enumerate(worst, 1):
+                title = f"{circuit.title}, run {case.run} ({case.requirement})"
+                content = circuit_text(replace(circuit.with_values(case.numbers), title=title), target).encode("utf-8")
+                path = target / f"{case.requirement}-{k}.toml"
+                paths.append(write_whole(path, lambda stream, content=content: stream.write(content)))  # type: ignore[misc]
+        return paths
+
+
+def circuit_text(circuit: BaseCircuit, folder: Path) -> str:
+    """Return the text of a circuit's original file with the changed parameters.
+
+    The text is read again to check that it gives the same circuit; a circuit with other changes is rejected.
+    """
+    tables, origin = circuit.origin
+    if not tables:
+        raise InputError("ensemble.not_of_a_file", title=circuit.title)
+    content = {key: deepcopy(value) for key, value in tables.items() if key not in ABOVE} | {"title": circuit.title}
+    original = loads(toml_text(content), folder=origin)
+    specs = varied_specs(circuit)
+    for address, number in circuit.numbers().items():
+        previous = original.numbers().get(address)
+        if previous is None or previous.value != number.value or previous.reference != number.reference:
+            unit = specs[address].unit if address in specs else number.unit
+            mark = " g" if number.reference == "gauge" else ""
+            value = float(number.value) if unit == "1" else f"{float(number.value)!r} {unit}{mark}"
+            # The check below finds an error due to an unexpected table structure.
+            owner, *path, last = address.split(".")
+            table = content.setdefault(owner, {}) if owner in ("ambient", "gas", "run") else content["parts"][owner]
+            if owner == "gas" and isinstance(table, str):
+                table = content["gas"] = {"name": table}
+            for key in path:
+                table = table.setdefault(key, {}) if isinstance(table, dict) else {}
+            if isinstance(table, dict):
+                table[last] = value
+    _move_paths(content, origin, folder)
+    text = toml_text(content)
+    if fingerprint(loads(text, folder=folder)) != fingerprint(circuit):
+        raise InputError("ensemble.not_its_file", title=circuit.title)
+    return text
+
+
+def _move_paths(table: Any, old: Path, new: Path) -> None:
+    """Adapt relative file paths in the tables to a new folder.
+
+    The paths are relative to `old` before and to `new` after the change.
+    """
+    for key, value in table.items() if isinstance(table, dict) else ():
+        if key in _PATHS and isinstance(value, str) and (old / value).is_file():
+            table[key] = os.path.relpath(old / value, new)
+        _move_paths(value, old, new)
 
 
 def run_ensemble(

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 
 from poppet.circuit.schema import Schema, by_kind, circuit_schema, closed
 from poppet.core.tables import Field
-from poppet.ensemble.distributions import FORMS, MIDDLES, Form
-from poppet.ensemble.ensemble_plan import ALL, COUNTS, FIELDS, RESERVED
+from poppet.ensemble.distributions import FORMS, MIDDLES
+from poppet.ensemble.ensemble_plan import ALL, FIELDS, RESERVED
 from poppet.ensemble.metrics import FORM, FUNCTION, METRIC_KINDS
 from poppet.ensemble.metrics import SHARED as OF_METRICS
 
@@ -44,8 +44,10 @@ def file_schema() -> Schema:
             "description": "name to metric",
         },
     }
+    powers = [2**k for k in range(int(FIELDS["indices"].high).bit_length())]
+    counts = {"indices": {"enum": [0, *powers], "description": FIELDS["indices"].meaning}}
     requirement = {"type": "string", "pattern": f"^{FORM.pattern}$"}
-    ensemble = closed(_fields(FIELDS) | _counts() | tables, (), "uncertain parameters and metrics of many runs")
+    ensemble = closed(_fields(FIELDS) | counts | tables, (), "uncertain parameters and metrics of many runs")
     schema["properties"] |= {
         "ensemble": ensemble | {"not": {"required": ["numbers", "parameters"]}},
         "requirements": {
@@ -55,13 +57,29 @@ def file_schema() -> Schema:
             "description": "on metrics",
         },
     }
+    metric = by_kind("metric", {kind: f"metric_{kind}" for kind in METRIC_KINDS}, "metric")
+    metric["properties"]["metric"] = {
+        "anyOf": [metric["properties"]["metric"], {"type": "string", "pattern": FUNCTION}],
+        "description": "kind of metric, or FILE.py:FUNCTION",
+    }
+    is_own = {"properties": {"metric": {"pattern": FUNCTION}}, "required": ["metric"]}
+    metric["allOf"].append({"if": is_own, "then": {"$ref": "#/$defs/metric_function"}})
     schema["$defs"] |= {
         "distribution": by_kind("distribution", {kind: f"distribution_{kind}" for kind in FORMS}, "distribution"),
-        **{f"distribution_{kind}": _distribution(kind, form) for kind, form in FORMS.items()},
-        "metric": _metric(),
-        **{f"metric_{kind}": _metric_of(kind) for kind in METRIC_KINDS},
+        "metric": metric,
         "metric_function": closed(_fields(OF_METRICS) | {"metric": {"pattern": FUNCTION}}, ["of", "metric"]),
     }
+    for kind, form in FORMS.items():
+        centred = [name for name in form.fields if name not in MIDDLES]
+        fields: Schema = {"distribution": {"const": kind}} | dict.fromkeys(form.names, _VALUE)
+        required = ["distribution"] if form.relative else ["distribution", *centred]
+        options = {"anyOf": [{"required": centred}, {"required": [form.relative]}]} if form.relative else {}
+        schema["$defs"][f"distribution_{kind}"] = closed(fields, required) | options
+    for kind, metric_kind in METRIC_KINDS.items():
+        fields = _fields(OF_METRICS) | {"of": {"type": "string", "description": OF_METRICS["of"].meaning}}
+        fields |= {"metric": {"const": kind, "description": metric_kind.meaning}} | _fields(metric_kind.fields)
+        required = ["of", "metric", *(name for name, field in metric_kind.fields.items() if field.is_required)]
+        schema["$defs"][f"metric_{kind}"] = closed(fields, required, metric_kind.meaning)
     return schema
 
 
@@ -73,44 +91,12 @@ def _fields(fields: Mapping[str, Field]) -> Schema:
     """Return the JSON schema of the fields of a table."""
     properties: Schema = {}
     for name, field in fields.items():
-        choices = {"enum": list(field.choices), "default": field.choices[0]} if field.choices else None
-        schema = choices or _OTHERS.get(name, _VALUE)
+        if field.type == "integer":
+            schema = field.schema()
+        elif field.choices:
+            schema = {"enum": list(field.choices), "default": field.choices[0]}
+        else:
+            schema = _OTHERS.get(name, _VALUE)
         unit = f" [{field.unit}]" if field.unit else ""
         properties[name] = schema | ({"description": f"{field.meaning}{unit}"} if field.meaning else {})
     return properties
-
-
-def _counts() -> Schema:
-    properties = {
-        name: {"type": "integer", "minimum": low, "maximum": high, "description": FIELDS[name].meaning}
-        for name, (low, high) in COUNTS.items()
-    }
-    powers = [2**k for k in range(COUNTS["indices"][1].bit_length())]
-    return properties | {"indices": {"enum": [0, *powers], "description": FIELDS["indices"].meaning}}
-
-
-def _distribution(kind: str, form: Form) -> Schema:
-    required = [name for name in form.fields if name not in MIDDLES]
-    fields: Schema = {"distribution": {"const": kind}} | dict.fromkeys(form.names, _VALUE)
-    if not form.relative:
-        return closed(fields, ["distribution", *required])
-    return closed(fields, ["distribution"]) | {"anyOf": [{"required": required}, {"required": [form.relative]}]}
-
-
-def _metric() -> Schema:
-    schema = by_kind("metric", {kind: f"metric_{kind}" for kind in METRIC_KINDS}, "metric")
-    schema["properties"]["metric"] = {
-        "anyOf": [schema["properties"]["metric"], {"type": "string", "pattern": FUNCTION}],
-        "description": "kind of metric, or FILE.py:FUNCTION",
-    }
-    is_own = {"properties": {"metric": {"pattern": FUNCTION}}, "required": ["metric"]}
-    schema["allOf"].append({"if": is_own, "then": {"$ref": "#/$defs/metric_function"}})
-    return schema
-
-
-def _metric_of(kind: str) -> Schema:
-    metric_kind = METRIC_KINDS[kind]
-    fields = _fields(OF_METRICS) | {"of": {"type": "string", "description": OF_METRICS["of"].meaning}}
-    fields |= {"metric": {"const": kind, "description": metric_kind.meaning}} | _fields(metric_kind.fields)
-    required = [name for name, field in metric_kind.fields.items() if field.is_required]
-    return closed(fields, ["of", "metric", *required], metric_kind.meaning)

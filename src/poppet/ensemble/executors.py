@@ -8,17 +8,17 @@ from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExe
 from contextlib import contextmanager
 from typing import Any
 
-from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, needed
+from poppet.core.errors import InputError, NameSuggestion, needed
+from poppet.core.tables import Field
 from poppet.engine.batch import usable_cores
 from poppet.ensemble.dataset import Dataset
-from poppet.ensemble.designs import KINDS, design_of
-from poppet.ensemble.ensemble_plan import EnsemblePlan
+from poppet.ensemble.ensemble_plan import KINDS, EnsemblePlan
 from poppet.ensemble.shards import run_shard
 
 Progress = Callable[[int, int, str], Any]
 """Callback with the completed runs of a kind, all runs of that kind, and the kind."""
 EXECUTORS = ("threads", "processes")
-MAX_WORKERS = 4096
+WORKERS = Field(type="integer", low=1, high=4096, meaning="number of workers")
 _QUEUED_PER_WORKER = 2
 """Maximum number of submitted shards per worker."""
 _DEFAULT_WIDTH = 32
@@ -34,20 +34,20 @@ def run_missing(
     """
     todo: list[tuple[str, int]] = []
     sizes: dict[tuple[str, int], int] = {}
-    total = {kind: design_of(plan, kind).size for kind in KINDS}
+    total = {kind: plan.counts(kind)[0] for kind in KINDS}
     done = dict(total)
     for kind in KINDS:
-        design = design_of(plan, kind)
+        shard_size = plan.counts(kind)[1]
         for number in dataset.missing(plan, kind):
             todo.append((kind, number))
-            sizes[kind, number] = min(design.shard, design.size - number * design.shard)
+            sizes[kind, number] = min(shard_size, total[kind] - number * shard_size)
             done[kind] -= sizes[kind, number]
     if not todo:
         return True
     key, pickled = str(dataset.manifest["sha256"]) + str(plan.indices), pickle.dumps(plan)
     kernel = dataset.manifest["versions"]["kernel"]
-    if workers is not None and not 1 <= workers <= MAX_WORKERS:
-        raise OutOfRangeError("ensemble.count", "workers", value=workers, low=1, high=MAX_WORKERS)
+    if workers is not None:
+        WORKERS.read(workers, "workers")
     with _open_pool(executor, workers, len(todo)) as (pool, width):
         waiting: dict[Future[Any], tuple[str, int]] = {}
         tasks = iter(todo)
@@ -68,20 +68,16 @@ def run_missing(
                     kind = next((kind for kind in KINDS if done[kind] < total[kind]), todo[-1][0])
                     progress(done[kind], total[kind], kind)
         except KeyboardInterrupt:
-            _store_finished(dataset, waiting)
+            # Store the completed shards, and cancel all others.
+            for future in waiting:
+                if not future.cancel() and future.done() and future.exception() is None:
+                    dataset.write(future.result())
             return False
         except BaseException:
             # Results cannot be stored, for example on a full disk.
             for future in waiting:
                 future.cancel()
             raise
-
-
-def _store_finished(dataset: Dataset, waiting: dict[Future[Any], tuple[str, int]]) -> None:
-    """Store the completed shards, and cancel all other submitted shards."""
-    for future in waiting:
-        if not future.cancel() and future.done() and future.exception() is None:
-            dataset.write(future.result())
 
 
 @contextmanager

@@ -11,6 +11,7 @@ import operator
 import re
 import runpy
 from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -61,23 +62,18 @@ class Metric:
         For a function of the user, they contain a hash of its code.
         """
         facts = {key: value for key, value in vars(self).items() if key not in ("function", "folder")}
-        return facts | ({"function": self._print()} if self.kind == "function" else {})
-
-    def _print(self) -> str:
-        """Return a hash of the user's function.
-
-        It is the hash of the source text, or of the compiled code if there is no source text.
-        """
+        if self.kind != "function":
+            return facts
         function = self.callable()
         if isinstance(self.function, str):
             text = (Path(self.folder) / self.function.rpartition(":")[0]).read_text(encoding="utf-8")
         else:
             try:
                 text = inspect.getsource(function)
-            except (OSError, TypeError):
+            except (OSError, TypeError):  # there is no source text
                 code = getattr(function, "__code__", None)
                 text = repr((code.co_code, code.co_consts, code.co_names)) if code else repr(function)
-        return hashlib.sha256(text.encode()).hexdigest()
+        return facts | {"function": hashlib.sha256(text.encode()).hexdigest()}
 
     def callable(self) -> Function:
         """Return the user's function, loaded from its file if necessary."""
@@ -91,36 +87,30 @@ class Metric:
         first, last = np.searchsorted(time, (self.begin, self.end), side="left")
         last += int(last < time.size and time[last] == self.end)
         rows = {address: series[address][:, first:last] for address in self.outputs}
-        m = len(rows[self.of[0]])
-        if last <= first:
-            return np.full(m, np.nan)
-        t = time[first:last]
-        if self.kind == "function":
-            return np.array([self._called(t, *(rows[a][k] for a in self.of)) for k in range(m)])
-        values = METRIC_KINDS[self.kind].compute(t, rows[self.of[0]], self._aim(rows), self)
-        return np.asarray(self.in_unit(values), dtype=np.float64)
-
-    def _called(self, *series: Array) -> float:
-        """Call the user's function for one run.
-
-        The arguments are the times and the values of each output.
-        """
-        for view in series:
-            # Other metrics use the same rows.
-            view.flags.writeable = False
-        try:
-            return float(self.callable()(*series))
-        except InputError:
-            raise
-        except Exception as error:
-            cause = f"{type(error).__name__}: {error}"
-            raise InputError("ensemble.function_failed", f"ensemble.metrics.{self.name}", cause=cause) from error
-
-    def _aim(self, rows: Mapping[str, Array]) -> Array:
-        if isinstance(self.target, str):
-            return rows[self.target][:, -1]
         y = rows[self.of[0]]
-        return y[:, -1] if np.isnan(self.target) else np.full(len(y), self.target)
+        values = np.full(len(y), np.nan)
+        if last <= first:
+            return values
+        t = time[first:last]
+        if self.kind != "function":
+            if isinstance(self.target, str):
+                aim = rows[self.target][:, -1]
+            else:
+                aim = y[:, -1] if np.isnan(self.target) else np.full(len(y), self.target)
+            return np.asarray(self.in_unit(METRIC_KINDS[self.kind].compute(t, y, aim, self)), dtype=np.float64)
+        for k in range(len(y)):
+            arguments = [t, *(rows[address][k] for address in self.of)]
+            for view in arguments:
+                # Other metrics use the same rows.
+                view.flags.writeable = False
+            try:
+                values[k] = float(self.callable()(*arguments))
+            except InputError:
+                raise
+            except Exception as error:
+                cause = f"{type(error).__name__}: {error}"
+                raise InputError("ensemble.function_failed", f"ensemble.metrics.{self.name}", cause=cause) from error
+        return values
 
     def in_unit(self, values: Array) -> Array:
         """Convert values of the metric from SI to the unit of the metric."""
@@ -143,10 +133,6 @@ class MetricKind(NamedTuple):
 
 def _same(unit: str) -> str:
     return unit
-
-
-def _integral_unit(unit: str) -> str:
-    return _INTEGRALS.get(unit, f"{unit} s")
 
 
 def _integral(t: Array, y: Array) -> Array:
@@ -176,10 +162,6 @@ def _first_crossing(t: Array, y: Array, level: float) -> Array:
         fraction = np.where(k > 0, (level - low) / (high - low), 0.0)
         times = t[previous] + fraction * (t[k] - t[previous])
     return np.where(passed[runs, k], times, np.inf)
-
-
-def _time_to(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
-    return np.asarray(_first_crossing(t, y, metric.value) - t[0])
 
 
 def _rise_time(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
@@ -224,14 +206,20 @@ METRIC_KINDS = {
     "mean": MetricKind(_same, {}, lambda t, y, aim, metric: _mean(t, y), "mean over time"),
     "min": MetricKind(_same, {}, lambda t, y, aim, metric: y.min(axis=1), "minimum"),
     "max": MetricKind(_same, {}, lambda t, y, aim, metric: y.max(axis=1), "maximum"),
-    "integral": MetricKind(_integral_unit, {}, lambda t, y, aim, metric: _integral(t, y), "integral over time"),
+    "integral": MetricKind(
+        lambda unit: _INTEGRALS.get(unit, f"{unit} s"), {}, lambda t, y, aim, metric: _integral(t, y),
+        "integral over time",
+    ),
     "rms": MetricKind(_same, {}, lambda t, y, aim, metric: np.sqrt(_mean(t, y**2)), "root mean square"),
-    "time_to": MetricKind(lambda unit: "s", _LEVEL, _time_to, "time to the first crossing of a level"),
+    "time_to": MetricKind(
+        lambda unit: "s", _LEVEL, lambda t, y, aim, metric: np.asarray(_first_crossing(t, y, metric.value) - t[0]),
+        "time to the first crossing of a level",
+    ),
     "rise_time": MetricKind(lambda unit: "s", _TARGET, _rise_time, "time from 10 to 90 % of the step"),
     "settling_time": MetricKind(lambda unit: "s", _SETTLING, _settling_time, "time until the output stays in the band"),
     "overshoot": MetricKind(lambda unit: "1", _TARGET, _overshoot, "maximum beyond the target, relative to the step"),
     "steady_error": MetricKind(_same, _TARGET, lambda t, y, aim, metric: y[:, -1] - aim, "last value minus target"),
-}
+}  # fmt: skip
 """Kinds of metrics by name. Times are counted from the first evaluated time; integrals use the trapezoidal rule."""
 
 
@@ -249,19 +237,21 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
         if callable(kind) or (isinstance(kind, str) and ":" in kind):
             is_own = True
         elif kind not in METRIC_KINDS:
-            errors.add(
-                "ensemble.metric", f"{address}.metric", value=str(kind), near=NameSuggestion(str(kind), METRIC_KINDS)
-            )
+            near = NameSuggestion(str(kind), METRIC_KINDS)
+            errors.add("fields.not_an_option", f"{address}.metric", value=str(kind), meaning="metric", near=near)
         addresses = read.get("of", ())
         addresses = (addresses,) if isinstance(addresses, str) else tuple(map(str, addresses))
         if not addresses or (len(addresses) > 1 and not is_own):
             errors.add("ensemble.of", f"{address}.of", value=raw.get("of", "") if isinstance(raw, Mapping) else "")
-        unknown = [output for output in addresses if output not in outputs]
-        for output in unknown:
-            errors.add("ensemble.output", f"{address}.of", value=output, near=NameSuggestion(output, outputs))
-        misplaced = [key for key in ("value", "target", "band") if key in read and key not in _fields(kind, is_own)]
-        for key in misplaced:
-            errors.add("ensemble.not_of_metric", f"{address}.{key}", metric=str(kind))
+        for output in addresses:
+            if output in outputs:
+                continue
+            near = NameSuggestion(output, outputs)
+            errors.add("fields.not_an_option", f"{address}.of", value=output, meaning="output", near=near)
+        valid = METRIC_KINDS[kind].fields if not is_own and kind in METRIC_KINDS else ()
+        for key in ("value", "target", "band"):
+            if key in read and key not in valid:
+                errors.add("ensemble.not_of_metric", f"{address}.{key}", metric=str(kind))
     if is_own:
         function = kind if callable(kind) else str(kind)
         # The file is executed when the runs start.
@@ -269,42 +259,25 @@ def read_metric(name: str, raw: Any, outputs: Mapping[str, str], ambient: float,
     else:
         unit = METRIC_KINDS[kind].unit(outputs[addresses[0]])
         metric = Metric(name, kind, addresses, read.get("unit", "%" if kind == "overshoot" else unit), unit)
+    # The additional fields: settling band, level and target.
+    options: dict[str, Any] = {"band": read["band"]} if "band" in read else {}
     with ErrorCollector() as errors:
-        options = _read_more(errors, read, metric, outputs, ambient, address)
+        if metric.kind == "time_to" and "value" not in read:
+            errors.add("ensemble.no_value", address)
+        level = Field(unit=outputs[addresses[0]], kind=KINDS.get(outputs[addresses[0]], "plain"))
+        for key in ("value", "target"):
+            raw = read.get(key)
+            if key == "target" and isinstance(raw, str) and raw in outputs:
+                options[key] = raw
+            elif raw is not None:
+                with errors.collecting():
+                    options[key] = level.read(raw, f"{address}.{key}", ambient)
         with errors.collecting():
             _check_unit(metric, address)
     begin, end = read.get("from", 0.0), read.get("until", np.inf)
     if not 0.0 <= begin < end:
         raise InputError("ensemble.window", address, begin=begin, end=end)
     return Metric(**{**vars(metric), **options, "begin": begin, "end": end})
-
-
-def _fields(kind: Any, is_own: bool) -> Mapping[str, Field]:
-    return {} if is_own or kind not in METRIC_KINDS else METRIC_KINDS[kind].fields
-
-
-def _read_more(
-    errors: ErrorCollector,
-    read: Mapping[str, Any],
-    metric: Metric,
-    outputs: Mapping[str, str],
-    ambient: float,
-    address: str,
-) -> dict[str, Any]:
-    """Read the additional fields of a metric: level, target and settling band."""
-    options: dict[str, Any] = {"band": read["band"]} if "band" in read else {}
-    if metric.kind == "time_to" and "value" not in read:
-        errors.add("ensemble.no_value", address)
-    unit = outputs.get(metric.of[0], "1")
-    for key in ("value", "target"):
-        raw = read.get(key)
-        if key == "target" and isinstance(raw, str) and raw in outputs:
-            options[key] = raw
-        elif raw is not None:
-            with errors.collecting():
-                value = quantity(raw, unit, kind=KINDS.get(unit, "plain"), name=f"{address}.{key}")
-                options[key] = value.value + (ambient if value.reference == "gauge" else 0.0)
-    return options
 
 
 def _check_unit(metric: Metric, address: str) -> None:
@@ -379,40 +352,30 @@ def read_requirement(name: str, text: Any, metrics: Mapping[str, Metric], ambien
     match = FORM.fullmatch(text) if isinstance(text, str) else None
     if match is None:
         raise InputError("ensemble.requirement", address, text=str(text))
-    left, sign, metric, relation, right = match.groups()
-    if metric not in metrics:
-        near = NameSuggestion(metric, metrics)
-        raise InputError("ensemble.unknown_metric", address, text=text, name=metric, near=near)
+    left, sign, metric_name, relation, right = match.groups()
+    if metric_name not in metrics:
+        near = NameSuggestion(metric_name, metrics)
+        raise InputError("fields.not_an_option", address, value=metric_name, meaning="metric", near=near)
+    metric = metrics[metric_name]
     if left and relation[0] != "<":  # 1 < x > 2 bounds one side twice
         raise InputError("ensemble.requirement", address, text=text)
-    bounds = [(relation, right), *([(_MIRRORED[sign], left)] if left else [])]
-    values = ((relation, _bound(raw, metrics[metric], ambient, address, text)) for relation, raw in bounds)
-    return Requirement(name, text, metric, tuple(values))
-
-
-def _bound(raw: str, metric: Metric, ambient: float, address: str, text: str) -> float:
-    """Return the value of a bound in the unit of the metric.
-
-    A bound without a unit is in SI units.
-    """
     unit = metric.source or metric.unit
     # A difference has no reference.
-    kind = "plain" if metric.kind == "steady_error" else KINDS.get(unit, "plain")
-    try:
-        if unit == "kg" and (marked := MARKED.fullmatch(raw)):
-            # A volume at a reference state is converted as a flow.
-            read = quantity(f"{marked[1]}/s {marked[2]}", "kg/s", kind="mass_flow", name=address)
-        else:
-            read = quantity(_bare(raw), unit, kind=kind, name=address)
-    except InputError as error:
-        raise InputError("ensemble.bound", address, text=text, bound=raw, cause=error) from None
-    value = read.value + (ambient if read.reference == "gauge" else 0.0)
-    return value if not metric.source else float(metric.in_unit(np.array([value]))[0])
-
-
-def _bare(raw: str) -> str | float:
-    """Convert a number without a unit to float, and return any other text unchanged."""
-    try:
-        return raw if "_" in raw else float(raw)  # Python would read 1_000
-    except ValueError:
-        return raw
+    kind: Kind = "plain" if metric.kind == "steady_error" else KINDS.get(unit, "plain")
+    bounds = []
+    for sense, raw in [(relation, right), *([(_MIRRORED[sign], left)] if left else [])]:
+        try:
+            if unit == "kg" and (marked := MARKED.fullmatch(raw)):
+                # A volume at a reference state is converted as a flow.
+                bound = quantity(f"{marked[1]}/s {marked[2]}", "kg/s", kind="mass_flow", name=address)
+            else:
+                # A bound without a unit is in SI units. Python would read 1_000.
+                argument: str | float = raw
+                with suppress(ValueError):
+                    argument = raw if "_" in raw else float(raw)
+                bound = quantity(argument, unit, kind=kind, name=address)
+        except InputError as error:
+            raise InputError("ensemble.bound", address, text=text, bound=raw, cause=error) from None
+        value = bound.value + (ambient if bound.reference == "gauge" else 0.0)
+        bounds.append((sense, float(metric.in_unit(np.array([value]))[0]) if metric.source else value))
+    return Requirement(name, text, metric.name, tuple(bounds))

@@ -37,7 +37,12 @@ def points(method: str, seed: int, total: int, dimension: int, first: int, last:
     `levels` is the number of values of a grid in each dimension.
     """
     if method == "latin":
-        return _latin(seed, total, dimension, first, last)
+        jitter = uniform(seed, "latin", dimension, first, last)
+        keys = _random_integers(seed, "permutation", _ROUNDS, 0, dimension)
+        runs = np.arange(first, last, dtype=np.uint64)
+        strata = np.stack([permute(runs, total, key) for key in keys], axis=1)
+        # Rounding can give 1 in the last stratum.
+        return np.minimum((strata + jitter) / total, 1.0 - 2.0**-53)
     if method == "sobol":
         return _sobol(seed, dimension, total, first, last)
     if method == "grid":
@@ -70,23 +75,14 @@ def _random_integers(seed: int, stream: str, dimension: int, first: int, last: i
 # --- Latin hypercube ---
 
 
-def _latin(seed: int, total: int, dimension: int, first: int, last: int) -> Array:
-    jitter = uniform(seed, "latin", dimension, first, last)
-    keys = _random_integers(seed, "permutation", _ROUNDS, 0, dimension)
-    runs = np.arange(first, last, dtype=np.uint64)
-    strata = np.stack([permute(runs, total, key) for key in keys], axis=1)
-    # Rounding can give 1 in the last stratum.
-    return np.minimum((strata + jitter) / total, 1.0 - 2.0**-53)
-
-
 def permute(indices: Whole, total: int, keys: Whole) -> Whole:
     """Return the positions of indices after a random permutation of 0 to total - 1.
 
     The `keys` determine the permutation.
 
     A Feistel network of four rounds permutes 0 to n - 1, where n is the next power of four. Results that are not below
-    `total` are permuted again (Black and
-    Rogaway, Ciphers with arbitrary finite domains, CT-RSA 2002, cycle-walking).
+    `total` are permuted again (Black and Rogaway, Ciphers with arbitrary finite domains, CT-RSA 2002, cycle-walking).
+    The bits are mixed by the finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
     """
     half = np.uint64(max(1, -(-max(total - 1, 1).bit_length() // 2)))
     mask = np.uint64((1 << int(half)) - 1)
@@ -95,17 +91,13 @@ def permute(indices: Whole, total: int, keys: Whole) -> Whole:
     while pending.size:
         left, right = permuted_indices[pending] >> half, permuted_indices[pending] & mask
         for key in keys:
-            left, right = right, left ^ (_mix_bits(right ^ key) & mask)
+            mixed = right ^ key
+            mixed = (mixed ^ (mixed >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+            mixed = (mixed ^ (mixed >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+            left, right = right, left ^ ((mixed ^ (mixed >> np.uint64(31))) & mask)
         permuted_indices[pending] = (left << half) | right
         pending = pending[permuted_indices[pending] >= total]
     return permuted_indices
-
-
-def _mix_bits(x: Whole) -> Whole:
-    """Mix the bits of integers by the finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014)."""
-    x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
-    x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
-    return x ^ (x >> np.uint64(31))
 
 
 # --- Sobol sequence ---

@@ -17,10 +17,9 @@ from poppet.circuit.instance import Instance
 from poppet.core.errors import InputError
 from poppet.engine.batch import BatchRows, run_batch
 from poppet.engine.lane_kernel import kernel_of_this_machine
-from poppet.engine.members import Batch, RunEnds
+from poppet.engine.members import Batch
 from poppet.engine.problem import Outcome, Problem
 from poppet.ensemble.bands import Bands, band_edges
-from poppet.ensemble.designs import design_of
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, Integers, varied_specs
 from poppet.timeseries.tables.reading import arrow
 
@@ -106,20 +105,20 @@ class PreparedPlan:
     def run(self, values: Array) -> ShardResults:
         """Run the circuit with each row of parameter values, (m, n_parameters)."""
         if self.is_apart:
-            return _concatenate([self._run_apart(row) for row in values])
+            none, runs = np.zeros(0, dtype=np.int64), []
+            for row in values:
+                changed = self._changed(row)
+                problem = self.problem if changed is None else changed.problem(self.plan.circuit.run)
+                results = self._run(problem, none, np.empty((1, 0)), row[np.newaxis])
+                runs.append(_mark_refused(results, np.ones(1, dtype=np.bool_)) if changed is None else results)
+            *arrays, curves = zip(*runs, strict=True)
+            all_curves = None if curves[0] is None else np.concatenate(curves)
+            return ShardResults._make([*(np.concatenate(parts) for parts in arrays), all_curves])
         if not self.is_tied:
             indices = np.array([self.instance.place(address) for address in self.plan.addresses], dtype=np.int64)
             return self._run(self.problem, indices, values, values)
-        followed, refused = self._followed(values)
-        # A rejected run uses the parameters of the circuit, and its results are discarded.
-        results = self._run(self.problem, np.arange(followed.shape[1]), followed, values)
-        return results if not refused.any() else _mark_refused(results, refused)
-
-    def _followed(self, values: Array) -> tuple[Array, NDArray[np.bool_]]:
-        """Return the values of all parameters of each run, including the dependent ones.
-
-        The second result is the mask of runs with parameter values that are not valid.
-        """
+        # All parameters of each run, including the dependent ones. A rejected run uses those of the circuit, and its
+        # results are discarded.
         parameters = np.tile(self.instance.numbers(), (len(values), 1))
         refused = np.zeros(len(values), dtype=np.bool_)
         for k, row in enumerate(values):
@@ -128,20 +127,14 @@ class PreparedPlan:
                 refused[k] = True
             else:
                 parameters[k] = changed.numbers()
-        return parameters, refused
+        results = self._run(self.problem, np.arange(parameters.shape[1]), parameters, values)
+        return results if not refused.any() else _mark_refused(results, refused)
 
     def _changed(self, row: Array) -> Instance | None:
         try:
             return self.instance.with_values(dict(zip(self.plan.addresses, row.tolist(), strict=True)))
         except InputError:
             return None
-
-    def _run_apart(self, row: Array) -> ShardResults:
-        changed = self._changed(row)
-        problem = self.problem if changed is None else changed.problem(self.plan.circuit.run)
-        none = np.zeros(0, dtype=np.int64)
-        results = self._run(problem, none, np.empty((1, 0)), row[np.newaxis])
-        return results if changed is not None else _mark_refused(results, np.ones(1, dtype=np.bool_))
 
     def _run(self, problem: Problem, indices: Integers, values: Array, numbers: Array) -> ShardResults:
         plan, m = self.plan, len(values)
@@ -156,7 +149,16 @@ class PreparedPlan:
 
         problem = replace(problem, kernel=self.kernel)
         batch = run_batch(Batch(problem, indices, values, self.held), reduce=keep, threads=1)
-        is_done, codes = _endings(problem, batch.ends)
+        # Look-up tables: a loop would take almost as long as the runs.
+        outcomes, indices_of_outcomes = tuple(Outcome), batch.ends.counts[:, 5]
+        if (indices_of_outcomes == outcomes.index(Outcome.INTERRUPTED)).any():
+            raise KeyboardInterrupt
+        # The last entry is for runs without a stop condition.
+        failures = np.array([*(condition.is_failure for condition in problem.stop_conditions), False])
+        has_left_domain = failures[batch.ends.stops]
+        codes = np.array([outcome.value for outcome in outcomes], dtype=object)[indices_of_outcomes]
+        codes[has_left_domain] = "run.left_domain"
+        is_done = np.array([outcome.is_success for outcome in outcomes])[indices_of_outcomes] & ~has_left_domain
         notes = np.full(m, "", dtype=object)
         for run, notes_of_run in batch.notes.items():
             notes[run] = ", ".join(note.code for note in notes_of_run)
@@ -188,31 +190,12 @@ class PreparedPlan:
         return metrics
 
 
-def _endings(problem: Problem, ends: RunEnds) -> tuple[NDArray[np.bool_], Codes]:
-    """Return the mask of completed runs, and the code of the termination reason of each run."""
-    # Look-up tables: a loop would take almost as long as the runs.
-    outcomes, indices = tuple(Outcome), ends.counts[:, 5]
-    if (indices == outcomes.index(Outcome.INTERRUPTED)).any():
-        raise KeyboardInterrupt
-    # The last entry is for runs without a stop condition.
-    has_left_domain = np.array([*(condition.is_failure for condition in problem.stop_conditions), False])[ends.stops]
-    codes = np.array([outcome.value for outcome in outcomes], dtype=object)[indices]
-    codes[has_left_domain] = "run.left_domain"
-    return np.array([outcome.is_success for outcome in outcomes])[indices] & ~has_left_domain, codes
-
-
 def _mark_refused(results: ShardResults, refused: NDArray[np.bool_]) -> ShardResults:
     metrics, is_done = results.metrics.copy(), results.is_done & ~refused
     metrics[refused] = np.nan
     codes = results.outcomes.copy()
     codes[refused] = REFUSED
     return results._replace(metrics=metrics, is_done=is_done, outcomes=codes)
-
-
-def _concatenate(results: list[ShardResults]) -> ShardResults:
-    *arrays, curves = zip(*results, strict=True)
-    all_curves = None if curves[0] is None else np.concatenate(curves)
-    return ShardResults._make([*(np.concatenate(parts) for parts in arrays), all_curves])
 
 
 # --- Files ---
@@ -223,10 +206,10 @@ def shard_files(plan: EnsemblePlan, ready: PreparedPlan, kind: str, number: int)
 
     `number` is the index of the shard. The last file marks the shard as complete.
     """
-    design = design_of(plan, kind)
-    first = number * design.shard
-    last = min(first + design.shard, design.size)
-    results = ready.run(design.values(first, last))
+    size, shard_size = plan.counts(kind)
+    first = number * shard_size
+    last = min(first + shard_size, size)
+    results = ready.run(plan.sample(first, last, kind))
     name, files = f"part-{number:05d}.parquet", {}
     if kind == "runs" and results.curves is not None:
         if plan.keep == "bands":

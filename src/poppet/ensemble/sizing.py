@@ -17,6 +17,7 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError
 from poppet.core.files import by_suffix, write_whole
+from poppet.core.tables import Field
 from poppet.core.toml import json_text, toml_text
 from poppet.core.units import quantity
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, varied_specs
@@ -201,7 +202,8 @@ def size(
     fields = with_parameters(fields)
     spec = varied_specs(circuit).get(free)
     if spec is None:
-        raise InputError("ensemble.number", free, near=NameSuggestion(free, varied_specs(circuit)))
+        near = NameSuggestion(free, varied_specs(circuit))
+        raise InputError("names.unknown", free, meaning="a parameter of this circuit", near=near)
     if free in circuit.signals or free in circuit.connections:
         raise InputError("ensemble.driven", free)
     ambient = circuit.surroundings.pressure
@@ -213,25 +215,33 @@ def size(
 
     standard = np.unique([read_value(raw, "sizes") for raw in sizes])
     for value in standard.tolist():
-        if not spec.holds(value):
-            raise OutOfRangeError("size.size", free, value=value, unit=spec.unit)
+        spec.check_range("sizes", value, f"{value:g}", spec.meaning)
     low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free)
     uncertain = plan_of(circuit, **fields) if share is not None else None
-    if share is not None and not 0.0 < share < 1.0:
-        raise OutOfRangeError("size.share", "share", value=share)
+    if share is not None:
+        Field(unit="1", above=0.0, below=1.0, meaning="required fraction").read(share, "share")
     sweep: dict[str, Any] = {"parameters": {free: {"distribution": "uniform", "low": low, "high": high}}, "runs": 1}
     plan = plan_of(circuit, **{**fields, **sweep, "sampling": "random", "keep": "metrics", "indices": 0})
-    requirements = _select_requirements(plan, meet)
-    evaluator = _Evaluator(circuit, plan, requirements, free, nominal, uncertain, share or 1.0)
+    requirements = {requirement.name: requirement for requirement in plan.requirements}
+    for name in meet:
+        if name not in requirements:
+            raise InputError("names.unknown", name, meaning="a requirement", near=NameSuggestion(name, requirements))
+    if not requirements:
+        raise InputError("size.no_requirement", "requirements")
+    selected = tuple(requirements[name] for name in dict.fromkeys(meet or requirements))
+    evaluator = _Evaluator(circuit, plan, selected, free, nominal, uncertain, share or 1.0)
     first = np.geomspace(low, high, POINTS) if low > 0.0 else np.linspace(low, high, POINTS)
     results = evaluator.evaluate(first, progress, 0)
-    for value in _peaks(results, largest, evaluator.share):
-        results = _refine(evaluator, results, value, progress)
+    results = _refine_peaks(evaluator, results, largest, progress)
     for round_index in range(ROUNDS):
-        gap = _gap(results, largest, evaluator.share)
-        if gap is None:
+        holds = _holds(results, evaluator.share)
+        # The valid value at the end of the valid range, and the neighbouring failing value.
+        k = int(np.flatnonzero(holds)[-1 if largest else 0]) if holds.any() else -1
+        neighbour = k + 1 if largest else k - 1
+        if k < 0 or not 0 <= neighbour < len(holds):
             break
-        results = results.joined(evaluator.evaluate(np.linspace(*gap, PIECES + 1)[1:-1], progress, round_index + 1))
+        inner = np.linspace(results.values[k], results.values[neighbour], PIECES + 1)[1:-1]
+        results = results.joined(evaluator.evaluate(inner, progress, round_index + 1))
     return _make_sizing(circuit, evaluator, results, standard, largest)
 
 
@@ -337,68 +347,41 @@ def _range(
     return low, high
 
 
-def _select_requirements(plan: EnsemblePlan, meet: Sequence[str]) -> tuple[Requirement, ...]:
-    requirements = {requirement.name: requirement for requirement in plan.requirements}
-    for name in meet:
-        if name not in requirements:
-            raise InputError("size.requirement", name, near=NameSuggestion(name, requirements))
-    if not requirements:
-        raise InputError("size.no_requirement", "requirements")
-    return tuple(requirements[name] for name in dict.fromkeys(meet)) if meet else plan.requirements
-
-
 def _holds(results: _Evaluations, share: float) -> Any:
     return results.shares >= share - 1e-12
 
 
-def _peaks(results: _Evaluations, largest: bool, share: float) -> list[float]:
-    """Return failing values of the parameter at which the margin has a local maximum.
+def _refine_peaks(
+    evaluator: _Evaluator, results: _Evaluations, largest: bool, progress: Progress | None
+) -> _Evaluations:
+    """Evaluate values around each local maximum of the margin until one value is valid.
 
     The largest margin comes first. Only values below the smallest valid value are considered, or above the largest
-    valid value if `largest` is True.
+    valid value if `largest` is True. The number of rounds is limited.
     """
-    holds, worst = np.flatnonzero(_holds(results, share)), results.worst
+    holds, worst = np.flatnonzero(_holds(results, evaluator.share)), results.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)
     is_peak = np.isfinite(worst) & (worst >= left) & (worst >= right) & (worst > np.minimum(left, right))
     if holds.size:
         is_peak[: holds[-1] + 1] &= not largest
         is_peak[holds[0] :] &= largest
     indices = np.flatnonzero(is_peak)
-    return [float(results.values[k]) for k in indices[np.argsort(-worst[indices], kind="stable")][:PEAKS]]
-
-
-def _refine(evaluator: _Evaluator, results: _Evaluations, value: float, progress: Progress | None) -> _Evaluations:
-    """Evaluate values around a local maximum of the margin until one value is valid.
-
-    The number of rounds is limited.
-    """
-    for _ in range(REFINEMENTS):
-        k = int(np.searchsorted(results.values, value))
-        low, high = results.values[max(k - 1, 0)], results.values[min(k + 1, len(results.values) - 1)]
-        inner = np.setdiff1d(np.linspace(low, high, PIECES + 1)[1:-1], results.values)
-        refined = evaluator.evaluate(inner, progress, 0)
-        previous, results = results.worst[k], results.joined(refined)
-        best = int(np.argmax(refined.worst))
-        if _holds(refined, evaluator.share).any():
-            break
-        if refined.worst[best] > previous:
-            value = float(refined.values[best])
-        elif value in (low, high):  # an end of the range
-            break
+    peaks = indices[np.argsort(-worst[indices], kind="stable")][:PEAKS]
+    for value in results.values[peaks].tolist():
+        for _ in range(REFINEMENTS):
+            k = int(np.searchsorted(results.values, value))
+            low, high = results.values[max(k - 1, 0)], results.values[min(k + 1, len(results.values) - 1)]
+            inner = np.setdiff1d(np.linspace(low, high, PIECES + 1)[1:-1], results.values)
+            refined = evaluator.evaluate(inner, progress, 0)
+            previous, results = results.worst[k], results.joined(refined)
+            best = int(np.argmax(refined.worst))
+            if _holds(refined, evaluator.share).any():
+                break
+            if refined.worst[best] > previous:
+                value = float(refined.values[best])
+            elif value in (low, high):  # an end of the range
+                break
     return results
-
-
-def _gap(results: _Evaluations, largest: bool, share: float) -> tuple[float, float] | None:
-    """Return the valid value at the end of the valid range, and the neighbouring failing value.
-
-    The result is None if no value is valid or if the end of the search range is valid.
-    """
-    holds = _holds(results, share)
-    if not holds.any():
-        return None
-    k = int(np.flatnonzero(holds)[-1 if largest else 0])
-    neighbour = k + 1 if largest else k - 1
-    return (results.values[k], results.values[neighbour]) if 0 <= neighbour < len(holds) else None
 
 
 def _make_sizing(

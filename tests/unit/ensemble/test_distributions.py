@@ -93,8 +93,8 @@ def test_spreads_of_gauge_pressures_are_parts_of_what_was_written():
 @pytest.mark.parametrize(
     ("code", "given"),
     [
-        ("ensemble.distribution", {"distribution": "gauss"}),
-        ("ensemble.missing", {"distribution": "normal"}),
+        ("fields.not_an_option", {"distribution": "gauss"}),
+        ("fields.missing", {"distribution": "normal"}),
         ("ensemble.given_twice", {"distribution": "normal", "relative_sigma": 0.1, "sigma": "1 l"}),
         ("ensemble.no_spread", {"distribution": "normal", "sigma": "0 l"}),
         ("ensemble.limits", {"distribution": "triangular", "low": "3 l", "high": "5 l"}),

@@ -52,7 +52,7 @@ def test_dask_makes_the_same_files(tmp_path, whole, workers):
 
 
 def test_what_is_no_executor(tmp_path):
-    with refused("ensemble.count", "workers"):
+    with refused("fields.out_of_range", "workers"):
         tank().ensemble(tmp_path / "set", workers=0)
     for given in ("thread", 5):
         with refused("ensemble.executor"):

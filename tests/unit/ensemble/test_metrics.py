@@ -100,8 +100,8 @@ def test_functions_of_a_user(tmp_path):
 @pytest.mark.parametrize(
     ("code", "given"),
     [
-        ("ensemble.metric", {"metric": "maximum"}),
-        ("ensemble.output", {"metric": "max", "of": "tank.presure"}),
+        ("fields.not_an_option", {"metric": "maximum"}),
+        ("fields.not_an_option", {"metric": "max", "of": "tank.presure"}),
         ("ensemble.of", {"metric": "max", "of": ["tank.pressure", "valve.opening"]}),
         ("ensemble.not_of_metric", {"metric": "max", "value": "2 bar"}),
         ("ensemble.no_value", {"metric": "time_to"}),
@@ -174,7 +174,7 @@ def test_what_meets_a_requirement():
         ("ensemble.requirement", "__import__('os').system('true') < 1"),
         ("ensemble.requirement", "1 s < t > 2 s"),
         ("ensemble.requirement", 5),
-        ("ensemble.unknown_metric", "time < 12 s"),
+        ("fields.not_an_option", "time < 12 s"),
         ("ensemble.bound", "t < 12 bar"),
         ("ensemble.bound", "t < 1_000 s"),
         ("ensemble.bound", "t < twelve"),

@@ -41,11 +41,11 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
     with pytest.raises(InputErrors) as caught:
         plan_of(load(path))
     assert [(each.code, each.address) for each in caught.value.problems] == [
-        ("ensemble.count", "ensemble.runs"),
-        ("ensemble.number", "ensemble.parameters.tank.volum"),
-        ("ensemble.metric", "ensemble.metrics.end.metric"),
+        ("fields.out_of_range", "ensemble.runs"),
+        ("names.unknown", "ensemble.parameters.tank.volum"),
+        ("fields.not_an_option", "ensemble.metrics.end.metric"),
         ("quantity.other_quantity", "ensemble.metrics.empty.value"),
-        ("ensemble.unknown_metric", "requirements.fast"),
+        ("fields.not_an_option", "requirements.fast"),
     ]
 
 
@@ -53,8 +53,8 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
     ("code", "fields"),
     [
         ("fields.unknown", {"run": 5}),
-        ("ensemble.count", {"runs": 1.5}),
-        ("ensemble.count", {"seed": -1}),
+        ("fields.out_of_range", {"runs": 1.5}),
+        ("fields.out_of_range", {"seed": -1}),
         ("ensemble.power_of_two", {"indices": 1000}),
         ("fields.not_an_option", {"sampling": "halton"}),
         ("fields.not_an_option", {"keep": "everything"}),
@@ -70,8 +70,8 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
         ("ensemble.no_rows", {"metrics": {"end": METRICS["end"] | {"from": "1.1 s"}}}),
         ("ensemble.no_rows", {"metrics": {"end": METRICS["end"] | {"from": "0.501 s", "until": "0.502 s"}}}),
         ("ensemble.no_numbers", {"parameters": {}}),
-        ("ensemble.number", {"parameters": {"tank.pressure": NUMBERS["tank.volume"]}}),
-        ("ensemble.output", {"curves": ["tank.volum"], "keep": "bands"}),
+        ("names.unknown", {"parameters": {"tank.pressure": NUMBERS["tank.volume"]}}),
+        ("fields.not_an_option", {"curves": ["tank.volum"], "keep": "bands"}),
         ("ensemble.runs_follow", {"sampling": "grid", "levels": 4}),
         ("ensemble.no_file", {"sampling": "file"}),
         ("ensemble.not_of_file", {"file": "numbers.csv"}),
@@ -112,7 +112,7 @@ def test_numbers_of_a_file(tmp_path):
     assert found.sample(0, 3) == pytest.approx(np.array([[1e-3, 3e5], [2e-3, 4e5], [3e-3, 5.5e5]]))
     with refused("ensemble.impossible_rows", "ensemble.file: tank.volume", row=2, count=1):
         table(tmp_path, "tank.volume [l]\n1\n-2\n")
-    with refused("ensemble.number", "ensemble.file: tank.volum"):
+    with refused("names.unknown", "ensemble.file: tank.volum"):
         table(tmp_path, "tank.volum [l]\n1\n2\n")
     with refused("ensemble.column_twice", "ensemble.file: tank.volume"):
         table(tmp_path, "tank.volume [l],tank.volume [m^3]\n1,2\n2,3\n")
@@ -185,7 +185,7 @@ def test_old_and_new_names_together_are_an_error():
 
 def test_errors_in_the_old_table_have_its_address():
     text = TABLES.replace("[ensemble.parameters]", "[ensemble.numbers]").replace('"tank.volume"', '"tank.volum"')
-    with refused("ensemble.number", "ensemble.numbers.tank.volum"):
+    with refused("names.unknown", "ensemble.numbers.tank.volum"):
         plan_of(tank(text))
 
 

@@ -91,7 +91,7 @@ def test_the_next_of_some_sizes() -> None:
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
     sizes = ["0.2 dm^3/(s bar)", "0.5 dm^3/(s bar)", "0.3 dm^3/(s bar)"]
     assert size(circuit, C, sizes=sizes).size == pytest.approx(0.3e-8)
-    with refused("size.size", value=-1e-9):
+    with refused("fields.out_of_range", value=-1e-9):
         size(circuit, C, sizes=["-0.1 dm^3/(s bar)"])
     below = size(circuit, C, sizes=["0.2 dm^3/(s bar)"])
     assert math.isnan(below.size)
@@ -174,11 +174,11 @@ def test_what_no_value_does() -> None:
 @pytest.mark.parametrize(
     ("change", "code"),
     [
-        ({"free": "fill.sonic_conductanc"}, "ensemble.number"),
-        ({"meet": ["quick"]}, "size.requirement"),
+        ({"free": "fill.sonic_conductanc"}, "names.unknown"),
+        ({"meet": ["quick"]}, "names.unknown"),
         ({"between": ("2 l", "1 l"), "free": "tank.volume"}, "size.range"),
         ({"between": ("-1 l", "1 l"), "free": "tank.volume"}, "size.range"),
-        ({"share": 1.5}, "size.share"),
+        ({"share": 1.5}, "fields.out_of_range"),
         ({"requirements": {}}, "size.no_requirement"),
         ({"free": "tank.wall_conductance"}, "size.no_range"),
         ({"share": 0.9, "runs": 2**20}, "size.too_many"),
@@ -251,7 +251,7 @@ def test_runs_with_such_numbers_are_those_of_circuits_with_them(tmp_path) -> Non
 
 def test_a_number_that_a_part_tells_its_members_is_not_theirs() -> None:
     """The piston alone with another bore than its chambers would make force of nothing."""
-    with refused("ensemble.number", "cylinder.piston.bore"):
+    with refused("names.unknown", "cylinder.piston.bore"):
         size(loads(LIFT), "cylinder.piston.bore", between=("15 mm", "40 mm"))
     with refused("names.unknown", "free.cylinder.piston.bore"):
         read_free("cylinder.piston.bore", {}, loads(LIFT))

@@ -12,7 +12,6 @@ from scipy.stats import sobol_indices as indices_of_scipy
 from circuits_of_ensembles import METRICS, TABLES, TANK, tank
 from poppet import load
 from poppet.ensemble import plan_of
-from poppet.ensemble.designs import design_of
 from poppet.ensemble.sampling import points
 from poppet.ensemble.statistics import sobol_indices, wilson
 from poppet.timeseries.tables.reading import arrow
@@ -152,11 +151,10 @@ def test_joint_numbers_are_one_factor(tmp_path):
     plan = plan_of(tank(""), runs=8, indices=8, metrics=METRICS, parameters={
         "from_fit": fit, "hole.critical_ratio": {"distribution": "uniform", "relative_range": 0.1}})  # fmt: skip
     assert plan.factors == {"hole.critical_ratio": (0,), "from_fit": (1, 2)}
-    design = design_of(plan, "indices")
-    values = design.values(0, design.size).reshape(4, 8, 3)
+    values = plan.sample(0, plan.counts("indices")[0], "indices").reshape(4, 8, 3)
     assert (values[3, :, 1:] == values[1, :, 1:]).all()
     assert (values[3, :, 0] == values[0, :, 0]).all()
-    assert (design.values(5, 29) == values.reshape(32, 3)[5:29]).all()
+    assert (plan.sample(5, 29, "indices") == values.reshape(32, 3)[5:29]).all()
 
 
 def test_summaries_are_moments_and_quantiles():

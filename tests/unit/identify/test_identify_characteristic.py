@@ -149,7 +149,6 @@ def test_evidence_keeps_the_covariance_of_a_point(correlation):
 def test_a_test_without_b_counts_for_c_only():
     blind = evidence_of(StrokePoint(1e-3, 1e-8, float("nan"), 1e-10, float("inf")), "")
     assert blind.uncertainty.tolist() == [pytest.approx(1e-10), float("inf")]
-    assert blind.samples == 1
 
 
 # Fits --------------------------------------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from poppet.deploy.live.page_kernel import pack, run_data
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import document, findings, head, inline_svg
-from poppet.report.plots.scripts import data_element, tight
+from poppet.report.plots.interactive import data_element, tight
 from poppet.timeseries.plotting.figures import figure_bytes, style
 from poppet.timeseries.plotting.panels import STILL
 from poppet.timeseries.plotting.plots import Sheet, axis_unit

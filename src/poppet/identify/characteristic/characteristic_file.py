@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
@@ -89,11 +88,14 @@ def characteristic_table(result: Result, *, closing: float | None = None) -> dic
         table |= {"argument_unit": "mm", "domain": [_millimetres(x) for x in conditions["domain"]]}
     for name in NUMBERS:
         table[name] = [e.value for key, e in result.parameters.items() if re.search(rf"(^|\.){name}\.[kpy]\d+$", key)]
-    width = _closing_width(conditions, closing)
-    if width > 0.0:
-        table["closing"] = _millimetres(width)
-    table["source"] = f"fitted, {result.title}"
     low, high = conditions["tested"]
+    if closing is None:
+        closing = min(CLOSING, low) if is_table and low > 0.0 else 0.0
+    elif not 0.0 <= closing <= max(low, 0.0):
+        raise OutOfRangeError("characteristic.closing", "closing", given_mm=1e3 * closing, first_mm=1e3 * low)
+    if closing > 0.0:
+        table["closing"] = _millimetres(closing)
+    table["source"] = f"fitted, {result.title}"
     table["note"] = (
         f"{len(conditions['tests'])} tests between {_millimetres(low)} and {_millimetres(high)}, {conditions['way']}; "
         f"{'values at knots' if is_table else 'highest power first, all digits count'}"
@@ -104,30 +106,8 @@ def characteristic_table(result: Result, *, closing: float | None = None) -> dic
     return table
 
 
-def _closing_width(conditions: Mapping[str, Any], width: float | None) -> float:
-    first = conditions["tested"][0]
-    if width is None:
-        closes = conditions["form"] == "spline" and first > 0.0
-        return min(CLOSING, first) if closes else 0.0
-    if not 0.0 <= width <= max(first, 0.0):
-        raise OutOfRangeError("characteristic.closing", "closing", given_mm=1e3 * width, first_mm=1e3 * first)
-    return width
-
-
 def _millimetres(x: float) -> str:
     return f"{1e3 * x:.12g} mm"
-
-
-@dataclass
-class _BenchContext:
-    """Settings that all tests of a file share."""
-
-    folder: Path
-    passage: str
-    circuit: BaseCircuit | None
-    recording: Mapping[str, Any]
-    free: tuple[FreeParameter, ...]
-    common: list[tuple[float, float]] = field(default_factory=list)
 
 
 def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[str, Any]]:
@@ -179,49 +159,47 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
     """
     file = TomlFile.read(path, "free")
     with file.errors():
-        return _read(file)
-
-
-def _read(file: TomlFile) -> tuple[list[StrokeTest], dict[str, Any]]:
-    with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, table="list of tests")
-        tables = data.get("tests")
-        if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
-            errors.add("characteristic.no_tests")
-    bench = _read_bench(data, file.folder)
-    tests: list[StrokeTest] = []
-    with ErrorCollector() as errors:
-        for k, table in enumerate(data["tests"]):
-            try:
-                tests.append(_read_test(table, bench, str(table.get("name", f"test{k + 1}"))))
-            except InputError as error:  # without an address, the error is located at the tests
-                errors.extend([error.located(address="tests")])
-    return tests, {**_read_options(data, bench), "title": str(data.get("title", Path(file.name).stem))}
-
-
-def _read_bench(data: Mapping[str, Any], folder: Path) -> _BenchContext:
-    circuit = read_circuit(data, folder) if "circuit" in data else None
-    if data.get("free") and circuit is None:
-        raise InputError("characteristic.free_without_circuit", "free")
-    free = tuple(read_free(a, t, circuit) for a, t in data.get("free", {}).items()) if circuit else ()
-    return _BenchContext(folder, str(data.get("passage", "valve")), circuit, data.get("recording", {}), free)
-
-
-def _read_options(data: Mapping[str, Any], bench: _BenchContext) -> dict[str, Any]:
-    options = {key: data[key] for key in OPTIONS if key in data}
-    for key in ("domain", "knots"):
-        if key in options:
+        with ErrorCollector() as errors:
+            data = read_fields(errors, file.content, TOP_LEVEL, table="list of tests")
+            tables = data.get("tests")
+            if not isinstance(tables, list) or not tables or not all(isinstance(table, Mapping) for table in tables):
+                errors.add("characteristic.no_tests")
+        circuit = read_circuit(data, file.folder) if "circuit" in data else None
+        if data.get("free") and circuit is None:
+            raise InputError("characteristic.free_without_circuit", "free")
+        free = tuple(read_free(a, t, circuit) for a, t in data.get("free", {}).items()) if circuit else ()
+        bench = _Bench(file.folder, str(data.get("passage", "valve")), circuit, data.get("recording", {}), free, [])
+        tests: list[StrokeTest] = []
+        with ErrorCollector() as errors:
+            for k, table in enumerate(data["tests"]):
+                try:
+                    tests.append(_read_test(table, bench, str(table.get("name", f"test{k + 1}"))))
+                except InputError as error:  # without an address, the error is located at the tests
+                    errors.extend([error.located(address="tests")])
+        options = {key: data[key] for key in OPTIONS if key in data}
+        for key in [key for key in ("domain", "knots") if key in options]:
             if not isinstance(options[key], list) or (key == "domain" and len(options[key]) != 2):
                 raise InputError("characteristic.no_strokes", key, value=options[key])
             options[key] = tuple(quantity(x, "m", name=key).value for x in options[key])
-    # Common errors of different benches are unknown: the largest is conservative.
-    shared = [max(column) for column in zip(*bench.common, strict=True)]
-    if "common" in options or shared:
-        options["common"] = tuple(options.get("common", shared))
-    return options
+        # Common errors of different benches are unknown: the largest is conservative.
+        shared = [max(column) for column in zip(*bench.common, strict=True)]
+        if "common" in options or shared:
+            options["common"] = tuple(options.get("common", shared))
+        return tests, {**options, "title": str(data.get("title", Path(file.name).stem))}
 
 
-def _read_test(table: Mapping[str, Any], bench: _BenchContext, name: str) -> StrokeTest:
+class _Bench(NamedTuple):
+    """Settings that all tests of a file share, and the common errors of C and b of its results."""
+
+    folder: Path
+    passage: str
+    circuit: BaseCircuit | None
+    recording: Mapping[str, Any]
+    free: tuple[FreeParameter, ...]
+    common: list[tuple[float, float]]
+
+
+def _read_test(table: Mapping[str, Any], bench: _Bench, name: str) -> StrokeTest:
     address = f"tests.{name}"
     with ErrorCollector() as errors:
         fields = read_fields(errors, table, OF_TEST, address, table="test")
@@ -233,7 +211,12 @@ def _read_test(table: Mapping[str, Any], bench: _BenchContext, name: str) -> Str
             for key in _POINT.keys() - table.keys():
                 errors.extend([missing_field(f"{address}.{key}", OF_TEST[key])])
     if "file" in fields:
-        return _read_recording(fields, bench, name)
+        if bench.circuit is None:
+            raise InputError("stroke.no_bench", test=name)
+        circuit = bench.circuit.with_values(fields.get("set", {}))
+        mapping = {**bench.recording, **fields.get("recording", {}), "file": fields["file"]}
+        measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
+        return StrokeRecording(fields["stroke"], circuit, measurement, bench.passage, bench.free, name)
     if "result" in fields:
         result = read_result(bench.folder / str(fields["result"]))
         part = str(fields.get("part", bench.passage if f"{bench.passage}.{NUMBERS[0]}" in result.parameters else ""))
@@ -241,12 +224,3 @@ def _read_test(table: Mapping[str, Any], bench: _BenchContext, name: str) -> Str
         return point_of_result(result, fields["stroke"], part=part, name=name)
     numbers = {key: fields[key] for key in (*_POINT, "correlation") if key in fields}
     return StrokePoint(fields["stroke"], name=name, **numbers)
-
-
-def _read_recording(fields: Mapping[str, Any], bench: _BenchContext, name: str) -> StrokeRecording:
-    if bench.circuit is None:
-        raise InputError("stroke.no_bench", test=name)
-    circuit = bench.circuit.with_values(fields.get("set", {}))
-    mapping = {**bench.recording, **fields.get("recording", {}), "file": fields["file"]}
-    measurement = read_measurement(name, mapping, bench.folder, ambient_pressure=circuit.surroundings.pressure)
-    return StrokeRecording(fields["stroke"], circuit, measurement, bench.passage, bench.free, name)

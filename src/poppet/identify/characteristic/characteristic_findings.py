@@ -2,8 +2,6 @@
 
 The test of the constraint that C does not fall compares three fits: splines with the constraint, splines without it,
 and polynomials.
-
-The test of a rising C compares the splines with and without the constraint, and the polynomials.
 """
 
 from __future__ import annotations
@@ -113,41 +111,47 @@ def characteristic_findings(
     joint: bool,
 ) -> tuple[Note, ...]:
     """Return findings on the fitted curves and the tests, the most important first."""
-    notes = _constraint(verdict, joint) if verdict else []
-    notes += _twin(fit, evidence) + _invalid_values(fit, domain) + _lack_of_fit_notes(fit)
-    uninformative = [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]
-    if uninformative:
-        notes.append(
-            Note(
-                "characteristic.blind",
-                "critical_ratio",
-                count=len(uninformative),
-                of=len(evidence),
-                tests=uninformative,
-            )
-        )
-    notes += _repeats(evidence) + _coverage(evidence, domain)
+    notes = _constraint_notes(verdict, joint) if verdict else []
+    if fit.twin:
+        strokes = np.array([e.stroke for e in evidence])
+        factor = float(np.mean(fit.twin.curve(0, strokes) / fit.curve(0, strokes)))
+        wall = next(k for k, f in enumerate(fit.nuisance) if f.name.endswith(".wall_conductance"))
+        walls = [float(f.theta[f.part(2)][wall] * f.nuisance[wall].scale) for f in (fit, fit.twin)]
+        excess = fit.twin.cost - fit.cost
+        notes.append(Note("characteristic.twin", "sonic_conductance", factor=factor, walls=walls, excess=excess))
+    x = np.linspace(*domain, 401)
+    conductance, ratio = fit.curve(0, x), fit.curve(1, x)
+    for values, is_invalid, code in (
+        (conductance, conductance < 0.0, "characteristic.negative_c"),
+        (ratio, ratio < 0.0, "characteristic.negative_b"),
+        (ratio, ratio >= 1.0, "characteristic.b_of_one"),
+    ):
+        if is_invalid.any():
+            worst = int(np.argmax(np.where(is_invalid, np.abs(values), -1.0)))
+            notes.append(Note(code, stroke_mm=1e3 * x[worst], value=float(values[worst])))
+    for name, misfit in zip(NUMBERS, fit.misfits, strict=True):
+        curve = "C(x) and b(x)" if fit.misfits[0] is fit.misfits[1] else f"{SYMBOLS[name]}(x)"
+        if misfit.probability < DOUBT:
+            facts = {"chi_square": misfit.chi_square, "freedom": misfit.freedom}
+            notes.append(Note("characteristic.misfit", name, times=np.sqrt(misfit.widening), curve=curve, **facts))
+    counts = {"of": len(evidence)}
+    if blind := [e.name for e in evidence if not np.isfinite(e.uncertainty[1])]:
+        notes.append(Note("characteristic.blind", "critical_ratio", count=len(blind), **counts, tests=blind))
+    notes += _stroke_notes(evidence, domain)
     if fit is not by_test:
-        notes.append(_joint_difference(fit, by_test))
+        shape = fit.shapes[0]
+        ends = shape.domain if isinstance(shape, PolynomialShape) else (shape.knots[0], shape.knots[-1])
+        x = np.linspace(*ends, 101)
+        change = 100.0 * np.max(np.abs(fit.curve(0, x) / by_test.curve(0, x) - 1.0))
+        difference = np.max(np.abs(fit.curve(1, x) - by_test.curve(1, x)))
+        notes.append(Note("characteristic.two_ways", conductance=change, ratio=difference))
     points = [e.name for e in evidence if e.optimum is None]
     if 0 < len(points) < len(evidence):  # points among recordings
-        notes.append(Note("characteristic.by_numbers", count=len(points), of=len(evidence), tests=points))
+        notes.append(Note("characteristic.by_numbers", count=len(points), **counts, tests=points))
     return tuple(dict.fromkeys([*notes, *(note for e in evidence for note in e.findings)]))
 
 
-def _twin(fit: CurveFit, evidence: Sequence[TestEvidence]) -> list[Note]:
-    """Return a finding on an equivalent fit with other curves and another wall conductance."""
-    if fit.twin is None:
-        return []
-    strokes = np.array([e.stroke for e in evidence])
-    factor = float(np.mean(fit.twin.curve(0, strokes) / fit.curve(0, strokes)))
-    walls = [k for k, f in enumerate(fit.nuisance) if f.name.endswith(".wall_conductance")]
-    values = [[float(f.theta[f.part(2)][k] * f.nuisance[k].scale) for f in (fit, fit.twin)] for k in walls]
-    excess = fit.twin.cost - fit.cost
-    return [Note("characteristic.twin", "sonic_conductance", factor=factor, walls=values[0], excess=excess)]
-
-
-def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
+def _constraint_notes(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
     """Return findings on the constraint that C does not fall."""
     numbers = {name: getattr(verdict, name) for name in ("gain", "probability", "runs_probability")}
     numbers |= {"constrained": verdict.aicc_constrained, "unconstrained": verdict.aicc_free}
@@ -160,35 +164,8 @@ def _constraint(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
     return [*notes, Note("characteristic.not_joint")] if joint else notes
 
 
-def _invalid_values(fit: CurveFit, domain: tuple[float, float]) -> list[Note]:
-    """Return findings on invalid values of C or b within the domain."""
-    x = np.linspace(*domain, 401)
-    conductance, ratio = fit.curve(0, x), fit.curve(1, x)
-    notes = []
-    for values, is_invalid, code in (
-        (conductance, conductance < 0.0, "characteristic.negative_c"),
-        (ratio, ratio < 0.0, "characteristic.negative_b"),
-        (ratio, ratio >= 1.0, "characteristic.b_of_one"),
-    ):
-        if is_invalid.any():
-            worst = int(np.argmax(np.where(is_invalid, np.abs(values), -1.0)))
-            notes.append(Note(code, stroke_mm=1e3 * x[worst], value=float(values[worst])))
-    return notes
-
-
-def _lack_of_fit_notes(fit: CurveFit) -> list[Note]:
-    """Return findings on curves that the tests contradict."""
-    notes = []
-    for name, misfit in zip(NUMBERS, fit.misfits, strict=True):
-        curve = "C(x) and b(x)" if fit.misfits[0] is fit.misfits[1] else f"{SYMBOLS[name]}(x)"
-        if misfit.probability < DOUBT:
-            facts = {"chi_square": misfit.chi_square, "freedom": misfit.freedom}
-            notes.append(Note("characteristic.misfit", name, times=np.sqrt(misfit.widening), curve=curve, **facts))
-    return notes
-
-
-def _repeats(evidence: Sequence[TestEvidence]) -> list[Note]:
-    """Return findings on repeated tests that differ significantly."""
+def _stroke_notes(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
+    """Return findings on repeated tests that differ, and on ranges of stroke that no test covers."""
     notes = []
     for stroke, group in groupby(sorted(evidence, key=lambda e: e.stroke), key=lambda e: e.stroke):
         tests = list(group)
@@ -202,30 +179,11 @@ def _repeats(evidence: Sequence[TestEvidence]) -> list[Note]:
                 notes.append(
                     Note("characteristic.not_repeated", name, **facts, tests=[tests[low].name, tests[high].name])
                 )
-    return notes
-
-
-def _coverage(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:
-    """Return findings on ranges of stroke within the domain that no test covers."""
     strokes = np.unique([e.stroke for e in evidence])
     steps = np.diff(strokes)
-    notes = []
     gaps = np.flatnonzero(steps > GAP * np.median(steps))
     notes += [Note("characteristic.gap", low_mm=1e3 * strokes[k], high_mm=1e3 * strokes[k + 1]) for k in gaps]
     for end, edge in zip(domain, (strokes[0], strokes[-1]), strict=True):
         if not np.isclose(end, edge, rtol=0.0, atol=1e-9):
             notes.append(Note("characteristic.continued", "domain", end_mm=1e3 * end, edge_mm=1e3 * edge))
     return notes
-
-
-def _joint_difference(fit: CurveFit, by_test: CurveFit) -> Note:
-    """Return a finding on the difference between two fits of the curves.
-
-    The first fit uses all recorded samples together. The second uses C and b of each single test.
-    """
-    shape = fit.shapes[0]
-    ends = shape.domain if isinstance(shape, PolynomialShape) else (shape.knots[0], shape.knots[-1])
-    x = np.linspace(*ends, 101)
-    conductance = np.max(np.abs(fit.curve(0, x) / by_test.curve(0, x) - 1.0))
-    ratio = np.max(np.abs(fit.curve(1, x) - by_test.curve(1, x)))
-    return Note("characteristic.two_ways", conductance=100.0 * conductance, ratio=ratio)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -216,33 +216,21 @@ def fit_histories(
     single_cost += sum(float(e.pull @ e.pull) for e in evidence if e.optimum is None)
     theta = np.concatenate([first_fit.theta, bench])
     fits = [_fit_curves(objective, theta, evidence, single_cost, first_fit.common)]
-    fits += [
-        _fit_curves(objective, restart, evidence, single_cost, first_fit.common)
-        for restart in _opposite_starts(objective, fits[0])
-    ]
+    # If no recorded temperature determines a wall conductance, search at the opposite thermal limit of the tank too: an
+    # adiabatic charge with conductance C has the pressure of an isothermal charge with kappa C.
+    experiments = [term.experiment for term in terms if isinstance(term, HistoryTerm)]
+    for index, unit in thermal_units(experiments, nuisance).items():
+        theta, wall = fits[0].theta.copy(), fits[0].part(2).start + index
+        kappa, scale = kappa_of(experiments[0]), nuisance[index].scale
+        is_adiabatic = theta[wall] * scale < unit
+        theta[fits[0].part(0)] *= kappa if is_adiabatic else 1.0 / kappa
+        theta[wall] = (NEARLY_ISOTHERMAL if is_adiabatic else NEARLY_ADIABATIC) * unit / scale
+        fits.append(_fit_curves(objective, theta, evidence, single_cost, first_fit.common))
     best = min(fits, key=lambda fit: fit.cost)
     limit = best.cost + ALIKE * best.misfits[0].widening
     curves = {fit: fit.curve(0, objective.strokes) for fit in fits}
     equivalent = [f for f in fits if f.cost < limit and np.max(np.abs(curves[f] / curves[best] - 1.0)) > APART]
     return replace(best, twin=min(equivalent, key=lambda fit: fit.cost)) if equivalent else best
-
-
-def _opposite_starts(objective: _CurveObjective, fit: CurveFit) -> Iterator[Array]:
-    """Yield start points for a search at the opposite thermal limit of the tank.
-
-    They are necessary only if no recorded temperature determines the wall conductance.
-
-    The pressure of an adiabatic charge with conductance C equals that of an isothermal charge with kappa C, where kappa
-    is the isentropic exponent.
-    """
-    experiments = [term.experiment for term in objective.terms if isinstance(term, HistoryTerm)]
-    for index, unit in thermal_units(experiments, objective.nuisance).items():
-        theta, wall = fit.theta.copy(), fit.part(2).start + index
-        kappa, scale = kappa_of(experiments[0]), objective.nuisance[index].scale
-        is_adiabatic = theta[wall] * scale < unit
-        theta[fit.part(0)] *= kappa if is_adiabatic else 1.0 / kappa
-        theta[wall] = (NEARLY_ISOTHERMAL if is_adiabatic else NEARLY_ADIABATIC) * unit / scale
-        yield theta
 
 
 def _fit_curves(
@@ -271,7 +259,16 @@ def _fit_curves(
         max_nfev=200,
     )
     residual, rows = objective(solution.x)
-    misfits = _lack_of_fit(objective, evidence, residual, single_cost)
+    n_determined = np.isfinite([e.uncertainty for e in evidence]).sum(axis=0)
+    sizes = [shape.size for shape in objective.shapes]
+    if objective.nuisance or single_cost or any(e.root[0, 1] for e in evidence):  # a test couples C and b
+        saved = sum(sum(f in term.nuisance for term in objective.terms) - 1 for f in objective.nuisance)
+        square = max(0.0, float(residual @ residual) - single_cost)
+        misfits = (LackOfFit(square, int(n_determined.sum()) - sum(sizes) + saved),) * 2
+    else:
+        squares = np.sum(residual.reshape(-1, 2) ** 2, axis=0)
+        first, second = (LackOfFit(float(squares[i]), int(n_determined[i]) - sizes[i]) for i in (0, 1))
+        misfits = first, second
     widenings = [np.full(shape.size, m.widening) for shape, m in zip(objective.shapes, misfits, strict=True)]
     wide = np.sqrt(np.concatenate([*widenings, np.full(len(objective.nuisance), misfits[0].widening)]))
     # (J^T J)^-1 from singular values; directions without information have a very large variance.
@@ -280,25 +277,6 @@ def _fit_curves(
     covariance = np.asarray((vt.T / s**2) @ vt) * np.outer(wide, wide)
     count, cost = objective.evaluations, 0.5 * float(residual @ residual)
     return CurveFit(objective.shapes, solution.x, objective.nuisance, covariance, misfits, common, count, cost)
-
-
-def _lack_of_fit(
-    objective: _CurveObjective, evidence: Sequence[TestEvidence], residual: Array, single_cost: float
-) -> tuple[LackOfFit, LackOfFit]:
-    """Return the lack of fit of C and of b.
-
-    If a test couples C and b, both items are the same joint lack of fit.
-    """
-    n_determined = np.isfinite([e.uncertainty for e in evidence]).sum(axis=0)
-    sizes = [shape.size for shape in objective.shapes]
-    if objective.nuisance or single_cost or any(e.root[0, 1] for e in evidence):
-        saved = sum(sum(f in term.nuisance for term in objective.terms) - 1 for f in objective.nuisance)
-        square = max(0.0, float(residual @ residual) - single_cost)
-        joint = LackOfFit(square, int(n_determined.sum()) - sum(sizes) + saved)
-        return joint, joint
-    squares = np.sum(residual.reshape(-1, 2) ** 2, axis=0)
-    first, second = (LackOfFit(float(squares[i]), int(n_determined[i]) - sizes[i]) for i in (0, 1))
-    return first, second
 
 
 def bootstrap_bands(
@@ -348,37 +326,28 @@ def ambient_uncertainty(tests: Sequence[StrokeTest], evidence: Sequence[TestEvid
     """
     unstated, largest = list[str](), dict[str, float]()
     for test, test_evidence in zip(tests, evidence, strict=True):
-        if isinstance(test, StrokeRecording) and (defaults := _default_temperatures(test)):
-            unstated += defaults
-            for name, shift in _relative_shifts(test, test_evidence, defaults).items():
-                largest[name] = max(shift, largest.get(name, 0.0))
+        if not isinstance(test, StrokeRecording) or test_evidence.optimum is None:
+            continue
+        channels = *test.measurement.channels, *test.measurement.inputs
+        recorded = [c.address for c in channels] + [*test.measurement.start]
+        defaults = {
+            address: number.value
+            for address, number in test.circuit.numbers().items()
+            if address.endswith(TEMPERATURE) and number.source.kind == "standard"
+        }
+        if not defaults or any(address.endswith(TEMPERATURE) for address in recorded):
+            continue
+        unstated += defaults
+        # Relative changes of the free parameters if the default temperatures rise by `SPREAD`, to first order.
+        x = test_evidence.optimum.x
+        warm = test.circuit.with_values({address: value + SPREAD for address, value in defaults.items()})
+        (cold, slopes), (warmer, _) = (
+            HistoryTerm(t, test_evidence).evaluate(x[:2], x[2:]) for t in (test, replace(test, circuit=warm))
+        )
+        shifts = np.linalg.lstsq(slopes * x, cold - warmer, rcond=None)[0]
+        for f, shift in zip(free_parameters(test), shifts, strict=True):
+            largest[f.name] = max(abs(float(shift)), largest.get(f.name, 0.0))
     if not unstated:
         return None
     conductance = max(shift for name, shift in largest.items() if name.endswith(".sonic_conductance"))
     return AmbientUncertainty(tuple(dict.fromkeys(unstated)), conductance, largest)
-
-
-def _default_temperatures(test: StrokeRecording) -> dict[str, float]:
-    """Return the temperatures of the circuit that have default values, by address.
-
-    The result is empty if the recording contains a temperature.
-    """
-    recorded = [c.address for c in (*test.measurement.channels, *test.measurement.inputs)] + [*test.measurement.start]
-    if any(address.endswith(TEMPERATURE) for address in recorded):
-        return {}
-    numbers = test.circuit.numbers().items()
-    return {address: n.value for address, n in numbers if address.endswith(TEMPERATURE) and n.source.kind == "standard"}
-
-
-def _relative_shifts(test: StrokeRecording, evidence: TestEvidence, defaults: dict[str, float]) -> dict[str, float]:
-    """Return the relative change of each free parameter if the default temperatures rise by `SPREAD`.
-
-    The changes are computed to first order.
-    """
-    assert evidence.optimum is not None
-    x = evidence.optimum.x
-    warm = test.circuit.with_values({address: value + SPREAD for address, value in defaults.items()})
-    evaluations = [HistoryTerm(t, evidence).evaluate(x[:2], x[2:]) for t in (test, replace(test, circuit=warm))]
-    (cold, slopes), (warmer, _) = evaluations
-    shifts = np.linalg.lstsq(slopes * x, cold - warmer, rcond=None)[0]
-    return {f.name: abs(float(m)) for f, m in zip(free_parameters(test), shifts, strict=True)}

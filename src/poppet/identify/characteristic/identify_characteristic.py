@@ -67,8 +67,10 @@ class _CurveOptions:
     degrees: tuple[int, int]
     domain: tuple[float, float]
     strokes: Array
-    scale: float
     knots: tuple[float, ...] | None
+    bootstrap: int
+    seed: int
+    scale: float = 1.0
 
 
 @or_file(read_characteristic_file)
@@ -168,45 +170,41 @@ def identify_characteristic(
     '5.0034e-09, 0.71748'
     """
     assert not isinstance(tests, str | Path)  # `or_file` has read a file
-    _check_options(
-        form, {"degree_conductance": degree_conductance, "degree_ratio": degree_ratio}, domain, common, bootstrap
-    )
-    check_tests(tests, domain)
-    choice = _check_choice(tests, form, (degree_conductance, degree_ratio), domain, knots)
+    degrees = {"degree_conductance": degree_conductance, "degree_ratio": degree_ratio}
+    options = _check_options(tests, form, degrees, domain, knots, common, bootstrap, seed)
     evidence = [evidence_of(test, test_name(test, k)) for k, test in enumerate(tests)]
-    n_strokes, n_needed = (
-        np.unique(determined_values(evidence, 1)[0]).size,
-        degree_ratio + 1 if form == "polynomial" else FEWEST_KNOTS,
-    )
+    n_strokes = np.unique(determined_values(evidence, 1)[0]).size
+    n_needed = degree_ratio + 1 if form == "polynomial" else FEWEST_KNOTS
     if n_strokes < n_needed:
-        raise InputError("characteristic.ratio_unseen", strokes=n_strokes, of=choice.strokes.size, needed=n_needed)
-    choice = replace(choice, scale=max(float(e.centre[0]) for e in evidence))
+        raise InputError("characteristic.ratio_unseen", strokes=n_strokes, of=options.strokes.size, needed=n_needed)
+    options = replace(options, scale=max(float(e.centre[0]) for e in evidence))
     ambient = ambient_uncertainty(tests, evidence)
     if ambient:
         common = (math.hypot(common[0], ambient.conductance), common[1])
     verdict: MonotoneVerdict | None = None
     if form == "spline":
-        fit, verdict = _fit_spline(choice, evidence, common)
+        fit, verdict = _fit_spline(options, evidence, common)
     else:
-        fit = fit_evidence(evidence, _polynomial_shapes(choice), common)
+        fit = fit_evidence(evidence, _polynomial_shapes(options), common)
     by_test = fit
     recorded = [k for k, test in enumerate(tests) if not isinstance(test, StrokePoint)]
     if joint and recorded and not (verdict and verdict.rejected):
         fit = fit_histories(tests, evidence, fit, progress)
-    bands = _bands(fit, evidence, choice, bootstrap, seed)
-    remarks = characteristic_findings(fit, by_test, evidence, verdict, choice.domain, joint and bool(recorded))
+    bands = _bands(fit, evidence, options)
+    remarks = characteristic_findings(fit, by_test, evidence, verdict, options.domain, joint and bool(recorded))
     prefix = f"{part}.characteristic." if part else ""
-    estimates = _estimates(fit, choice, prefix)
+    estimates = _estimates(fit, options, prefix)
     if ambient:
-        bench = {
-            f.name: widened(estimates[f.name], ambient.shares[f.name]) for f in fit.nuisance if f.name in ambient.shares
-        }
-        estimates |= bench
-        remarks = (*remarks, ambient.note(("C(x)", *bench)))
-    if fit.twin:
-        estimates = _widen_estimates(estimates, _estimates(fit.twin, choice, prefix))
-        twin_bands = _bands(fit.twin, evidence, choice, bootstrap, seed)
+        names = [f.name for f in fit.nuisance if f.name in ambient.shares]
+        estimates |= {name: widened(estimates[name], ambient.shares[name]) for name in names}
+        remarks = (*remarks, ambient.note(("C(x)", *names)))
+    if fit.twin:  # the intervals include those of the equivalent curves
+        twin_bands = _bands(fit.twin, evidence, options)
         bands = [(np.minimum(a, c), np.maximum(b, d)) for (a, b), (c, d) in zip(bands, twin_bands, strict=True)]
+        for name, twin in _estimates(fit.twin, options, prefix).items():
+            e = estimates[name]
+            verdict_of_both = "weak" if e.verdict == "determined" else e.verdict
+            estimates[name] = replace(e, low=min(e.low, twin.low), high=max(e.high, twin.high), verdict=verdict_of_both)
     return Result(
         method="characteristic",
         title=title,
@@ -214,23 +212,26 @@ def identify_characteristic(
         residuals=_residuals(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
         remarks=(*replace_uncertain_findings(remarks, estimates), *notes_of(notes)),
-        conditions=_conditions(choice, fit, evidence, fit is not by_test, common, bootstrap),
-        series=_series(fit, evidence, choice, bands),
+        conditions=_conditions(options, fit, evidence, fit is not by_test, common),
+        series=_series(fit, evidence, options, bands),
     )
 
 
 def _check_options(
-    form: str,
+    tests: Sequence[StrokeTest],
+    form: Form,
     degrees: Mapping[str, int],
     domain: tuple[float, float] | None,
+    knots: Sequence[float] | None,
     common: tuple[float, float],
     bootstrap: int,
-) -> None:
+    seed: int,
+) -> _CurveOptions:
+    """Check the tests and the options, and return the options."""
     with ErrorCollector() as errors:
         if form not in FORMS:
-            errors.add(
-                "fields.not_an_option", "form", value=form, meaning="form", near=NameSuggestion(str(form), FORMS)
-            )
+            near = NameSuggestion(str(form), FORMS)
+            errors.add("fields.not_an_option", "form", value=form, meaning="form", near=near)
         for name, degree in degrees.items():
             if isinstance(degree, bool) or not isinstance(degree, int) or not 0 <= degree <= 15:
                 errors.add("characteristic.degree", name, value=degree)
@@ -241,20 +242,12 @@ def _check_options(
         # With fewer fits, the ends of the 95 % band depend on two or three curves.
         if isinstance(bootstrap, bool) or not isinstance(bootstrap, int) or not (bootstrap == 0 or bootstrap >= 100):
             errors.add("characteristic.bootstrap", "bootstrap", value=bootstrap)
-
-
-def _check_choice(
-    tests: Sequence[StrokeTest],
-    form: Form,
-    degrees: tuple[int, int],
-    domain: tuple[float, float] | None,
-    knots: Sequence[float] | None,
-) -> _CurveOptions:
-    strokes = np.unique([test.stroke for test in tests])
-    needed = (max(degrees) + 2) if form == "polynomial" else (len(knots) if knots else FEWEST_KNOTS + 1)
+    check_tests(tests, domain)
+    strokes, highest = np.unique([test.stroke for test in tests]), max(degrees.values())
+    needed = (highest + 2) if form == "polynomial" else (len(knots) if knots else FEWEST_KNOTS + 1)
     if strokes.size < needed:
-        facts: dict[str, Any] = {"tests": len(tests), "strokes": strokes.size, "needed": needed, "degrees": degrees}
-        raise InputError(f"characteristic.too_few_for_{form}", **facts)
+        facts: dict[str, Any] = {"tests": len(tests), "strokes": strokes.size, "needed": needed}
+        raise InputError(f"characteristic.too_few_for_{form}", **facts, degrees=(*degrees.values(),))
     domain = domain or (float(strokes[0]), float(strokes[-1]))
     if knots is not None:
         positions = np.asarray(knots, dtype=float)
@@ -262,52 +255,55 @@ def _check_choice(
         if not (rises and strokes[0] <= positions[0] and positions[-1] <= strokes[-1]):
             ends = {"low_mm": 1e3 * strokes[0], "high_mm": 1e3 * strokes[-1]}
             raise InputError("characteristic.knots", "knots", value=str(list(knots)), **ends)
-    return _CurveOptions(form, degrees, domain, strokes, 1.0, tuple(knots) if knots is not None else None)
+    sizes = degrees["degree_conductance"], degrees["degree_ratio"]
+    return _CurveOptions(form, sizes, domain, strokes, tuple(knots) if knots is not None else None, bootstrap, seed)
 
 
-def _polynomial_shapes(choice: _CurveOptions) -> Shapes:
-    first, second = choice.degrees
-    return PolynomialShape(first, choice.domain, choice.scale), PolynomialShape(second, choice.domain)
+def _polynomial_shapes(options: _CurveOptions) -> Shapes:
+    first, second = options.degrees
+    return PolynomialShape(first, options.domain, options.scale), PolynomialShape(second, options.domain)
 
 
 def _fit_spline(
-    choice: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
+    options: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
     """Return the spline with the constraint that C does not fall, and the test of this constraint."""
     decoupled = [e.decoupled() for e in evidence]
-    counts = range(FEWEST_KNOTS, choice.strokes.size)
-    candidates = [choice.knots] if choice.knots else [select_knots(choice.strokes, n) for n in counts]
-    free = min((fit_evidence(decoupled, _spline_shapes(choice, k, False)) for k in candidates), key=CurveFit.aicc)
+    counts = range(FEWEST_KNOTS, options.strokes.size)
+    candidates = [options.knots] if options.knots else [select_knots(options.strokes, n) for n in counts]
+    free = min((fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates), key=CurveFit.aicc)
     knots = free.shapes[0].knots  # type: ignore[union-attr]
-    constrained = fit_evidence(decoupled, _spline_shapes(choice, knots, True), common)
+    constrained = fit_evidence(decoupled, _spline_shapes(options, knots, True), common)
     polynomials = (
-        fit_evidence(decoupled, _polynomial_shapes(choice)) if choice.strokes.size > max(choice.degrees) + 1 else None
+        fit_evidence(decoupled, _polynomial_shapes(options))
+        if options.strokes.size > max(options.degrees) + 1
+        else None
     )
     return constrained, judge_monotone(constrained, free, polynomials, decoupled)
 
 
-def _spline_shapes(choice: _CurveOptions, knots: tuple[float, ...], constrained: bool) -> Shapes:
-    first, last = choice.domain
+def _spline_shapes(options: _CurveOptions, knots: tuple[float, ...], constrained: bool) -> Shapes:
+    first, last = options.domain
     return (
-        SplineShape(knots, True, constrained, scale=choice.scale, first=first, last=last),
+        SplineShape(knots, True, constrained, scale=options.scale, first=first, last=last),
         SplineShape(knots, False, upper=LARGEST_RATIO, first=first, last=last),
     )
 
 
-def _estimates(fit: CurveFit, choice: _CurveOptions, prefix: str) -> dict[str, Estimate]:
+def _estimates(fit: CurveFit, options: _CurveOptions, prefix: str) -> dict[str, Estimate]:
     estimates: dict[str, Estimate] = {}
     for index, name in enumerate(NUMBERS):
         shape, part = fit.shapes[index], fit.part(index)
         values = shape.numbers(fit.theta[part])
         matrix = shape.scale * shape.numbers_matrix
         variance = np.einsum("ij,jk,ik->i", matrix, fit.covariance[part, part], matrix)
-        letter, begin = (LETTERS[name], 1) if choice.form == "polynomial" else ("y", 0)
+        letter, begin = (LETTERS[name], 1) if options.form == "polynomial" else ("y", 0)
         # A common error of b shifts the constant of a polynomial, but all knots of a spline.
         is_shifted = np.zeros_like(values)
-        is_shifted[-1 if choice.form == "polynomial" else slice(None)] = 1.0
+        is_shifted[-1 if options.form == "polynomial" else slice(None)] = 1.0
         common_errors = fit.common[index] * (values if index == 0 else is_shifted)
         errors = np.sqrt(np.maximum(variance, 0.0) + common_errors**2)
-        limits = (-math.inf, math.inf) if choice.form == "polynomial" else (0.0, LARGEST_RATIO if index else math.inf)
+        limits = (-math.inf, math.inf) if options.form == "polynomial" else (0.0, LARGEST_RATIO if index else math.inf)
         for k, (value, error) in enumerate(zip(values, errors, strict=True), start=begin):
             estimate = _estimate(float(value), UNITS[name], float(error), fit.misfits[index].coverage, limits)
             estimates[f"{prefix}{name}.{letter}{k}"] = estimate
@@ -317,20 +313,6 @@ def _estimates(fit: CurveFit, choice: _CurveOptions, prefix: str) -> dict[str, E
         error = f.scale * math.sqrt(variance)
         estimates[f.name] = _estimate(f.scale * float(value), f.unit, error, fit.misfits[0].coverage, (f.low, f.high))
     return estimates
-
-
-def _widen_estimates(estimates: Mapping[str, Estimate], twin_estimates: Mapping[str, Estimate]) -> dict[str, Estimate]:
-    """Return estimates whose intervals include those of two equivalent fits.
-
-    No estimate then has the verdict `determined`.
-    """
-    widened = {}
-    for name, estimate in estimates.items():
-        low, high = min(estimate.low, twin_estimates[name].low), max(estimate.high, twin_estimates[name].high)
-        widened[name] = replace(
-            estimate, low=low, high=high, verdict="weak" if estimate.verdict == "determined" else estimate.verdict
-        )
-    return widened
 
 
 def _estimate(value: float, unit: str, error: float, coverage: float, limits: tuple[float, float]) -> Estimate:
@@ -361,15 +343,13 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
     return statistics | ({"monotone": asdict(verdict)} if verdict else {})
 
 
-def _bands(
-    fit: CurveFit, evidence: Sequence[TestEvidence], choice: _CurveOptions, bootstrap: int, seed: int
-) -> list[tuple[Array, Array]]:
+def _bands(fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions) -> list[tuple[Array, Array]]:
     """Return the 95 % bands of C and b at strokes over the domain."""
-    x = np.linspace(*choice.domain, DRAWN)
+    x = np.linspace(*options.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
-    if bootstrap:
-        bootstrap_evidence = [e.decoupled() for e in evidence] if choice.form == "spline" else evidence
-        bands = list(bootstrap_bands(fit, bootstrap_evidence, x, bootstrap, seed))
+    if options.bootstrap:
+        bootstrap_evidence = [e.decoupled() for e in evidence] if options.form == "spline" else evidence
+        bands = list(bootstrap_bands(fit, bootstrap_evidence, x, options.bootstrap, options.seed))
     else:
         halves = [fit.misfits[k].coverage * fit.standard_uncertainty(k, x) for k in (0, 1)]
         bands = [(fit.curve(k, x) - halves[k], fit.curve(k, x) + halves[k]) for k in (0, 1)]
@@ -377,9 +357,9 @@ def _bands(
 
 
 def _series(
-    fit: CurveFit, evidence: Sequence[TestEvidence], choice: _CurveOptions, bands: list[tuple[Array, Array]]
+    fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions, bands: list[tuple[Array, Array]]
 ) -> dict[str, Any]:
-    x = np.linspace(*choice.domain, DRAWN)
+    x = np.linspace(*options.domain, DRAWN)
     series = {}
     for index, name in enumerate(NUMBERS):
         strokes, points, errors = determined_values(evidence, index)
@@ -400,27 +380,22 @@ def _series(
 
 
 def _conditions(
-    choice: _CurveOptions,
-    fit: CurveFit,
-    evidence: Sequence[TestEvidence],
-    joint: bool,
-    common: tuple[float, float],
-    bootstrap: int,
+    options: _CurveOptions, fit: CurveFit, evidence: Sequence[TestEvidence], joint: bool, common: tuple[float, float]
 ) -> dict[str, Any]:
     knots = fit.shapes[0].table_knots if isinstance(fit.shapes[0], SplineShape) else ()
     names = [e.name for e in evidence]
     labels = [n if names.count(n) == 1 else f"{n} ({k + 1})" for k, n in enumerate(names)]
-    tests = {
-        n: [float(v) for v in (e.stroke, *e.centre, *e.uncertainty)] for n, e in zip(labels, evidence, strict=True)
-    }
     return {
-        "form": choice.form,
+        "form": options.form,
         "way": "joint" if joint else "test by test",
-        "domain": list(choice.domain),
-        "tested": [float(choice.strokes[0]), float(choice.strokes[-1])],
+        "domain": list(options.domain),
+        "tested": [float(options.strokes[0]), float(options.strokes[-1])],
         **({"knots": list(knots)} if knots else {"argument_unit": "mm"}),
         "common_uncertainty": list(common),
-        "bands": f"bootstrap of {bootstrap}" if bootstrap else "delta method",
+        "bands": f"bootstrap of {options.bootstrap}" if options.bootstrap else "delta method",
         "evaluations": fit.evaluations,
-        "tests": tests,
+        "tests": {
+            label: [float(v) for v in (e.stroke, *e.centre, *e.uncertainty)]
+            for label, e in zip(labels, evidence, strict=True)
+        },
     }

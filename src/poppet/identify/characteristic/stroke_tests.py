@@ -137,11 +137,6 @@ class TestEvidence:
         root = np.diag(1.0 / self.uncertainty)
         return replace(self, root=root, pull=np.zeros(2))
 
-    @property
-    def samples(self) -> int:
-        """Number of values that the test determines: 2 for C and b, 1 for C alone."""
-        return int(np.isfinite(self.uncertainty).sum())
-
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
     """Check the tests and raise all errors together."""
@@ -159,9 +154,27 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
                 facts: dict[str, Any] = {"stroke_mm": 1e3 * test.stroke, "low_mm": low, "high_mm": high}
                 errors.extend([OutOfRangeError("stroke.outside", test=name, **facts)])
             if isinstance(test, StrokePoint):
-                errors.extend(_point_errors(test, name))
-            else:
-                _check_recording(errors, test, name)
+                is_uninformative = math.isinf(test.u_critical_ratio) and math.isnan(test.critical_ratio)
+                checks = {
+                    "sonic_conductance": 0.0 < test.sonic_conductance < math.inf,
+                    "critical_ratio": is_uninformative or 0.0 <= test.critical_ratio < 1.0,
+                    "u_sonic_conductance": 0.0 < test.u_sonic_conductance < math.inf,
+                    "u_critical_ratio": test.u_critical_ratio > 0.0,
+                    "correlation": abs(test.correlation) < 1.0,
+                }
+                for key in [key for key, is_valid in checks.items() if not is_valid]:
+                    errors.extend([OutOfRangeError(f"stroke.{key}", test=name, value=getattr(test, key))])
+                continue
+            numbers, measurement = test.circuit.numbers(), test.measurement
+            if test.passage not in test.circuit.parts:
+                errors.add("stroke.unknown_passage", test=name, passage=test.passage, known=[*test.circuit.parts])
+            elif any(f"{test.passage}.{number}" not in numbers for number in NUMBERS):
+                errors.add("stroke.no_own_numbers", test=name, passage=test.passage)
+            floating = [c.address for c in measurement.channels if c.lag is None]
+            floating += [i.address for i in measurement.inputs if i.delay is None or i.lag is None]
+            floating += [address for address, start_value in measurement.start.items() if start_value == "free"]
+            if floating:
+                errors.add("stroke.free_sensor", floating[0], test=name)
 
 
 def determined_values(evidence: Sequence[TestEvidence], index: int) -> Array:
@@ -179,39 +192,28 @@ def test_name(test: StrokeTest, index: int) -> str:
     return name or f"test {index + 1}"
 
 
-def _point_errors(point: StrokePoint, name: str) -> list[InputError]:
-    is_uninformative = math.isinf(point.u_critical_ratio) and math.isnan(point.critical_ratio)
-    checks = (
-        ("sonic_conductance", 0.0 < point.sonic_conductance < math.inf),
-        ("critical_ratio", is_uninformative or 0.0 <= point.critical_ratio < 1.0),
-        ("u_sonic_conductance", 0.0 < point.u_sonic_conductance < math.inf),
-        ("u_critical_ratio", point.u_critical_ratio > 0.0),
-        ("correlation", abs(point.correlation) < 1.0),
-    )
-    invalid = [key for key, holds in checks if not holds]
-    return [OutOfRangeError(f"stroke.{key}", test=name, value=getattr(point, key)) for key in invalid]
-
-
-def _check_recording(errors: ErrorCollector, test: StrokeRecording, name: str) -> None:
-    numbers = test.circuit.numbers()
-    if test.passage not in test.circuit.parts:
-        errors.add("stroke.unknown_passage", test=name, passage=test.passage, known=[*test.circuit.parts])
-    elif any(f"{test.passage}.{number}" not in numbers for number in NUMBERS):
-        errors.add("stroke.no_own_numbers", test=name, passage=test.passage)
-    floating = [c.address for c in test.measurement.channels if c.lag is None]
-    floating += [i.address for i in test.measurement.inputs if i.delay is None or i.lag is None]
-    floating += [address for address, start_value in test.measurement.start.items() if start_value == "free"]
-    if floating:
-        errors.add("stroke.free_sensor", floating[0], test=name)
-
-
 def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
     """Return the values of C and b from one test, with their covariance.
 
     A recording is fitted separately from all other tests.
     """
     if isinstance(test, StrokeRecording):
-        return _fit_recording(test, name)
+        free = free_parameters(test)
+        optimum = optimise([Experiment(test.circuit.instance, test.measurement, free)], free)
+        if optimum.interrupted:
+            raise KeyboardInterrupt
+        findings, weights, n_samples = list[Note](), 0.0, 0
+        for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
+            piece = optimum.residual[n_samples : n_samples + channel.time.size]
+            n_samples += channel.time.size
+            findings += residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
+            weights += widening_of(piece) * channel.time.size
+        widening = weights / n_samples
+        rows = np.column_stack([optimum.jacobian[:, 2:], optimum.jacobian[:, :2], optimum.residual])
+        # QR eliminates the parameters of the bench first: C and b are in the lower right corner.
+        corner = np.linalg.qr(rows / math.sqrt(widening))[1][len(free) - 2 : len(free)]
+        centre, root, pull = optimum.x[:2].copy(), corner[:, -3:-1], corner[:, -1]
+        return TestEvidence(name, test.stroke, centre, root, pull, optimum, widening, tuple(findings))
     u_c, u_b, rho = test.u_sonic_conductance, test.u_critical_ratio, test.correlation
     if math.isinf(u_b):
         centre = np.array([test.sonic_conductance, 0.5])
@@ -226,32 +228,6 @@ def evidence_of(test: StrokeTest, name: str) -> TestEvidence:
 def free_parameters(test: StrokeRecording) -> tuple[FreeParameter, ...]:
     """Return the free parameters of the fit to one recording: C, b, then those of the bench."""
     return (*(read_free(f"{test.passage}.{number}", {}, test.circuit) for number in NUMBERS), *test.free)
-
-
-def _fit_recording(test: StrokeRecording, name: str) -> TestEvidence:
-    free = free_parameters(test)
-    optimum = optimise([Experiment(test.circuit.instance, test.measurement, free)], free)
-    if optimum.interrupted:
-        raise KeyboardInterrupt
-    remarks, widening = _check_residuals(test, optimum)
-    rows = np.column_stack([optimum.jacobian[:, 2:], optimum.jacobian[:, :2], optimum.residual]) / math.sqrt(widening)
-    # QR eliminates the parameters of the bench first: C and b are in the lower right corner.
-    corner = np.linalg.qr(rows)[1][len(free) - 2 : len(free)]
-    return TestEvidence(
-        name, test.stroke, optimum.x[:2].copy(), corner[:, -3:-1], corner[:, -1], optimum, widening, tuple(remarks)
-    )
-
-
-def _check_residuals(test: StrokeRecording, optimum: Optimum) -> tuple[list[Note], float]:
-    """Return findings on the residuals of a test, and the mean variance factor of its channels."""
-    remarks: list[Note] = []
-    weights, n_samples = 0.0, 0
-    for channel, sigma in zip(test.measurement.channels, optimum.sigmas, strict=True):
-        piece = optimum.residual[n_samples : n_samples + channel.time.size]
-        n_samples += channel.time.size
-        remarks += residual_findings(f"{test.measurement.name}.{channel.address}", piece, sigma, channel.unit)
-        weights += widening_of(piece) * channel.time.size
-    return remarks, weights / n_samples
 
 
 def point_of_result(result: Result, stroke: float, *, part: str = "", name: str = "") -> StrokePoint:

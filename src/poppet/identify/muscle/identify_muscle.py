@@ -172,6 +172,7 @@ def _table(fits: Mapping[str, ForceLawFit], ranked: Sequence[str], points: Muscl
 def _findings(
     points: MusclePoints, fits: Mapping[str, ForceLawFit], ranked: Sequence[str], selected: str
 ) -> Iterator[Note]:
+    """Yield findings on the ranking of the laws and on the points."""
     largest, best = float(np.max(points.force)), fits[ranked[0]]
     errors = {name: fits[name].score for name in ranked}
     facts = {"law": ranked[0], "error": best.score, "part": 100.0 * best.score / largest, "errors": errors}
@@ -180,7 +181,21 @@ def _findings(
         yield Note("force_map.not_the_best", chosen=selected, law=ranked[0], factor=errors[selected] / best.score)
     elif len(ranked) > 1 and errors[ranked[1]] < ALIKE * best.score:
         yield Note("force_map.alike", law=ranked[0], other=ranked[1], factor=errors[ranked[1]] / best.score)
-    yield from _reasons(points, fits, ranked)
+    # Reasons why laws have larger validation errors than the best law.
+    inferior = [name for name in ranked[1:] if errors[name] > ALIKE * best.score]
+    proportional = [name for name in inferior if name in PROPORTIONAL]
+    if proportional and ranked[0] not in PROPORTIONAL:
+        taut = points.taut
+        passive = best.law.passive(points.contraction[taut])
+        drive = np.abs(points.pressure[taut] * best.law.slope(points.contraction[taut]))
+        ends = {"low": float(np.min(passive)), "high": float(np.max(passive))}
+        yield Note("force_map.proportional", laws=proportional, **ends, part=100.0 * float(rms(passive) / rms(drive)))
+    if "table" in inferior and "contraction" in fits["table"].held_out:
+        error_by_axis = {axis: rms(errors) for axis, errors in fits["table"].held_out.items()}
+        at_levels = error_by_axis.get("pressure", math.nan)
+        yield Note("force_map.straight", between=error_by_axis["contraction"], at=at_levels)
+    if "sarosi" in inferior:
+        yield Note("force_map.other_shape", numbers=6, error=errors["sarosi"])
     left_out = [name for name in CANDIDATES if name not in fits]
     if left_out:
         yield Note("force_map.not_told", laws=left_out)
@@ -191,25 +206,6 @@ def _findings(
         yield Note("force_map.slack", **facts)
     if points.time is not None and points.direction is None:
         yield Note("force_map.at_rest")
-
-
-def _reasons(points: MusclePoints, fits: Mapping[str, ForceLawFit], ranked: Sequence[str]) -> Iterator[Note]:
-    """Yield findings on why other laws have larger validation errors."""
-    inferior = [name for name in ranked[1:] if fits[name].score > ALIKE * fits[ranked[0]].score]
-    proportional = [name for name in inferior if name in PROPORTIONAL]
-    if proportional and ranked[0] not in PROPORTIONAL:
-        best, taut = fits[ranked[0]], points.taut
-        passive = best.law.passive(points.contraction[taut])
-        drive = np.abs(points.pressure[taut] * best.law.slope(points.contraction[taut]))
-        facts = {"low": float(np.min(passive)), "high": float(np.max(passive))}
-        yield Note("force_map.proportional", laws=proportional, **facts, part=100.0 * float(rms(passive) / rms(drive)))
-    if "table" in inferior and "contraction" in fits["table"].held_out:
-        error_by_axis = {axis: rms(errors) for axis, errors in fits["table"].held_out.items()}
-        yield Note(
-            "force_map.straight", between=error_by_axis["contraction"], at=error_by_axis.get("pressure", math.nan)
-        )
-    if "sarosi" in inferior:
-        yield Note("force_map.other_shape", numbers=6, error=fits["sarosi"].score)
 
 
 def _conditions(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, ClassVar
@@ -266,7 +266,18 @@ def _fit_parameters(
         error = fixed + matrix @ linear - force
         return float(error @ error), linear, int(rank)
 
-    shape = 0.0 if candidate.shapes is None else _minimise(lambda x: solve(x)[0], *candidate.shapes)
+    shape = 0.0
+    if candidate.shapes is not None:
+        from scipy.optimize import minimize_scalar
+
+        # A geometric grid, because both limits have the same sign, then a local search.
+        low, high = candidate.shapes
+        grid = (np.sign(low) * np.geomspace(abs(low), abs(high), _SEARCHED)).tolist()
+        k = int(np.argmin([solve(x)[0] for x in grid]))
+        ends = sorted((grid[max(k - 1, 0)], grid[min(k + 1, _SEARCHED - 1)]))
+        options = {"xatol": 1e-7 * abs(grid[k])}
+        search = minimize_scalar(lambda x: solve(x)[0], bounds=ends, method="bounded", options=options)
+        shape = float(search.x)
     _, linear, rank = solve(shape)
     units = candidate.units()
     if rank < linear.size or force.size <= len(units):
@@ -274,20 +285,3 @@ def _fit_parameters(
     n_law = linear.size - len(hysteresis)
     values = dict(zip(units, candidate.numbers(linear[:n_law], shape), strict=True))
     return values | dict(zip(HYSTERESIS, linear[n_law:].tolist(), strict=False))
-
-
-def _minimise(cost: Callable[[float], float], low: float, high: float) -> float:
-    """Return the argument between `low` and `high` at which a cost is least.
-
-    Both limits have the same sign. The search uses a geometric grid, then a local search.
-    """
-    from scipy.optimize import minimize_scalar
-
-    grid = np.sign(low) * np.geomspace(abs(low), abs(high), _SEARCHED)
-    k = int(np.argmin([cost(float(x)) for x in grid]))
-    ends = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, _SEARCHED - 1)])
-    return float(
-        minimize_scalar(
-            cost, bounds=(min(ends), max(ends)), method="bounded", options={"xatol": 1e-7 * abs(float(grid[k]))}
-        ).x
-    )

@@ -298,8 +298,14 @@ def compare_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result:
         parameters, residuals, criterion = _evaluate(law_plan, optimum)
         rms = {channel: float((piece @ piece / piece.size) ** 0.5) for channel, piece in residuals.items()}
         laws[name] = _law_row(criterion, parameters, rms)
-    number = f"{test.part}.sonic_conductance"
-    remarks = [_law_note(laws, number)] if len(laws) > 1 and number in first_row["numbers"] else []
+    number, remarks = f"{test.part}.sonic_conductance", list[Note]()
+    if len(laws) > 1 and number in first_row["numbers"]:
+        least = min(law["aicc"] for law in laws.values())
+        values = {name: float(law["numbers"][number]["value"]) for name, law in laws.items()}
+        left = tuple(name for name, law in laws.items() if law["aicc"] - least < CLEAR)
+        facts = {"values": values, "factor": max(values.values()) / min(values.values()), "left": left}
+        unit = first_row["numbers"][number]["unit"]
+        remarks = [Note(f"finding.laws.{'one' if len(left) == 1 else 'several'}", number, **facts, unit=unit)]
     comparison = {**result.comparison, "thermal_laws": laws}
     return replace(result, comparison=comparison, remarks=(*remarks, *result.remarks))
 
@@ -310,13 +316,3 @@ def _law_row(criterion: float, parameters: Mapping[str, Estimate], rms: Mapping[
         "rms": dict(rms),
         "numbers": {name: vars(estimate).copy() for name, estimate in parameters.items()},
     }
-
-
-def _law_note(laws: Mapping[str, dict[str, Any]], number: str) -> Note:
-    """Return a note on how much C differs between the thermal laws."""
-    least = min(law["aicc"] for law in laws.values())
-    values = {name: float(law["numbers"][number]["value"]) for name, law in laws.items()}
-    left = tuple(name for name, law in laws.items() if law["aicc"] - least < CLEAR)
-    facts = {"values": values, "factor": max(values.values()) / min(values.values()), "left": left}
-    unit = next(iter(laws.values()))["numbers"][number]["unit"]
-    return Note(f"finding.laws.{'one' if len(left) == 1 else 'several'}", number, **facts, unit=unit)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 
 from poppet.core.codes import Note
@@ -12,7 +12,7 @@ from poppet.identify.fit.equivalent_optima import unite_estimates
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import CLEAR, STRONG
 from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
-from poppet.identify.result import DETERMINED, Estimate, Result
+from poppet.identify.result import DETERMINED, Result
 from poppet.identify.tank.alternatives import (
     Alternative,
     alternatives_table,
@@ -62,12 +62,32 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
     if alternatives:
         comparison["alternatives"] = alternatives_table(alternatives, number)
     remarks = _alternative_notes(alternatives, result, number)
+    conductance = result.parameters[number]
     if test.bore:
-        coefficient = _discharge_coefficient(test, result.parameters[number])
-        comparison["discharge_coefficient"] = coefficient
-        remarks += [Note("finding.area", number, **coefficient)] if coefficient["least"] > 1.0 else []
+        # The discharge coefficient is the conductance divided by that of a nozzle of the same bore; the least value
+        # is that for a bore that is larger by two standard deviations.
+        bore, sigma = (quantity(argument, "m", name="bore").value for argument in (test.bore, test.bore_uncertainty))
+        nozzle, largest_nozzle = (
+            conductance_from_effective_area(0.25 * math.pi * diameter**2).sonic_conductance
+            for diameter in (bore, bore + 2.0 * sigma)
+        )
+        coefficient = {key: getattr(conductance, key) / nozzle for key in ("value", "low", "high")}
+        comparison["discharge_coefficient"] = coefficient | {"least": conductance.value / largest_nozzle}
+        if conductance.value > largest_nozzle:
+            remarks.append(Note("finding.area", number, **comparison["discharge_coefficient"]))
     remarks += wall_temperature_notes(test, runs, plan, result, number)
-    remarks += _unusual_notes(plan, result, number)
+    if not USUAL_CONDUCTANCE[0] <= conductance.value <= USUAL_CONDUCTANCE[1]:
+        remarks.append(Note("finding.unusual.conductance", number, value=conductance.value))
+    volume = max(e.instance.parameters["tank.volume"] for e in plan.experiments)
+    if "tank.volume" in result.parameters:
+        volume = result.parameters["tank.volume"].value
+    if volume > LARGE_VOLUME:
+        remarks.append(Note("finding.unusual.volume", "tank.volume", value=volume))
+    area = AREA_FACTOR * volume ** (2.0 / 3.0)
+    for name, e in result.parameters.items():
+        is_unusual = e.low > 0.0 and (e.high < USUAL_TRANSFER[0] * area or e.low > USUAL_TRANSFER[1] * area)
+        if name.endswith("tank.wall_conductance") and is_unusual:
+            remarks.append(Note("finding.unusual.wall", name, value=e.value, coefficient=e.value / area))
     estimates_by_model = [
         {**result.parameters, **alternative.estimates}
         for alternative in alternatives
@@ -120,37 +140,6 @@ def _alternative_notes(alternatives: Sequence[Alternative], result: Result, numb
         Note(f"finding.other_model.{degree}", number, **facts),
         Note("finding.other_models", number, changes=changes, sizes=sizes),
     ]
-
-
-def _unusual_notes(plan: FitPlan, result: Result, number: str) -> Iterator[Note]:
-    """Yield notes on implausible values, which indicate a wrong unit."""
-    conductance = result.parameters[number].value
-    if not USUAL_CONDUCTANCE[0] <= conductance <= USUAL_CONDUCTANCE[1]:
-        yield Note("finding.unusual.conductance", number, value=conductance)
-    values = {e.instance.parameters["tank.volume"] for e in plan.experiments}
-    volume = result.parameters["tank.volume"].value if "tank.volume" in result.parameters else max(values)
-    if volume > LARGE_VOLUME:
-        yield Note("finding.unusual.volume", "tank.volume", value=volume)
-    area = AREA_FACTOR * volume ** (2.0 / 3.0)
-    for name, e in result.parameters.items():
-        if not name.endswith("tank.wall_conductance"):
-            continue
-        if e.low > 0.0 and (e.high < USUAL_TRANSFER[0] * area or e.low > USUAL_TRANSFER[1] * area):
-            yield Note("finding.unusual.wall", name, value=e.value, coefficient=e.value / area)
-
-
-def _discharge_coefficient(test: TankTest, conductance: Estimate) -> dict[str, float]:
-    """Return the discharge coefficient: conductance divided by that of a nozzle of the same bore.
-
-    The result also contains the 95 % interval and the value for a bore that is larger by two standard deviations.
-    """
-    bore, sigma = (quantity(number, "m", name="bore").value for number in (test.bore, test.bore_uncertainty))
-
-    def nozzle(diameter: float) -> float:
-        return conductance_from_effective_area(0.25 * math.pi * diameter**2).sonic_conductance
-
-    value, low, high = (number / nozzle(bore) for number in (conductance.value, conductance.low, conductance.high))
-    return {"value": value, "low": low, "high": high, "least": conductance.value / nozzle(bore + 2.0 * sigma)}
 
 
 def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:

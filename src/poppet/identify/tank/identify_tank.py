@@ -14,7 +14,7 @@ from poppet.identify.gum import SPREAD, widened
 from poppet.identify.result import Result
 from poppet.identify.tank.alternatives import compare_laws
 from poppet.identify.tank.caps import apply_caps
-from poppet.identify.tank.tank_plan import TEMPERATURE, TankRun, plan_tank_fit, read_runs
+from poppet.identify.tank.tank_plan import TankRun, plan_tank_fit, read_runs
 from poppet.identify.tank.test import ROOM, TankTest, read_test
 
 POWERS = {"sonic_conductance": 0.5, "wall_conductance": 1.0, "wall_heat_capacity": 1.0}
@@ -95,13 +95,14 @@ def identify_tank(
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
     """Widen the intervals of a result if the ambient temperature is unknown."""
 
-    def is_known(run: TankRun) -> bool:
-        """Return True if the temperature of the flowing gas is known."""
-        if run.direction == "charge":
-            return run.supply_temperature is not None
-        return test.initial_temperature is not None or any(c.address == TEMPERATURE for c in run.measurement.channels)
-
-    if test.ambient_temperature is not None or all(map(is_known, runs)):
+    # The temperature of the flowing gas is that of the supply or that in the tank.
+    is_known = all(
+        run.supply_temperature is not None
+        if run.direction == "charge"
+        else test.initial_temperature is not None or run.has_temperature
+        for run in runs
+    )
+    if test.ambient_temperature is not None or is_known:
         return result
     wider = {
         name: widened(estimate, POWERS[field] * SPREAD / ROOM)

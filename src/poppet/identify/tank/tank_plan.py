@@ -105,6 +105,11 @@ class TankRun:
         return _start_value(self.supply_pressure, float(np.max(self.pressure.values)))
 
     @property
+    def has_temperature(self) -> bool:
+        """True if the recording contains the tank temperature."""
+        return any(channel.address == TEMPERATURE for channel in self.measurement.channels)
+
+    @property
     def place(self) -> str:
         """Address of the recording in a tank test file."""
         return f"recordings.{self.measurement.name}"
@@ -121,20 +126,37 @@ def read_runs(test: TankTest) -> list[TankRun]:
     with ErrorCollector() as errors:
         for run in runs:
             with errors.collecting():
-                _check_course(run, pressure)
-                if test.valve_delay == 0.0 and run.opens == 0.0:
-                    _check_start(run)
+                _check_run(test, run, pressure)
     return runs
 
 
 def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
     """Return the plan of the fit to a tank test, with circuits and free parameters."""
-    ambient = _ambient(test)
+    ambient, complete_runs = _ambient(test), list[TankRun]()
     circuits = [_circuit(test, run, ambient) for run in runs]
-    runs = [replace(run, measurement=_complete_recording(test, run)) for run in runs]
-    measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
+    for run in runs:
+        start: dict[str, Any] = {"tank.initial_pressure": "free"}
+        if test.initial_temperature is None and run.has_temperature:
+            start["tank.initial_temperature"] = "first"
+        channels, inputs, duration = run.measurement.channels, run.measurement.inputs, run.measurement.duration
+        if test.pressure_lag != 0.0 and run.pressure.lag == 0.0:
+            is_known = not is_free(test.pressure_lag)
+            lag = quantity(test.pressure_lag, "s", name="pressure_lag").value if is_known else None
+            channels = tuple(replace(c, lag=lag) if c is run.pressure else c for c in channels)
+        if test.valve_delay != 0.0 or run.opens != 0.0 or run.closes < math.inf:
+            delay = 0.0 if test.valve_delay == "free" else quantity(test.valve_delay, "s", name="valve_delay").value
+            edge = 1e-6 * duration
+            times, values = [run.opens - edge, run.opens], [0.0, 1.0]
+            if run.closes < math.inf:
+                times, values = [*times, run.closes - edge, run.closes], [*values, 1.0, 0.0]
+            # An input with a delayed effect is equivalent to an early recording.
+            inputs += (InputChannel(f"{test.part}.opening", np.array(times), np.array(values), "1", -delay),)
+        start |= run.measurement.start
+        measurement = replace(run.measurement, channels=channels, inputs=inputs, start=start)
+        complete_runs.append(replace(run, measurement=measurement))
+    measurements, roles = [run.measurement for run in complete_runs], [run.use for run in runs]
     settings = SearchSettings(test.loss, test.starts, test.seed)
-    free = _free_parameters(test, runs, circuits)
+    free = _free_parameters(test, complete_runs, circuits)
     return plan_fit(circuits, measurements, roles, free, settings=settings, title=test.title)
 
 
@@ -152,17 +174,28 @@ def _read_run(test: TankTest, name: str, recording: Any, ambient_pressure: float
     location = f"recordings.{name}"
     if not isinstance(recording, Mapping):
         raise InputError("fields.no_table", location, value=recording)
-    channels = {key: value for key, value in recording.items() if key not in OWN}
+    table = {key: value for key, value in recording.items() if key not in OWN}
     with ErrorCollector() as errors:
         fields = read_fields(errors, {key: recording[key] for key in OWN if key in recording}, OWN, location)
-        if PRESSURE not in channels:
+        if PRESSURE not in table:
             errors.extend([missing_field(f"{location}.{PRESSURE}", _PRESSURE)])
-    if isinstance(channels.get("time"), str | int | Mapping | None):
+    if isinstance(table.get("time"), str | int | Mapping | None):
         measurement = read_measurement(
-            name, channels, Path(test.folder), ambient_pressure=ambient_pressure, other_fields=tuple(OWN)
+            name, table, Path(test.folder), ambient_pressure=ambient_pressure, other_fields=tuple(OWN)
         )
     else:
-        measurement = _read_arrays(name, channels, ambient_pressure)
+        channels, notes = list[Channel](), list[Note]()
+        with ErrorCollector() as errors:
+            read_fields(errors, table, OF_ARRAYS, location, table="recording of arrays")
+            for address in [address for address in ARRAYS if address in table]:
+                with errors.collecting():
+                    channel, channel_notes = _read_channel(address, table, f"{location}.{address}")
+                    channels.append(channel)
+                    notes += channel_notes
+        findings = tuple(verdicts(channels, (), ambient_pressure, frozenset()))
+        duration = max(float(channel.time[-1]) for channel in channels)
+        start = dict(table.get("start", {}))
+        measurement = Measurement(name, tuple(channels), (), start, ambient_pressure, tuple(notes), findings, duration)
     shared = {key: getattr(test, key) for key in ("direction", "volume", "supply_pressure", "supply_temperature")}
     supply = next((item for item in measurement.inputs if item.address == SUPPLY), None)
     if shared["supply_pressure"] is None and supply is not None:
@@ -173,33 +206,14 @@ def _read_run(test: TankTest, name: str, recording: Any, ambient_pressure: float
     return run
 
 
-def _read_arrays(name: str, table: Mapping[str, Any], ambient_pressure: float) -> Measurement:
-    location = f"recordings.{name}"
-    channels: list[Channel] = []
-    notes: list[Note] = []
-    with ErrorCollector() as errors:
-        read_fields(errors, table, OF_ARRAYS, location, table="recording of arrays")
-        for address in ARRAYS:
-            if address in table:
-                with errors.collecting():
-                    channel, channel_notes = _read_channel(
-                        address, table[address], table.get("time"), f"{location}.{address}"
-                    )
-                    channels.append(channel)
-                    notes += channel_notes
-    findings = tuple(verdicts(channels, (), ambient_pressure, frozenset()))
-    duration = max(float(channel.time[-1]) for channel in channels)
-    start = dict(table.get("start", {}))
-    return Measurement(name, tuple(channels), (), start, ambient_pressure, tuple(notes), findings, duration)
-
-
-def _read_channel(address: str, argument: Any, stamps: Any, location: str) -> tuple[Channel, list[Note]]:
+def _read_channel(address: str, table: Mapping[str, Any], location: str) -> tuple[Channel, list[Note]]:
     """Return a channel from arrays, and notes on samples that were omitted or merged."""
     with ErrorCollector() as errors:
-        table = argument if isinstance(argument, Mapping) else {"values": argument}
-        read = read_fields(errors, table, OF_ARRAY, location, table="channel")
+        argument = table[address]
+        raw = argument if isinstance(argument, Mapping) else {"values": argument}
+        read = read_fields(errors, raw, OF_ARRAY, location, table="channel")
     try:
-        time, values = (np.asarray(array, dtype=np.float64) for array in (stamps, read["values"]))
+        time, values = (np.asarray(array, dtype=np.float64) for array in (table.get("time"), read["values"]))
     except (TypeError, ValueError, OverflowError):
         raise InputError("tank.no_samples", location, value=read["values"]) from None
     if time.ndim != 1 or time.shape != values.shape or time.size < LEAST_SAMPLES:
@@ -220,40 +234,34 @@ def _read_channel(address: str, argument: Any, stamps: Any, location: str) -> tu
     return channel, [note.within(address) for note in samples.notes]
 
 
-def _check_course(run: TankRun, ambient_pressure: float) -> None:
-    """Raise an error if the recorded pressure is not that of a charge or a discharge."""
-    values, noise = run.pressure.values, max(noise_of(run.pressure.values), 1e-9)
-    count = max(3, values.size // 50)
+def _check_run(test: TankTest, run: TankRun, ambient_pressure: float) -> None:
+    """Raise an error if the recorded pressure is not that of a charge or a discharge.
+
+    An example is a pressure that is constant at first although the valve is open.
+    """
+    channel, location = run.pressure, f"{run.place}.{PRESSURE}"
+    values, noise = channel.values, max(noise_of(channel.values), 1e-9)
+    span, count = float(np.ptp(values)), max(3, values.size // 50)
     begin, end = float(np.median(values[:count])), float(np.median(values[-count:]))
-    location = f"{run.place}.{PRESSURE}"
-    if np.ptp(values) < LEAST_CHANGE * noise:
-        raise InputError("tank.still", location, change=float(np.ptp(values)), noise=noise)
-    change = end - begin if run.direction == "discharge" else begin - end
-    if change > CONTRARY * noise:
-        other_direction = next(direction for direction in DIRECTIONS if direction != run.direction)
-        raise InputError(
-            "tank.contrary", location, begin=begin, end=end, direction=run.direction, other=other_direction
-        )
+    if span < LEAST_CHANGE * noise:
+        raise InputError("tank.still", location, change=span, noise=noise)
+    if (end - begin if run.direction == "discharge" else begin - end) > CONTRARY * noise:
+        opposite = next(direction for direction in DIRECTIONS if direction != run.direction)
+        raise InputError("tank.contrary", location, begin=begin, end=end, direction=run.direction, other=opposite)
     if run.direction == "charge":
         if run.supply_pressure is None:
             raise missing_field(f"{run.place}.supply_pressure", _SUPPLY)
         supply = _pressure(run.supply, ambient_pressure)
         if not is_free(run.supply_pressure) and end > ABOVE_SUPPLY * supply:
             raise InputError("tank.above_supply", location, end=end, supply=supply)
-
-
-def _check_start(run: TankRun) -> None:
-    """Raise an error if the pressure is constant at first although the valve is open."""
-    channel = run.pressure
-    share = max(6.0 * noise_of(channel.values) / float(np.ptp(channel.values)), 0.002)
-    if share > STIRRED:
+    share = max(6.0 * noise_of(values) / span, 0.002)
+    if test.valve_delay != 0.0 or run.opens != 0.0 or share > STIRRED:
         return
     samples = [_index_of_change(channel, fraction) for fraction in (share, 4.0 * share, ONSET, COURSE)]
     stirred, later, onset, course = (float(fraction) for fraction in channel.time[samples] - channel.time[0])
     # The response of a slow sensor starts as a parabola: four times the fraction after twice the time.
     if samples[0] > 3 and later < 1.5 * stirred and stirred > (RESTING + share / (COURSE - ONSET)) * (course - onset):
-        rest_time = float(channel.time[samples[0] - 1] - channel.time[0])
-        raise InputError("tank.rests", f"{run.place}.{PRESSURE}", rest=rest_time)
+        raise InputError("tank.rests", location, rest=float(channel.time[samples[0] - 1] - channel.time[0]))
 
 
 def _pressure(argument: Any, ambient_pressure: float) -> float:
@@ -279,7 +287,7 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
         numbers["wall_heat_capacity"] = _start_value(test.wall_heat_capacity, plausible_wall(cubic_metres))
     if test.thermal == "polytropic":
         numbers["polytropic_exponent"] = _start_value(test.polytropic_exponent, COMMON_EXPONENT)
-    if test.initial_temperature is not None or TEMPERATURE not in {c.address for c in run.measurement.channels}:
+    if test.initial_temperature is not None or not run.has_temperature:
         argument = _start_value(test.initial_temperature, test.room)
         numbers["initial_temperature"] = test.room if argument is None else argument
     tank = Chamber(initial_pressure=float(run.pressure.values[0]), **numbers)
@@ -349,32 +357,6 @@ def _index_of_change(channel: Channel, share: float) -> int:
     return min(int(np.argmax(change >= share * np.max(change))), channel.time.size - 2 + (share > ONSET))
 
 
-def _complete_recording(test: TankTest, run: TankRun) -> Measurement:
-    """Return the recording of a test, with start values and the command of the valve added."""
-    start: dict[str, Any] = {"tank.initial_pressure": "free"}
-    channels = [_with_lag(test, channel) for channel in run.measurement.channels]
-    if test.initial_temperature is None and TEMPERATURE in {c.address for c in run.measurement.channels}:
-        start["tank.initial_temperature"] = "first"
-    measurement = replace(run.measurement, channels=tuple(channels), start={**start, **run.measurement.start})
-    if test.valve_delay == 0.0 and run.opens == 0.0 and run.closes == math.inf:
-        return measurement
-    delay = 0.0 if test.valve_delay == "free" else quantity(test.valve_delay, "s", name="valve_delay").value
-    edge = 1e-6 * measurement.duration
-    times, values = [run.opens - edge, run.opens], [0.0, 1.0]
-    if run.closes < math.inf:
-        times, values = [*times, run.closes - edge, run.closes], [*values, 1.0, 0.0]
-    # An input with a delayed effect is equivalent to an early recording.
-    command = InputChannel(f"{test.part}.opening", np.array(times), np.array(values), "1", -delay)
-    return replace(measurement, inputs=(*measurement.inputs, command))
-
-
-def _with_lag(test: TankTest, channel: Channel) -> Channel:
-    if channel.address != PRESSURE or channel.lag != 0.0 or test.pressure_lag == 0.0:
-        return channel
-    free = is_free(test.pressure_lag)
-    return replace(channel, lag=None if free else quantity(test.pressure_lag, "s", name="pressure_lag").value)
-
-
 # Free parameters --------------------------------------------------------------------------------------------------
 
 
@@ -396,18 +378,16 @@ def _free_parameters(
     parameters = [
         _read_free(address, argument, circuits[0]) for address, argument in shared.items() if is_free(argument)
     ]
-    if test.thermal == "energy" and is_free(test.wall_conductance):
-        if len({(run.direction, str(run.volume)) for run in runs}) == 1:
-            parameters.append(_read_free("tank.wall_conductance", test.wall_conductance, circuits[0]))
-        else:
-            walls = [test.wall_conductance] * len(runs)
-            parameters += _free_by_recording("tank.wall_conductance", walls, runs, circuits)
+    if test.thermal == "energy":
+        is_shared = len({(run.direction, str(run.volume)) for run in runs}) == 1
+        walls = [test.wall_conductance] * len(runs)
+        parameters += _free_by_recording("tank.wall_conductance", walls, runs, circuits, is_shared=is_shared)
     for local in ("pressure", "temperature"):
-        supplies = [getattr(run, f"supply_{local}") for run in runs]
-        parameters += _free_supplies(f"supply.{local}", supplies, runs, circuits)
-    if is_free(test.initial_temperature):
-        temperatures = [test.initial_temperature] * len(runs)
-        parameters += _free_by_recording("tank.initial_temperature", temperatures, runs, circuits)
+        supplies = [getattr(run, f"supply_{local}") if run.direction == "charge" else None for run in runs]
+        is_shared = all(run.direction == "charge" for run in runs) and len(set(map(str, supplies))) == 1
+        parameters += _free_by_recording(f"supply.{local}", supplies, runs, circuits, is_shared=is_shared)
+    temperatures = [test.initial_temperature] * len(runs)
+    parameters += _free_by_recording("tank.initial_temperature", temperatures, runs, circuits)
     measurements, roles = [run.measurement for run in runs], [run.use for run in runs]
     parameters += recording_parameters(measurements, circuits, roles)
     for run in runs:
@@ -420,44 +400,31 @@ def _free_parameters(
             parameters.append(
                 FreeParameter(f"{name}.{test.part}.delay", address, "s", delay, 0.0, latest, "dead_time", name)
             )
-        parameters += _free_offsets(test, run)
+        # The offset is free if the test requests it, if the recording states its uncertainty, or if the valve closes
+        # within the recording.
+        argument, sd = test.pressure_offset, run.pressure.offset
+        has_reason = argument is not None or sd is not None or run.closes < run.measurement.duration
+        if argument != 0.0 and has_reason:
+            if argument is None and not sd:
+                sd = USUAL_ZERO * float(np.ptp(run.pressure.values))
+            parameters.append(offset_parameter(name, run.pressure, NormalPrior(0.0, sd) if sd else None))
     return tuple(parameters)
 
 
-def _free_offsets(test: TankTest, run: TankRun) -> list[FreeParameter]:
-    """Return the offset of the pressure sensor if it is free.
-
-    The offset is free in three cases: the test requests it, the recording states the uncertainty of the offset, or the
-    valve closes within the recording.
-    """
-    argument, stated = test.pressure_offset, run.pressure.offset
-    if argument == 0.0 or (argument is None and stated is None and run.closes >= run.measurement.duration):
-        return []
-    sd = stated or (None if argument == "free" else USUAL_ZERO * float(np.ptp(run.pressure.values)))
-    prior = None if sd is None else NormalPrior(0.0, sd)
-    return [offset_parameter(run.measurement.name, run.pressure, prior)]
-
-
-def _free_supplies(
-    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
-) -> list[FreeParameter]:
-    """Return the free supply pressures or temperatures of charges.
-
-    If all charges share the value, there is one parameter; otherwise there is one for each charge.
-    """
-    if all(run.direction == "charge" for run in runs) and len({str(argument) for argument in arguments}) == 1:
-        return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []
-    charges = [argument if run.direction == "charge" else None for argument, run in zip(arguments, runs, strict=True)]
-    return _free_by_recording(address, charges, runs, circuits)
-
-
 def _free_by_recording(
-    address: str, arguments: Sequence[Any], runs: Sequence[TankRun], circuits: Sequence[BaseCircuit]
+    address: str,
+    arguments: Sequence[Any],
+    runs: Sequence[TankRun],
+    circuits: Sequence[BaseCircuit],
+    *,
+    is_shared: bool = False,
 ) -> list[FreeParameter]:
-    """Return one free parameter for each recording.
+    """Return one free parameter for each recording whose argument is free, or one that all recordings share.
 
     If there is only one recording, the name of the parameter has no prefix.
     """
+    if is_shared:
+        return [_read_free(address, arguments[0], circuits[0])] if is_free(arguments[0]) else []
     names = [run.measurement.name for run in runs]
     parameters = [
         _read_free(address, argument, c, recording=n)

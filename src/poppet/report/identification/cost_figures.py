@@ -95,8 +95,6 @@ def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[st
 
     `pair` contains the names and units of two parameters, whose plane shows the points. If it is empty, this panel is
     omitted.
-
-    `pair` contains the names and the units of the parameters; if it is empty, the second panel is omitted.
     """
     costs = np.array([search["cost"] for search in searches])
     rise = 2.0 * (np.sort(costs) - costs.min())

@@ -44,7 +44,11 @@ def headline(result: Result, *, is_plain: bool = False) -> str:
     >>> headline(Result("fit", "", {"valve.sonic_conductance": good, "valve.critical_ratio": poor}))
     'C = 1.1000 ± 0.0010 dm³/(s bar), b = 0.30 ± 0.20 (not determined). Of 2 parameters, 1 is determined, 1 is not.'
     """
-    names = _main_names(result)
+    # Single coefficients of a curve have little meaning.
+    method, recordings = METHODS.get(result.method), result.conditions.get("recordings", ())
+    names = [name for name in result.parameters if name.partition(".")[0] not in recordings]
+    names = [name for name in names if name.rpartition(".")[2] in SYMBOLS][:4] or names[:2]
+    names = [] if method and method.has_coefficients else names
     fields = [name.rpartition(".")[2] for name in names]
     texts = []
     for name, field in zip(names, fields, strict=True):
@@ -54,34 +58,16 @@ def headline(result: Result, *, is_plain: bool = False) -> str:
         label = f"{symbol} of {name.rpartition('.')[0]}" if field in SYMBOLS and fields.count(field) > 1 else symbol
         verdict = "" if e.verdict == "determined" else f" ({e.verdict})"
         size = value_with_error(e.value, e.standard_error, e.unit, unit)
-        if values := _distinct_values(result, name):
-            size, verdict = " or ".join(number(scaled(value, e.unit, unit)) for value in values), ""
+        distinct: list[float] = []  # values at equivalent optima that differ by more than 2 %
+        for optimum in result.optima if verdict else ():
+            value = float(optimum["values"][name])
+            if all(abs(value - previous) > 0.02 * abs(previous) for previous in distinct):
+                distinct.append(value)
+        if len(distinct) > 1:
+            size, verdict = " or ".join(number(scaled(value, e.unit, unit)) for value in distinct), ""
         texts.append(f"{label} = {size}{behind(unit if is_plain else pretty(unit))}{verdict}")
     text = f"{', '.join(texts)}. {verdicts(result)}" if texts else verdicts(result)
     return text.replace("±", "+/-") if is_plain else text
-
-
-def _main_names(result: Result) -> list[str]:
-    method = METHODS.get(result.method)
-    if method and method.has_coefficients:
-        return []  # single coefficients of a curve have little meaning
-    recordings = result.conditions.get("recordings", ())
-    names = [name for name in result.parameters if name.partition(".")[0] not in recordings]
-    return [name for name in names if name.rpartition(".")[2] in SYMBOLS][:4] or names[:2]
-
-
-def _distinct_values(result: Result, name: str) -> list[float]:
-    """Return the values of a parameter at equivalent optima that differ by more than 2 %.
-
-    The list is empty if the parameter is determined.
-    """
-    values: list[float] = []
-    if result.parameters[name].verdict != "determined":
-        for optimum in result.optima:
-            value = float(optimum["values"][name])
-            if all(abs(value - previous) > 0.02 * abs(previous) for previous in values):
-                values.append(value)
-    return values if len(values) > 1 else []
 
 
 def verdicts(result: Result) -> str:

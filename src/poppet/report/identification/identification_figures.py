@@ -78,46 +78,42 @@ class Trace:
 def traces_of(result: Result) -> list[Trace]:
     """Return the measured and modelled values of all channels of a result.
 
-    Channels without values are omitted.
-    """
-    traces = [_trace(result, name, table) for name, table in result.series.items() if isinstance(table, Mapping)]
-    return [trace for trace in traces if trace.measured.size or trace.model.size]
-
-
-def _trace(result: Result, name: str, table: Mapping[str, Any]) -> Trace:
-    """Read one channel from a table of the result.
-
-    The table contains samples, or a curve `x`, `y` with separate measured points.
+    The table of a channel contains samples, or a curve `x`, `y` with separate measured points. Channels without values
+    are omitted.
     """
 
-    def array(key: str, like: FloatArray | None = None) -> FloatArray:
-        """Return a column of the table as an array.
-
-        The array is empty if the column is missing or has another shape than `like`.
-        """
+    def array(table: Mapping[str, Any], key: str, like: FloatArray | None = None) -> FloatArray:
+        """Return a column as an array; it is empty if the column is missing or has another shape than `like`."""
         values = np.asarray(table.get(key, ()), dtype=float)
         return values if values.ndim == 1 and (like is None or values.shape == like.shape) else np.zeros(0)
 
-    is_timed, is_curve = "time" in table, "points_x" in table
-    curve_x = array("time" if is_timed else "x")
-    x = array("points_x") if is_curve else curve_x
-    residual = result.residuals.get(name)
-    return Trace(
-        name=name,
-        unit=str(table.get("unit") or (residual.unit if residual else "1")),
-        x=x,
-        measured=array("points_y" if is_curve else "measured", x),
-        curve_x=curve_x,
-        model=array("y" if is_curve else "model", curve_x),
-        low=array("low", curve_x),
-        high=array("high", curve_x),
-        samples=array("samples_high", curve_x) - array("model", curve_x) if "samples_high" in table else np.zeros(0),
-        x_unit="s" if is_timed else str(table.get("x_unit", "1")),
-        x_name="time" if is_timed else str(table.get("x_name", "x")),
-        error_low=array("points_low", x),
-        error_high=array("points_high", x),
-        sigma=float(result.conditions.get("noise", {}).get(name, math.nan)),
-    )
+    traces = []
+    for name, table in result.series.items():
+        if not isinstance(table, Mapping):
+            continue
+        is_timed, is_curve = "time" in table, "points_x" in table
+        curve_x = array(table, "time" if is_timed else "x")
+        x = array(table, "points_x") if is_curve else curve_x
+        residual, model = result.residuals.get(name), array(table, "y" if is_curve else "model", curve_x)
+        trace = Trace(
+            name=name,
+            unit=str(table.get("unit") or (residual.unit if residual else "1")),
+            x=x,
+            measured=array(table, "points_y" if is_curve else "measured", x),
+            curve_x=curve_x,
+            model=model,
+            low=array(table, "low", curve_x),
+            high=array(table, "high", curve_x),
+            samples=array(table, "samples_high", curve_x) - model if "samples_high" in table else np.zeros(0),
+            x_unit="s" if is_timed else str(table.get("x_unit", "1")),
+            x_name="time" if is_timed else str(table.get("x_name", "x")),
+            error_low=array(table, "points_low", x),
+            error_high=array(table, "points_high", x),
+            sigma=float(result.conditions.get("noise", {}).get(name, math.nan)),
+        )
+        if trace.measured.size or trace.model.size:
+            traces.append(trace)
+    return traces
 
 
 def channel_figure(
@@ -148,16 +144,12 @@ def channel_figure(
     legend_above(upper, 4, markerscale=1.5)
     lower = upper
     if has_residuals:
-        top = _TOP + _UPPER + _BETWEEN
-        lower = axes_in(figure, _LEFT, top, width, _LOWER, sharex=upper)
+        lower = axes_in(figure, _LEFT, _TOP + _UPPER + _BETWEEN, width, _LOWER, sharex=upper)
         _draw_residuals(lower, trace)
         _draw_rings(lower, trace, trace.residual, residual_unit(trace), indices)
     lower.set_xlabel(_label(trace.x_name, _x_unit(trace)), parse_math=False)
     if has_side:
-        left = _LEFT + _MAIN + _GAP
-        _draw_histogram(axes_in(figure, left, top, _SIDE, _LOWER, sharey=lower), trace)
-        if trace.is_timed:
-            _draw_autocorrelation(axes_in(figure, left, _TOP, _SIDE, _UPPER), trace.residual)
+        _draw_statistics(figure, trace, lower)
     return figure
 
 
@@ -266,37 +258,36 @@ def residual_unit(trace: Trace) -> str:
     return _readable(trace.unit, trace.residual)
 
 
-def _draw_histogram(axes: Any, trace: Trace) -> None:
-    unit = residual_unit(trace)
-    values = convert(trace.residual[np.isfinite(trace.residual)], trace.unit, unit)
-    if not values.size:
+def _draw_statistics(figure: Figure, trace: Trace, residual_axes: Any) -> None:
+    """Draw the histogram of the residuals beside their axes, and their autocorrelation above it."""
+    left, unit, finite = _LEFT + _MAIN + _GAP, residual_unit(trace), trace.residual[np.isfinite(trace.residual)]
+    axes = axes_in(figure, left, _TOP + _UPPER + _BETWEEN, _SIDE, _LOWER, sharey=residual_axes)
+    if finite.size:
+        # Rice's rule.
+        bins, ends = int(np.clip(round(2.0 * finite.size ** (1.0 / 3.0)), 5, 40)), axes.get_ylim()
+        bars = {"range": ends, "orientation": "horizontal", "color": "#9aa3ad", "linewidth": 0}
+        counts, edges, _ = axes.hist(convert(finite, trace.unit, unit), bins=bins, **bars)
+        sigma = scaled(residual_deviation(trace)[0], trace.unit, unit)
+        if sigma > 0.0:
+            level = np.linspace(ends[0], ends[1], 200)
+            size = finite.size * (edges[1] - edges[0]) / (sigma * math.sqrt(2.0 * math.pi))
+            bell = size * np.exp(-0.5 * (level / sigma) ** 2)
+            axes.plot(bell, level, color=_MODEL, linewidth=1.2)
+            axes.set_xlim(0.0, 1.1 * max(float(np.max(counts)), float(np.max(bell))))
+        axes.tick_params(labelleft=False)
+        axes.set_xlabel("samples")
+        axes.locator_params(axis="x", nbins=4, integer=True)
+    if not trace.is_timed:
         return
-    # Rice's rule.
-    bins = int(np.clip(round(2.0 * values.size ** (1.0 / 3.0)), 5, 40))
-    ends = axes.get_ylim()
-    counts, edges, _ = axes.hist(values, bins=bins, range=ends, orientation="horizontal", color="#9aa3ad", linewidth=0)
-    sigma = scaled(residual_deviation(trace)[0], trace.unit, unit)
-    if sigma > 0.0:
-        level = np.linspace(ends[0], ends[1], 200)
-        size = values.size * (edges[1] - edges[0]) / (sigma * math.sqrt(2.0 * math.pi))
-        bell = size * np.exp(-0.5 * (level / sigma) ** 2)
-        axes.plot(bell, level, color=_MODEL, linewidth=1.2)
-        axes.set_xlim(0.0, 1.1 * max(float(np.max(counts)), float(np.max(bell))))
-    axes.tick_params(labelleft=False)
-    axes.set_xlabel("samples")
-    axes.locator_params(axis="x", nbins=4, integer=True)
-
-
-def _draw_autocorrelation(axes: Any, residual: FloatArray) -> None:
-    residual = residual[np.isfinite(residual)]
-    centred = residual - np.mean(residual) if residual.size > 3 else np.zeros(1)
+    axes = axes_in(figure, left, _TOP, _SIDE, _UPPER)
+    centred = finite - np.mean(finite) if finite.size > 3 else np.zeros(1)
     power = float(centred @ centred)
     if not power > 0.0:
         axes.set_axis_off()
         return
-    lags = np.arange(1, min(residual.size // 3, _MAX_LAGS) + 1)
+    lags = np.arange(1, min(finite.size // 3, _MAX_LAGS) + 1)
     rho = np.array([float(centred[k:] @ centred[:-k]) / power for k in lags])
-    limit = 1.96 / math.sqrt(residual.size)
+    limit = 1.96 / math.sqrt(finite.size)
     axes.axhspan(-limit, limit, color=FAINT, alpha=0.6, linewidth=0)
     axes.axhline(0.0, color=GREY, linewidth=0.8)
     axes.vlines(lags, 0.0, rho, color=INK, linewidth=1.2)
@@ -310,39 +301,34 @@ def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
     """Draw the 95 % interval of each parameter; every axis begins at zero."""
     left = 0.35 + widest(list(parameters), 8.5)
     figure = new_figure(_WIDTH, _ROW * len(parameters) + 0.35)
-    for row, (name, estimate) in enumerate(parameters.items()):
+    for row, (name, e) in enumerate(parameters.items()):
         axes = axes_in(figure, left, 0.1 + _ROW * row, _WIDTH - left - 1.35, 0.2)
-        _draw_interval(axes, name, estimate)
+        low_end, high_end = interval_range(e)
+        unit, colour = readable_unit(e.unit, low_end, high_end), VERDICT_COLOURS[e.verdict]
+        first, last, low, high, start, value = (
+            scaled(min(max(v, low_end), high_end), e.unit, unit)
+            for v in (low_end, high_end, e.low, e.high, e.start, e.value)
+        )
+        axes.set_xlim(first, last)
+        axes.set_ylim(-1.0, 1.0)
+        if not (math.isnan(e.low) or math.isnan(e.high)):
+            axes.barh(0.0, high - low, left=low, height=1.1, color=colour, alpha=0.3, linewidth=0)
+            for end, edge, mark in ((e.low, first, "<"), (e.high, last, ">")):
+                if not low_end <= end <= high_end:
+                    axes.plot(edge, 0.0, mark, color=colour, markersize=7, clip_on=False, markeredgewidth=0)
+        if low_end <= e.start <= high_end:
+            axes.plot(start, 0.0, "o", color="white", markeredgecolor=GREY, markersize=5, clip_on=False)
+        if math.isfinite(e.value):
+            axes.plot([value] * 2, [-0.95, 0.95], color=colour, linewidth=2.2, clip_on=False)
+        axes.set_yticks([])
+        axes.spines["left"].set_visible(False)
+        axes.locator_params(axis="x", nbins=6)
+        axes.tick_params(axis="x", labelsize=7.5, pad=1.5, length=2.5)
+        axes.set_facecolor("#f6f7f9")
+        font = {"transform": axes.transAxes, "va": "center", "fontsize": 8.5, "parse_math": False}
+        axes.text(-0.015, 0.5, name, ha="right", **font)
+        axes.text(1.015, 0.5, with_unit("", unit).strip(), color=GREY, **font)
     return figure
-
-
-def _draw_interval(axes: Any, name: str, e: Estimate) -> None:
-    low_end, high_end = interval_range(e)
-    unit = readable_unit(e.unit, low_end, high_end)
-
-    def at(value: float) -> float:
-        return scaled(min(max(value, low_end), high_end), e.unit, unit)
-
-    colour = VERDICT_COLOURS[e.verdict]
-    axes.set_xlim(at(low_end), at(high_end))
-    axes.set_ylim(-1.0, 1.0)
-    if not (math.isnan(e.low) or math.isnan(e.high)):
-        axes.barh(0.0, at(e.high) - at(e.low), left=at(e.low), height=1.1, color=colour, alpha=0.3, linewidth=0)
-        for end, edge, mark in ((e.low, at(low_end), "<"), (e.high, at(high_end), ">")):
-            if not low_end <= end <= high_end:
-                axes.plot(edge, 0.0, mark, color=colour, markersize=7, clip_on=False, markeredgewidth=0)
-    if low_end <= e.start <= high_end:
-        axes.plot(at(e.start), 0.0, "o", color="white", markeredgecolor=GREY, markersize=5, clip_on=False)
-    if math.isfinite(e.value):
-        axes.plot([at(e.value)] * 2, [-0.95, 0.95], color=colour, linewidth=2.2, clip_on=False)
-    axes.set_yticks([])
-    axes.spines["left"].set_visible(False)
-    axes.locator_params(axis="x", nbins=6)
-    axes.tick_params(axis="x", labelsize=7.5, pad=1.5, length=2.5)
-    axes.set_facecolor("#f6f7f9")
-    axes.text(-0.015, 0.5, name, transform=axes.transAxes, ha="right", va="center", fontsize=8.5, parse_math=False)
-    note = with_unit("", unit).strip()
-    axes.text(1.015, 0.5, note, transform=axes.transAxes, va="center", fontsize=8.5, color=GREY, parse_math=False)
 
 
 def interval_range(e: Estimate) -> tuple[float, float]:

@@ -124,24 +124,24 @@ def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
     """Return a row for every parameter: value, confidence interval and verdict."""
     estimate, start = numeric("value ± error", "95 % interval"), numeric("relative", "start")
     columns: list[Column | str] = ["parameter", "verdict", *estimate, "unit", *start]
-    rows = [_parameter_row(name, e) for name, e in parameters.items()]
-    has_starts = any(math.isfinite(e.start) for e in parameters.values())
-    return ReportTable(columns, rows) if has_starts else ReportTable(columns[:-1], [row[:-1] for row in rows])
-
-
-def _parameter_row(name: str, e: Estimate) -> list[str]:
-    unit = _unit_of(e)
-    relative = 100.0 * 0.5 * (e.high - e.low) / abs(e.value) if e.value else math.nan
-    si_value = with_unit(f"{e.value:.6g}", e.unit) if unit != e.unit and math.isfinite(e.value) else ""
-    return [
-        code(name),
-        verdict_word(e.verdict),
-        with_detail(value_with_error(e.value, e.standard_error, e.unit, unit), si_value),
-        interval(e.low, e.high, e.unit, unit),
-        "-" if unit in ("1", "") else pretty(unit).replace(" ", "\N{NO-BREAK SPACE}"),
-        f"± {relative:{'.0f' if relative >= 10.0 else '.2g'}} %" if relative < 1000.0 else "-",
-        number(scaled(e.start, e.unit, unit)) if math.isfinite(e.start) else "-",
-    ]
+    rows = []
+    for name, e in parameters.items():
+        unit = _unit_of(e)
+        relative = 100.0 * 0.5 * (e.high - e.low) / abs(e.value) if e.value else math.nan
+        si_value = with_unit(f"{e.value:.6g}", e.unit) if unit != e.unit and math.isfinite(e.value) else ""
+        row = [
+            code(name),
+            verdict_word(e.verdict),
+            with_detail(value_with_error(e.value, e.standard_error, e.unit, unit), si_value),
+            interval(e.low, e.high, e.unit, unit),
+            "-" if unit in ("1", "") else pretty(unit).replace(" ", "\N{NO-BREAK SPACE}"),
+            f"± {relative:{'.0f' if relative >= 10.0 else '.2g'}} %" if relative < 1000.0 else "-",
+            number(scaled(e.start, e.unit, unit)) if math.isfinite(e.start) else "-",
+        ]
+        rows.append(row)
+    if any(math.isfinite(e.start) for e in parameters.values()):
+        return ReportTable(columns, rows)
+    return ReportTable(columns[:-1], [row[:-1] for row in rows])
 
 
 def residual_table(result: Result) -> ReportTable:
@@ -200,23 +200,20 @@ def _condition(result: Result, name: str, value: Any) -> str:
             return ", ".join([plain_text(value["value"], str(value.get("unit", "1"))), *notes])
         pairs = [(code(k, ": "), _condition(result, f"{name}.{k}", v)) for k, v in value.items()]
         return Markup("<br>".join(key + (v if isinstance(v, Markup) else html.escape(v)) for key, v in pairs))
-    unit = _condition_unit(result, name)
+    # An address such as `fixed.tank.volume` or `noise.discharge.tank.pressure`.
+    channel = name.partition(".")[2]
+    if channel in result.residuals:
+        unit = result.residuals[channel].unit
+    else:
+        unit = next((_UNITS[word] for word in reversed(name.split(".")) if word in _UNITS), "1")
+        if result.comparison.get("body") == TURNING.body:
+            unit = {"m": TURNING.length, "m/s": TURNING.speed}.get(unit, unit)
     if not isinstance(value, (list, tuple)):
         return plain_text(value, unit)
     texts = [plain_text(v, unit) for v in value]
     if name in _RANGES and len(value) == 2:
         return " ... ".join(texts) if value[0] < value[1] else texts[0]
     return ", ".join(texts)
-
-
-def _condition_unit(result: Result, name: str) -> str:
-    """Return the SI unit of a condition such as `fixed.tank.volume` or `noise.discharge.tank.pressure`."""
-    channel = name.partition(".")[2]
-    if channel in result.residuals:
-        return result.residuals[channel].unit
-    unit = next((_UNITS[word] for word in reversed(name.split(".")) if word in _UNITS), "1")
-    is_rotary = result.comparison.get("body") == TURNING.body
-    return {"m": TURNING.length, "m/s": TURNING.speed}.get(unit, unit) if is_rotary else unit
 
 
 def plain_text(value: Any, unit: str) -> str:

@@ -37,16 +37,11 @@ class MethodReport(NamedTuple):
 
 def _steady_sections(result: Result) -> list[Section]:
     """Return the sections on a flow bench or a valve characteristic: the results of each test."""
-    return [
-        Section("Tests at the strokes", _stroke_table(result)),
-        Section("Formulas of the standard", _standard_content(result)),
-        Section("Uncertainty budget", _budget_table(result)),
+    stroke_rows = [
+        (str(name), plain_text(stroke, "m"), error_text(c, u_c, _CONDUCTANCE), error_text(b, u_b, "1"))
+        for name, (stroke, c, b, u_c, u_b) in result.conditions.get("tests", {}).items()
     ]
-
-
-def _standard_content(result: Result) -> list[ReportTable | str]:
-    """Return the results of the formulas in ISO 6358-1, beside those of the direct fit."""
-    formulas, rows = result.comparison.get("standard_formulas") or {}, []
+    formulas, formula_rows = result.comparison.get("standard_formulas") or {}, []
     for name, si_unit in _STANDARD_UNITS.items():
         if name not in formulas:
             continue
@@ -54,14 +49,10 @@ def _standard_content(result: Result) -> list[ReportTable | str]:
         fit = next((e for key, e in result.parameters.items() if key.rpartition(".")[2] == name), None)
         fixed = number(float(result.conditions.get("fixed", {}).get(name, math.nan)))
         text = error_text(value, error, si_unit) if error > 0.0 else number(value)
-        rows.append((code(name), text, estimate_text(fit) if fit else f"{fixed}, fixed"))
-    note = "<p>The errors are standard uncertainties.</p>\n" if rows else ""
-    return [ReportTable(("parameter", "formulas of the standard", "direct fit"), rows), note]
-
-
-def _budget_table(result: Result) -> ReportTable:
-    """Return the contribution of each source of uncertainty to the standard errors."""
-    rows = []
+        formula_rows.append((code(name), text, estimate_text(fit) if fit else f"{fixed}, fixed"))
+    formula_table = ReportTable(("parameter", "formulas of the standard", "direct fit"), formula_rows)
+    note = "<p>The errors are standard uncertainties.</p>\n" if formula_rows else ""
+    budget_rows = []
     for name, budget in result.comparison.get("uncertainty", {}).items():
         si_unit = result.parameters[name].unit if name in result.parameters else "1"
         total = math.hypot(*budget["sources"].values())
@@ -69,17 +60,15 @@ def _budget_table(result: Result) -> ReportTable:
         for source, size in sorted(budget["sources"].items(), key=lambda pair: -pair[1]):
             fraction = f"{100.0 * (size / total) ** 2:.0f} %" if 0.0 < total < math.inf else "-"
             text = with_unit(f"{scaled(size, si_unit, unit):.2g}", unit) if math.isfinite(size) else number(size)
-            rows.append((code(name), source, text, fraction))
-    return ReportTable(("parameter", "source", *numeric("standard uncertainty", "fraction of the variance")), rows)
-
-
-def _stroke_table(result: Result) -> ReportTable:
-    """Return a row for each test: stroke, C and b."""
-    rows = [
-        (str(name), plain_text(stroke, "m"), error_text(c, u_c, _CONDUCTANCE), error_text(b, u_b, "1"))
-        for name, (stroke, c, b, u_c, u_b) in result.conditions.get("tests", {}).items()
+            budget_rows.append((code(name), source, text, fraction))
+    budget_columns = numeric("standard uncertainty", "fraction of the variance")
+    return [
+        Section(
+            "Tests at the strokes", ReportTable(("test", *numeric("stroke", "C ± error", "b ± error")), stroke_rows)
+        ),
+        Section("Formulas of the standard", [formula_table, note]),
+        Section("Uncertainty budget", ReportTable(("parameter", "source", *budget_columns), budget_rows)),
     ]
-    return ReportTable(("test", *numeric("stroke", "C ± error", "b ± error")), rows)
 
 
 def _force_sections(result: Result) -> list[Section]:

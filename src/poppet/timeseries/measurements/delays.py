@@ -59,8 +59,17 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
         return []
     facts = {
         "shift": abs(delay), "stated": item.delay or None, "channel": channel.address, "gain": 1.0 - ratio,
-        **_zero_while_rising(item, channel), "is_fixed": item.delay is not None,
+        "silent_until": None, "moved": None, "is_fixed": item.delay is not None,
     }  # fmt: skip
+    # A pressure change before the flow meter shows a flow.
+    flowing = np.flatnonzero(np.abs(item.values) > 0.05 * float(np.max(np.abs(item.values))))
+    begin = float(item.time[flowing[0]])
+    earlier = channel.values[channel.time < begin]
+    if earlier.size >= 2 * _WINDOW:
+        rise = abs(float(np.mean(earlier[-5:])) - float(np.mean(earlier[:_WINDOW])))
+        noise = noise_of(channel.values, channel.time)
+        if rise > max(_CERTAIN * noise, _SLIGHT * float(np.ptp(channel.values))):
+            facts |= {"silent_until": begin, "moved": rise}
     return [Note("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early", item.address, **facts)]
 
 
@@ -70,23 +79,6 @@ def _thinned(channel: Channel) -> Channel:
     length = channel.time.size // count * count
     time, values = (row[:length].reshape(-1, count).mean(axis=1) for row in (channel.time, channel.values))
     return replace(channel, time=time, values=values)
-
-
-def _zero_while_rising(item: InputChannel, channel: Channel) -> dict[str, float | None]:
-    """Detect a pressure change before the flow meter shows a flow.
-
-    The result contains the time of the first flow and the pressure change. Both are None if the pressure did not
-    change before.
-    """
-    flowing = np.flatnonzero(np.abs(item.values) > 0.05 * float(np.max(np.abs(item.values))))
-    begin = float(item.time[flowing[0]])
-    earlier = channel.values[channel.time < begin]
-    if earlier.size >= 2 * _WINDOW:
-        rise = abs(float(np.mean(earlier[-5:])) - float(np.mean(earlier[:_WINDOW])))
-        noise = noise_of(channel.values, channel.time)
-        if rise > max(_CERTAIN * noise, _SLIGHT * float(np.ptp(channel.values))):
-            return {"silent_until": begin, "moved": rise}
-    return {"silent_until": None, "moved": None}
 
 
 def _misfits(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:

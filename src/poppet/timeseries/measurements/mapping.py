@@ -11,8 +11,9 @@ from typing import Any, TypeVar
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, UnitError, collect
-from poppet.core.units import Kind, check_unit, convert, quantity, same_dimension, sizes_of, with_state
+from poppet.core.errors import ErrorCollector, InputError, UnitError, collect
+from poppet.core.tables import Field, missing_field, read_fields
+from poppet.core.units import Kind, check_unit, convert, same_dimension, sizes_of, with_state
 from poppet.timeseries.checks import FloatArray, split_heading
 from poppet.timeseries.measurements.measurement import (
     LEAST_SAMPLES,
@@ -28,11 +29,33 @@ from poppet.timeseries.measurements.verdicts import heading_verdicts, verdicts
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.reading import Table, read_table
 
-_OF_FILE = ("file", "group", "time", "separator", "header_rows", "decimal")
-_FIELDS = (*_OF_FILE, "skip", "until", "ambient_pressure", "inputs", "start")
-_OF_CHANNEL = ("column", "unit", "noise", "offset", "lag", *_OF_FILE)
-_OF_INPUT = ("column", "unit", "delay", "lag", "hold", "before", *_OF_FILE)
-_OPTIONS: dict[str, Any] = {"separator": str, "decimal": str, "header_rows": int, "group": str | int}
+_OPTIONS = {
+    "separator": Field(type="string"),
+    "decimal": Field(type="string", meaning="decimal sign"),
+    "header_rows": Field(type="integer", low=0, meaning="number of header rows"),
+    "group": Field(type="name", meaning="group of channels"),
+}
+_OF_FILE = {"file": Field(meaning="table of the recording", example='file = "bench.csv"'), "time": Field(), **_OPTIONS}
+_SECONDS = Field(unit="s", low=0.0)
+_FIELDS = _OF_FILE | {
+    "skip": _SECONDS,
+    "until": _SECONDS,
+    "ambient_pressure": Field(unit="Pa", kind="pressure", above=0.0, meaning="absolute ambient pressure"),
+    "inputs": Field(type="table"),
+    "start": Field(type="table"),
+}
+_OF_TIME = {"column": Field(type="name", default="time"), "unit": Field()}
+_OF_COLUMN = _OF_FILE | {
+    "column": Field(type="name", is_required=True, meaning="column of the values", example='column = "p"'),
+    "unit": Field(),
+    "lag": Field(unit="s", low=0.0, choices=("free",)),
+}
+_OF_CHANNEL = _OF_COLUMN | {"noise": Field(), "offset": Field()}
+_OF_INPUT = _OF_COLUMN | {
+    "delay": Field(unit="s", choices=("free",)),
+    "hold": Field(type="boolean", default=False),
+    "before": Field(type="number", meaning="value before the first sample"),
+}
 _INSTANT = 1e-6  # end of the value `before`, ahead of the first sample [s]
 
 # Units of circuit outputs. A signal with an unspecific name has the unit of its dimension.
@@ -75,7 +98,8 @@ def read_measurement(
     >>> read.duration, float(read.channels[0].values[0]), read.channels[0].noise
     (0.17, 680000.0, 2000.0)
     """
-    return _MeasurementReader(name, table, folder, other_fields, source).measurement(ambient_pressure)
+    reader = _MeasurementReader(table, folder, f"recordings.{name}", source, other_fields, ambient_pressure)
+    return reader.measurement(name)
 
 
 @dataclass(frozen=True)
@@ -100,32 +124,49 @@ class _MappedColumn:
 
 
 class _MeasurementReader:
-    """Reader of one `[recordings.NAME]` table.
+    """Reader of one `[recordings.NAME]` table, whose address is `location`.
 
     It continues after an error and reports all errors together.
     """
 
     def __init__(
-        self, name: str, table: Mapping[str, Any], folder: Path, other_fields: Sequence[str], source: Table | None
-    ) -> None:
-        self.name, self.table, self.folder, self.other_fields, self.source = name, table, folder, other_fields, source
-        self.location = f"recordings.{name}"
+        self, table: Mapping[str, Any], folder: Path, location: str, source: Table | None,
+        other_fields: Sequence[str] = (), ambient_pressure: float = 1e5,
+    ) -> None:  # fmt: skip
+        self.table, self.folder, self.location, self.source = table, folder, location, source
         self.errors = ErrorCollector()
         self.notes: dict[Note, None] = {}
         self.findings: dict[Note, None] = {}
         self.files: dict[str, Table | None] = {}
+        valid = _FIELDS | dict.fromkeys(other_fields, Field())
+        fields = {key: value for key, value in table.items() if "." not in key}
+        if len(fields) == len(table):
+            self.errors.add("measured.no_channel", location)
+        for key in [key for key, value in fields.items() if key not in valid and isinstance(value, Mapping)]:
+            # TOML reads tank.pressure without quotes as a table.
+            self.errors.add("measured.unquoted", f"{location}.{key}", key=key)
+            del fields[key]
+        # A gauge value of the ambient pressure has no reference: NaN is outside its limits.
+        self.fields = read_fields(self.errors, fields, valid, location, table="recording", ambient_pressure=math.nan)
+        self.ambient: float = self.fields.get("ambient_pressure", ambient_pressure)
 
-    def measurement(self, ambient_pressure: float) -> Measurement:
-        self._check_keys()
-        self.ambient = self._ambient(ambient_pressure)
+    def measurement(self, name: str) -> Measurement:
         # The first and last used times, relative to the first sample.
-        skip = self._seconds(self.table, "skip", self.location)
-        end = self._seconds(self.table, "until", self.location, math.inf)
+        skip, end = self.fields.get("skip", 0.0), self.fields.get("until", math.inf)
         if end <= skip:
             self.errors.add("measured.until_before_skip", f"{self.location}.until", value=self.table["until"])
         channels = self._columns(self.table, _OF_CHANNEL, self.location)
-        inputs = self._columns(self._mapping("inputs"), _OF_INPUT, f"{self.location}.inputs")
-        start = self._start()
+        inputs = self._columns(self.fields.get("inputs", {}), _OF_INPUT, f"{self.location}.inputs")
+        start = dict(self.fields.get("start", {}))
+        for address, value in start.items():
+            location = f"{self.location}.start.{address}"
+            measured = address.replace(".initial_", ".")
+            if isinstance(value, bool) or not isinstance(value, str | int | float):
+                self.errors.add("measured.no_start", location, value=value)
+            elif value == "first" and measured == address:
+                self.errors.add("measured.first_of_none", location)
+            elif value == "first" and measured not in self.table:
+                self.errors.add("measured.no_first_sample", location, channel=measured)
         self._refuse_all()
         origin, samples = from_first([column.samples for column in channels], skip, end)
         read = tuple(self._channel(column, shifted) for column, shifted in zip(channels, samples, strict=True))
@@ -133,20 +174,16 @@ class _MeasurementReader:
         self._refuse_all()
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
-            self.name, read, driving, start, self.ambient, tuple(self.notes),
+            name, read, driving, start, self.ambient, tuple(self.notes),
             (*self.findings, *verdicts(read, driving, self.ambient, gauge)),
             max(float(channel.time[-1]) for channel in read),
         )  # fmt: skip
 
-    def recording(self, ambient_pressure: str | float, title: str) -> Recording:
+    def recording(self, title: str) -> Recording:
         """Return the channels as a recording over the union of their times.
 
         A value is NaN if a channel has no sample at that time.
         """
-        self.location = "columns"
-        self._check_keys()
-        self.table = {**self.table, "ambient_pressure": ambient_pressure}
-        self.ambient = self._ambient(1e5)
         columns = self._columns(self.table, _OF_CHANNEL, self.location)
         self._refuse_all()
         base = np.unique(np.concatenate([column.samples.time for column in columns]))
@@ -170,58 +207,7 @@ class _MeasurementReader:
             self.errors.extend([error.at(location)])
         return None
 
-    def _check_keys(self) -> None:
-        unknown = [key for key in self.table if "." not in key and key not in _FIELDS]
-        for key in unknown:
-            location = f"{self.location}.{key}"
-            if isinstance(self.table[key], Mapping):  # TOML reads tank.pressure without quotes as a table
-                self.errors.add("measured.unquoted", location, key=key)
-            else:
-                near = NameSuggestion(key, (*_FIELDS, *self.other_fields))
-                self.errors.add("fields.unknown", location, table="recording", near=near)
-        if not any("." in key for key in self.table):
-            self.errors.add("measured.no_channel", self.location)
-
-    def _mapping(self, key: str) -> Mapping[str, Any]:
-        value = self.table.get(key, {})
-        if isinstance(value, Mapping):
-            return value
-        self.errors.add("measured.no_table", f"{self.location}.{key}", value=value, key=key)
-        return {}
-
-    def _ambient(self, default: float) -> float:
-        location = f"{self.location}.ambient_pressure"
-        raw = self.table.get("ambient_pressure", default)
-        read = self._attempt(location, lambda: quantity(raw, "Pa", kind="pressure", name=location))
-        if read is not None and (read.reference == "gauge" or read.value <= 0.0):
-            self.errors.add("measured.ambient_pressure", location, value=raw)
-        return read.value if read is not None else default
-
-    def _seconds(
-        self, fields: Mapping[str, Any], key: str, location: str, default: float = 0.0, *, signed: bool = False
-    ) -> float:
-        if key not in fields:
-            return default
-        location = f"{location}.{key}"
-        read = self._attempt(location, lambda: quantity(fields[key], "s", name=location))
-        if read is not None and read.value < 0.0 and not signed:
-            self.errors.add("measured.negative_time", location, value=fields[key])
-        return read.value if read is not None else default
-
-    def _start(self) -> dict[str, str | float]:
-        start = dict(self._mapping("start"))
-        for address, value in start.items():
-            location = f"{self.location}.start.{address}"
-            measured = address.replace(".initial_", ".")
-            if isinstance(value, bool) or not isinstance(value, str | int | float):
-                self.errors.add("measured.no_start", location, value=value)
-            elif value == "first" and measured == address:
-                self.errors.add("measured.first_of_none", location)
-            elif value == "first" and measured not in self.table:
-                self.errors.add("measured.no_first_sample", location, channel=measured)
-        return start
-
-    def _columns(self, table: Mapping[str, Any], valid: tuple[str, ...], location: str) -> list[_MappedColumn]:
+    def _columns(self, table: Mapping[str, Any], valid: Mapping[str, Field], location: str) -> list[_MappedColumn]:
         columns = []
         for address, value in table.items():
             if "." in address:
@@ -232,22 +218,15 @@ class _MeasurementReader:
         return [column for column in columns if column is not None]
 
     def _column(
-        self, address: str, fields: Mapping[str, Any], valid: tuple[str, ...], location: str
+        self, address: str, raw: Mapping[str, Any], valid: Mapping[str, Field], location: str
     ) -> _MappedColumn | None:
-        for key in (field for field in fields if field not in valid):
-            near = NameSuggestion(key, valid)
-            self.errors.add("fields.unknown", f"{location}.{key}", table="channel", near=near)
         # Checked before the file: these errors do not depend on its content.
-        lag = None if fields.get("lag") == "free" else self._seconds(fields, "lag", location)
-        is_free = "delay" not in valid or fields.get("delay") == "free"
-        delay = None if is_free else self._seconds(fields, "delay", location, signed=True)
+        fields = read_fields(self.errors, raw, valid, location, table="channel")
         owner = location if any(key in fields for key in _OF_FILE) else self.location
         # The separator of one file does not apply to another; the name of the time column can be common.
         inherited = ("time",) if "file" in fields else _OF_FILE
-        of_file = {key: self.table[key] for key in inherited if key in self.table} | dict(fields)
+        of_file = {key: self.fields[key] for key in inherited if key in self.fields} | fields
         table = self._file(of_file, owner)
-        if "column" not in fields:
-            self.errors.add("measured.no_column", f"{location}.column")
         if table is None or "column" not in fields:
             return None
         time = self._time(table, of_file.get("time", "time"), f"{owner}.time")
@@ -270,6 +249,7 @@ class _MeasurementReader:
             return None
         self.notes |= dict.fromkeys(note.within(address) for note in samples.notes)
         self.findings |= dict.fromkeys(heading_verdicts(address, table.names[index], table.units[index], written))
+        delay, lag = (None if fields.get(key) == "free" else fields.get(key, 0.0) for key in ("delay", "lag"))
         return _MappedColumn(address, location, unit, written, samples, fields, delay, lag)
 
     def _file(self, fields: Mapping[str, Any], location: str) -> Table | None:
@@ -277,13 +257,9 @@ class _MeasurementReader:
         if name is None and self.source is not None:
             return self.source
         if not isinstance(name, str):
-            self.errors.add("measured.no_file", f"{location}.file")
+            self.errors.extend([missing_field(f"{location}.file", _OF_FILE["file"])])
             return None
         options = {key: fields[key] for key in _OPTIONS if key in fields}
-        for option, value in options.items():
-            if isinstance(value, bool) or not isinstance(value, _OPTIONS[option]):
-                self.errors.add("measured.option", f"{location}.{option}", value=value, option=option)
-                return None
         key = repr((name, options))
         if key not in self.files:  # each file is read once
             read = self._attempt(f"{location}.file", lambda: read_table(self.folder / name, **options))
@@ -291,14 +267,11 @@ class _MeasurementReader:
             self.notes |= dict.fromkeys(note.within(name) for note in (read.notes if read else ()))
         return self.files[key]
 
-    def _named(self, table: Table, column: Any, location: str) -> int | None:
+    def _named(self, table: Table, column: str | int, location: str) -> int | None:
         """Return the index of the requested numeric column of a table.
 
         The result is None if this causes an error, which the reader collects.
         """
-        if isinstance(column, bool) or not isinstance(column, str | int):
-            self.errors.add("measured.column", location, value=column)
-            return None
         index = self._attempt(location, lambda: table.index(column))
         if index is not None and np.isnan(table.columns[index]).all():
             texts = {n.facts["column"]: n.facts["cell"] for n in table.notes if n.code == "table.column_of_text"}
@@ -313,11 +286,9 @@ class _MeasurementReader:
 
         `value` is the field `time`, and `location` its address in error messages.
         """
-        spec = value if isinstance(value, Mapping) else {"column": value}
-        for key in (field for field in spec if field not in ("column", "unit")):
-            near = NameSuggestion(key, ("column", "unit"))
-            self.errors.add("fields.unknown", f"{location}.{key}", table="time column", near=near)
-        index = self._named(table, spec.get("column", "time"), f"{location}.column")
+        raw = value if isinstance(value, Mapping) else {"column": value}
+        spec = read_fields(self.errors, raw, _OF_TIME, location, table="time column")
+        index = self._named(table, spec["column"], f"{location}.column") if "column" in spec else None
         if index is None:
             return None
         unit = str(spec.get("unit") or table.units[index] or "s")
@@ -356,26 +327,17 @@ class _MeasurementReader:
         location, raw = f"{column.location}.{key}", column.fields.get(key)
         if raw is None:
             return None
-        kind = DIFFERENCE_KINDS.get(column.unit, "plain")
-        value = self._attempt(location, lambda: quantity(raw, column.unit, kind=kind, name=location).value)
-        if value is not None and value <= 0.0:
-            self.errors.add("measured.noise", location, value=raw)
-        return value
+        field = Field(unit=column.unit, kind=DIFFERENCE_KINDS.get(column.unit, "plain"), above=0.0)
+        return self._attempt(location, lambda: float(field.read(raw, location)))
 
     def _input(self, column: _MappedColumn, origin: float) -> InputChannel:
         time, values, fields = column.samples.time - origin, column.samples.values, column.fields
-        hold = fields.get("hold", False)
-        if not isinstance(hold, bool):
-            self.errors.add("measured.hold", f"{column.location}.hold", value=hold)
         if "before" in fields:
-            initial = fields["before"]  # in the unit of the column
-            if isinstance(initial, bool) or not isinstance(initial, int | float) or not math.isfinite(initial):
-                self.errors.add("measured.before", f"{column.location}.before", value=initial)
-                initial = math.nan
-            first = convert(float(initial), column.written, column.unit, ambient_pressure=self.ambient)
+            # In the unit of the column.
+            first = convert(float(fields["before"]), column.written, column.unit, ambient_pressure=self.ambient)
             time, values = np.append(time[0] - _INSTANT, time), np.append(first, values)
         self._refuse_slips(column, time, values)
-        return InputChannel(column.address, time, values, column.unit, column.delay, column.lag, hold is True)
+        return InputChannel(column.address, time, values, column.unit, column.delay, column.lag, fields["hold"])
 
 
 def read_recording(
@@ -432,8 +394,9 @@ def read_recording(
         columns = {name: name for name in source.names if "." in name}
     fields = {address: _column_fields(column, source) for address, column in columns.items()}
     clock = {} if time is None else {"time": _column_fields(time, source)}
-    reader = _MeasurementReader("columns", {**clock, **fields}, path.parent, (), source)
-    return reader.recording(ambient_pressure, path.stem if title is None else title)
+    tables = {**clock, **fields, "ambient_pressure": ambient_pressure}
+    reader = _MeasurementReader(tables, path.parent, "columns", source)
+    return reader.recording(path.stem if title is None else title)
 
 
 def _column_fields(column: str | int | Mapping[str, str], source: Table) -> Mapping[str, Any]:

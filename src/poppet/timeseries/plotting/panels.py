@@ -156,20 +156,25 @@ def panels_of(
     for item in series:
         if item.name in moving:
             groups.setdefault((item.rank, item.quantity, item.unit), []).append(item)
-    ordered = sorted(groups.items(), key=lambda item: (_place(item[1], bodies) if bodies else 0, item[0][0]))
-    panels = [Panel(_title(quantity, members), unit, tuple(members)) for (_, quantity, unit), members in ordered]
-    return panels, list(reversed(omitted.values()))
-
-
-def _place(members: Sequence[Series], bodies: Collection[str]) -> int:
-    """Return the rank of a panel in figures with moving bodies.
-
-    `members` are the series of the panel. Positions come first, then velocities, pressures, forces and torques.
-    """
-    names = {item.name for item in members}
-    motions = [any(f"{body}.{quantity}" in names for body in bodies) for quantity in ("position", "velocity")]
-    unit = _QUANTITIES[members[0].rank][0] if members[0].rank < len(_QUANTITIES) else ""
-    return [*motions, *(unit == quantity for quantity in _OF_LOADS), True].index(True)
+    ranked: list[tuple[tuple[int, int], Panel]] = []
+    for (rank, quantity, unit), members in groups.items():
+        order = 0
+        if bodies:
+            # Positions come first, then velocities, pressures, forces and torques.
+            names = {item.name for item in members}
+            motions = [any(f"{body}.{motion}" in names for body in bodies) for motion in ("position", "velocity")]
+            reference = _QUANTITIES[rank][0] if rank < len(_QUANTITIES) else ""
+            order = [*motions, *(reference == load for load in _OF_LOADS), True].index(True)
+        phrases = {item.name.rpartition(".")[2].replace("_", " ") for item in members}
+        title = quantity
+        if quantity == "stroke" and "position" in phrases:
+            title = "position"
+        elif len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", ""):
+            # The quantity is unspecific: the title is the common name of the series.
+            title = phrases.pop()
+        ranked.append(((order, rank), Panel(title, unit, tuple(members))))
+    ranked.sort(key=lambda item: item[0])
+    return [panel for _, panel in ranked], list(reversed(omitted.values()))
 
 
 def thinned(time: FloatArray, values: FloatArray, columns: int) -> NDArray[np.int64]:
@@ -233,17 +238,6 @@ def readable(names: Sequence[str], quantity: str) -> dict[str, str]:
     texts = list(labels.values())
     # Series with equal labels have their full names.
     return {name: label if texts.count(label) == 1 else name for name, label in labels.items()}
-
-
-def _title(quantity: str, members: Sequence[Series]) -> str:
-    """Return the quantity of a panel for its axis label.
-
-    If the quantity is unspecific, such as a ratio, the result is the common name of the series.
-    """
-    phrases = {item.name.rpartition(".")[2].replace("_", " ") for item in members}
-    if quantity == "stroke" and "position" in phrases:
-        return "position"
-    return phrases.pop() if len(phrases) == 1 and quantity in ("ratio", "stroke", "angle", "") else quantity
 
 
 def _series(

@@ -38,41 +38,32 @@ def read_tdms(path: Path, *, group: str | int | None = None) -> Table:
     units: dict[str, str] = {}
     notes: list[Note] = []
     for channel_group in file.groups():
-        columns, missing = _tdms_columns(channel_group.channels())
-        notes += [Note("table.channel_without_numbers", channel=name, group=channel_group.name) for name in missing]
-        if columns:
-            groups[channel_group.name] = columns
+        columns: dict[str, FloatArray] = {}
+        clocks: dict[str, tuple[float, float, int]] = {}
         for channel in channel_group.channels():
             unit = next((str(channel.properties[key]) for key in _UNIT_PROPERTIES if key in channel.properties), "")
             units[channel.name] = units[f"{channel_group.name}/{channel.name}"] = unit
+            values: Any = np.asarray(channel[:])
+            if not values.size or values.dtype.kind not in "iufbM":
+                facts = {"channel": channel.name, "group": channel_group.name}
+                notes.append(Note("table.channel_without_numbers", **facts))
+                continue
+            columns[channel.name] = seconds(values) if values.dtype.kind == "M" else values.astype(float)
+            if "wf_increment" in channel.properties:
+                # The offset can be absent; time_track() of the package raises an error in this case.
+                offset = float(channel.properties.get("wf_start_offset", 0.0))
+                clocks[channel.name] = (offset, float(channel.properties["wf_increment"]), values.size)
+        # Each waveform has a clock; if all clocks are equal, they are the time of the group.
+        is_common = len(set(clocks.values())) == 1 and "time" not in columns
+        for name, (offset, increment, count) in clocks.items():
+            columns["time" if is_common else f"{name} time"] = np.asarray(
+                offset + increment * np.arange(count), dtype=float
+            )
+        if columns:
+            groups[channel_group.name] = columns
     columns_of_file = groups_of(groups, group) if groups else {}
     stamps = {name: "s" for name in columns_of_file if name.rpartition("/")[2].rpartition(" ")[2] == "time"}
     return table_of(columns_of_file, stamps | {name: unit for name, unit in units.items() if unit}, notes)
-
-
-def _tdms_columns(channels: list[Any]) -> tuple[dict[str, FloatArray], list[str]]:
-    """Return the columns of a TDMS group with their times.
-
-    The second item contains the names of the channels without numbers.
-    """
-    columns, missing = {}, []
-    bases: dict[str, tuple[float, float, int]] = {}
-    for channel in channels:
-        values: Any = np.asarray(channel[:])
-        if not values.size or values.dtype.kind not in "iufbM":
-            missing += [channel.name]
-            continue
-        columns[channel.name] = seconds(values) if values.dtype.kind == "M" else values.astype(float)
-        if "wf_increment" in channel.properties:
-            # The offset can be absent; time_track() of the package raises an error in this case.
-            offset = float(channel.properties.get("wf_start_offset", 0.0))
-            bases[channel.name] = (offset, float(channel.properties["wf_increment"]), values.size)
-    # Each waveform has a clock; if all clocks are equal, they are the time of the group.
-    common = len(set(bases.values())) == 1 and "time" not in columns
-    for name, (offset, increment, count) in bases.items():
-        base = offset + increment * np.arange(count)
-        columns["time" if common else f"{name} time"] = base
-    return columns, missing
 
 
 def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
@@ -83,34 +74,29 @@ def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
     with needed("asammdf", "An MDF file", "measured"):
         from asammdf import MDF
     path.open("rb").close()  # gives the usual error for a missing file
-    with MDF(path) as file:
-        groups, units, notes = _mdf_groups(file)
-    columns = groups_of(groups, group) if groups else {}
-    stamps = {name: "s" for name in columns if name.rpartition("/")[2] == "time"}
-    return table_of(columns, units | stamps, notes)
-
-
-def _mdf_groups(file: Any) -> tuple[dict[str, dict[str, FloatArray]], dict[str, str], list[Note]]:
     groups: dict[str, dict[str, FloatArray]] = {}
     units: dict[str, str] = {}
     notes: list[Note] = []
-    for k in range(len(file.groups)):
-        name = str(getattr(file.groups[k].channel_group, "acq_name", "") or "")
-        name = name if name and name not in groups else f"group {k}"
-        columns: dict[str, FloatArray] = {}
-        # Without the master channel, which is the time.
-        indices = [i for i in range(len(file.groups[k].channels)) if i != file.masters_db.get(k)]
-        for signal in file.select([(None, k, i) for i in indices]) if indices else ():
-            if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
-                notes.append(Note("table.channel_without_numbers", channel=signal.name, group=name))
-                continue
-            # All channels of a group share its clock.
-            columns.setdefault("time", np.asarray(signal.timestamps, dtype=float))
-            columns[signal.name] = signal.samples.astype(float)
-            units[signal.name] = units[f"{name}/{signal.name}"] = signal.unit or ""
-        if columns.get("time", np.empty(0)).size:
-            groups[name] = columns
-    return groups, units, notes
+    with MDF(path) as file:
+        for k in range(len(file.groups)):
+            name = str(getattr(file.groups[k].channel_group, "acq_name", "") or "")
+            name = name if name and name not in groups else f"group {k}"
+            columns: dict[str, FloatArray] = {}
+            # Without the master channel, which is the time.
+            indices = [i for i in range(len(file.groups[k].channels)) if i != file.masters_db.get(k)]
+            for signal in file.select([(None, k, i) for i in indices]) if indices else ():
+                if signal.samples.dtype.kind not in "iufb" or signal.samples.ndim != 1:
+                    notes.append(Note("table.channel_without_numbers", channel=signal.name, group=name))
+                    continue
+                # All channels of a group share its clock.
+                columns.setdefault("time", np.asarray(signal.timestamps, dtype=float))
+                columns[signal.name] = signal.samples.astype(float)
+                units[signal.name] = units[f"{name}/{signal.name}"] = signal.unit or ""
+            if columns.get("time", np.empty(0)).size:
+                groups[name] = columns
+    selected = groups_of(groups, group) if groups else {}
+    stamps = {name: "s" for name in selected if name.rpartition("/")[2] == "time"}
+    return table_of(selected, units | stamps, notes)
 
 
 def known(metadata: Any) -> dict[str, Any]:
@@ -159,17 +145,14 @@ def _vectors(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str
         if isinstance(value, Mapping):
             yield from _vectors(value, f"{prefix}{name}.")
         elif isinstance(value, np.ndarray | float | int) and not name.startswith("__"):
-            yield from _mat_columns(prefix + name, np.asarray(value))
-
-
-def _mat_columns(name: str, value: Any) -> Iterator[tuple[str, FloatArray]]:
-    if value.dtype.kind not in "iufb" or not value.size:
-        return
-    if value.ndim <= 1:
-        yield name, np.atleast_1d(value).astype(float)
-    elif value.ndim == 2:
-        for k, column in enumerate(value.T, start=1):
-            yield f"{name}(:,{k})", column.astype(float)
+            array: Any = np.asarray(value)
+            if array.dtype.kind not in "iufb" or not array.size:
+                continue
+            if array.ndim <= 1:
+                yield f"{prefix}{name}", np.atleast_1d(array).astype(float)
+            elif array.ndim == 2:
+                for k, column in enumerate(array.T, start=1):
+                    yield f"{prefix}{name}(:,{k})", column.astype(float)
 
 
 def arrow() -> Any:

@@ -87,7 +87,12 @@ def read(
         raise InputError("table.empty")
     if decimal not in (None, ".", ","):
         raise InputError("table.decimal", "decimal", value=decimal)
-    layout = _guess(rest_lines, _separators(separator), (".", ",") if decimal is None else (decimal,))
+    separators: Sequence[str] = _SEPARATORS
+    if separator is not None:
+        separators = [_WORDS.get(separator.strip().lower(), separator)]
+        if len(separators[0]) != 1:
+            raise InputError("table.separator", "separator", value=separator)
+    layout = _guess(rest_lines, separators, (".", ",") if decimal is None else (decimal,))
     head, body = _parted(rest_lines, layout, header_rows)
     names, units, heading_notes = _headings(head, comments, layout, body)
     if separator is None or decimal is None:
@@ -156,15 +161,6 @@ def _lines(text: str) -> list[Line]:
     return [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
 
 
-def _separators(separator: str | None) -> Sequence[str]:
-    if separator is None:
-        return _SEPARATORS
-    character = _WORDS.get(separator.strip().lower(), separator)
-    if len(character) != 1:
-        raise InputError("table.separator", "separator", value=separator)
-    return (character,)
-
-
 def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
     """Return the layout (separator and decimal sign) with which most cells are numbers.
 
@@ -174,28 +170,27 @@ def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[
     choices = [(s, d) for s in separators for d in decimals if s != d]
     if not choices:
         raise InputError("table.same_sign", "separator", sign=separators[0])
-    scored = [_scored(sample, _TextLayout(*choice)) for choice in choices]
-    score, layout = max(scored, key=lambda pair: pair[0])
-    if score[1] == 0.0:
+    best_score, best_layout = (False, 0.0, 0), None
+    for choice in choices:
+        layout = _TextLayout(*choice)
+        rows = [layout.cells(text) for text in sample]
+        with_numbers = [row for row in rows if any(layout.is_number(cell) for cell in row)]
+        if not with_numbers:
+            continue
+        widths = [len(row) for row in with_numbers]
+        width = max(sorted(set(widths)), key=widths.count)
+        fitting = [row for row in with_numbers if len(row) == width]
+        numbers = [sum(layout.is_number(row[k]) for row in fitting) for k in range(width)]
+        empty = [sum(row[k].lower() in _EMPTY for row in fitting) for k in range(width)]
+        is_numeric = tuple(n >= 0.5 * (len(fitting) - e) for n, e in zip(numbers, empty, strict=True))
+        share = (sum(numbers) + sum(empty)) / (width * len(fitting)) * len(fitting) / len(rows)
+        # A single column, which has no time, is the last choice. Rounding ignores differences of a few cells.
+        score = (width > 1 and share >= 0.5, round(share, 2), width)
+        if score > best_score:
+            best_score, best_layout = score, _TextLayout(*choice, width, is_numeric)
+    if best_layout is None or best_score[1] == 0.0:
         raise InputError("table.no_lines_of_numbers")
-    return layout
-
-
-def _scored(sample: Sequence[str], layout: _TextLayout) -> tuple[tuple[bool, float, int], _TextLayout]:
-    rows = [layout.cells(text) for text in sample]
-    with_numbers = [row for row in rows if any(layout.is_number(cell) for cell in row)]
-    if not with_numbers:
-        return (False, 0.0, 0), layout
-    widths = [len(row) for row in with_numbers]
-    width = max(sorted(set(widths)), key=widths.count)
-    fitting = [row for row in with_numbers if len(row) == width]
-    numbers = [sum(layout.is_number(row[k]) for row in fitting) for k in range(width)]
-    empty = [sum(row[k].lower() in _EMPTY for row in fitting) for k in range(width)]
-    is_numeric = tuple(n >= 0.5 * (len(fitting) - e) for n, e in zip(numbers, empty, strict=True))
-    share = (sum(numbers) + sum(empty)) / (width * len(fitting)) * len(fitting) / len(rows)
-    # A single column, which has no time, is the last choice. Rounding ignores differences of a few cells.
-    score = (width > 1 and share >= 0.5, round(share, 2), width)
-    return score, _TextLayout(layout.separator, layout.decimal, width, is_numeric)
+    return best_layout
 
 
 def _parted(lines: list[Line], layout: _TextLayout, header_rows: int | None) -> tuple[list[Line], list[Line]]:
