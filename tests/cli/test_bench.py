@@ -1,4 +1,4 @@
-"""`poppet bench`: exit codes, results, pages, comparison."""
+"""Tests of `poppet bench`: exit codes, results, reports, comparison."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def test_recordings_equal_the_output_of_their_script(tmp_path):
     names = sorted(path.name for path in EXAMPLES.glob("*.csv"))
     assert sorted(path.name for path in tmp_path.glob("*.csv")) == names
     for name in names:
-        made, kept = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (tmp_path, EXAMPLES))
-        np.testing.assert_allclose(made, kept, atol=2e-3)
+        generated, stored = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (tmp_path, EXAMPLES))
+        np.testing.assert_allclose(generated, stored, atol=2e-3)
 
 
 def test_figures_of_the_example_recordings(poppet, bench, tmp_path):

@@ -1,4 +1,4 @@
-"""`poppet check`: what a wrong circuit file is told, line by line, without a run and without a compiler."""
+"""Tests of `poppet check`: errors of circuit files with their lines, without a run."""
 
 from __future__ import annotations
 
@@ -41,8 +41,8 @@ def test_one_note_reports_an_assumption_of_many_parts(poppet, tanks):
     text = tanks.read_text().replace("critical_ratio = 0.3\n", "")
     start = text.index("[parts.hole]")
     end = text.find("\n[", start + 1)
-    more = "\n".join(text[start:end].replace("parts.hole", f"parts.hole_{k}") for k in range(3))
-    tanks.write_text(text + more)
+    further_parts = "\n".join(text[start:end].replace("parts.hole", f"parts.hole_{k}") for k in range(3))
+    tanks.write_text(text + further_parts)
     code, _, err = poppet("check", "tanks.toml")
     assert (code, err.count("note: ")) == (0, 1)
     assert [f"hole_{k}" in err for k in range(3)] == [True] * 3
@@ -54,8 +54,8 @@ def test_check_reports_all_errors_of_several_files(poppet, tanks, tmp_path):
     assert answer.code == 2
     assert answer.out.startswith("tanks.toml: no errors")
     assert answer.codes == ["quantity.other_quantity", "toml.no_file"]
-    said = [line for line in answer.err.splitlines() if line.startswith("error: ")]
-    assert [line.split(": ")[1].split(" ")[0] for line in said] == ["bad.toml:6", "missing.toml"]
+    error_lines = [line for line in answer.err.splitlines() if line.startswith("error: ")]
+    assert [line.split(": ")[1].split(" ")[0] for line in error_lines] == ["bad.toml:6", "missing.toml"]
 
 
 # What stands in the file, what is written instead, the line, the code, the address, the name that is offered.
@@ -188,12 +188,12 @@ def test_the_cause_of_further_errors_is_reported(poppet, tanks, good, bad, line,
     tanks.write_text(tanks.read_text().replace(good, bad, 1))
     answer = poppet("check", "tanks.toml")
     assert answer.code == 2
-    assert (code, line) in [(mistake.code, mistake.line) for mistake in answer.errors]
+    assert (code, line) in [(error.code, error.line) for error in answer.errors]
 
 
 def test_six_errors_have_their_line_numbers(poppet, tanks):
     text = tanks.read_text()
-    for good, bad in (
+    for old, new in (
         ('"10 l"', '"10 bar"'),
         ('from = "high"', 'from = "hihg"'),
         ("critical_ratio = 0.3", "critical_ratio = 1.3"),
@@ -201,18 +201,18 @@ def test_six_errors_have_their_line_numbers(poppet, tanks):
         ('kind = "steps"', 'kind = "stpes"'),
         ("duration", "duratoin"),
     ):
-        assert good in text
-        text = text.replace(good, bad, 1)
+        assert old in text
+        text = text.replace(old, new, 1)
     tanks.write_text(text)
     answer = poppet("check", "tanks.toml")
     assert answer.code == 2
-    assert [mistake.line for mistake in answer.errors] == [6, 11, 14, 18, 21, 26]
+    assert [error.line for error in answer.errors] == [6, 11, 14, 18, 21, 26]
 
 
 def test_an_unknown_kind_is_one_error(poppet, tanks):
     tanks.write_text(tanks.read_text().replace('kind = "chamber"', 'kind = "chambre"', 1))
-    found = poppet("check", "tanks.toml").errors
-    assert found == [("fields.not_an_option", "parts.high.kind", 5, "chamber")]
+    errors = poppet("check", "tanks.toml").errors
+    assert errors == [("fields.not_an_option", "parts.high.kind", 5, "chamber")]
 
 
 def test_a_misspelt_mode_is_one_error(poppet, tmp_path):

@@ -1,4 +1,4 @@
-"""`poppet ensemble`: tables of a file to a dataset, mistakes with their lines, an end before its time."""
+"""Tests of `poppet ensemble`: dataset, errors with their lines, interruption."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def test_a_file_becomes_a_dataset(poppet, file, tmp_path):
         "fast", "low", "all", "end", "empty", "air",
     ]  # fmt: skip
     assert len([*(tmp_path / "tank.ensemble" / "runs").iterdir()]) == 5
-    again = poppet("ensemble", "tank.toml")
-    assert (again.code, again.out) == (0, answer.out)
+    second = poppet("ensemble", "tank.toml")
+    assert (second.code, second.out) == (0, answer.out)
     assert poppet("ensemble", "tank.toml", "--quiet").out == ""
 
 
@@ -52,12 +52,12 @@ def test_errors_have_line_numbers(poppet, file):
     file.write_text(text, encoding="utf-8")
     answer = poppet("ensemble", "tank.toml")
     assert answer.code == 2
-    wanted = [1 + text.splitlines().index(next(line for line in text.splitlines() if new in line)) for new in (
+    lines = [1 + text.splitlines().index(next(line for line in text.splitlines() if new in line)) for new in (
         changes.values())]  # fmt: skip
-    assert [mistake.line for mistake in answer.errors] == wanted
-    assert [mistake.nearest for mistake in answer.errors] == ["", "tank.volume", "final", "", "empty"]
+    assert [error.line for error in answer.errors] == lines
+    assert [error.nearest for error in answer.errors] == ["", "tank.volume", "final", "", "empty"]
     checked = poppet("check", "tank.toml")
-    assert (checked.code, [mistake.line for mistake in checked.errors]) == (2, wanted)
+    assert (checked.code, [error.line for error in checked.errors]) == (2, lines)
     # Other commands leave these tables aside.
     assert poppet("simulate", "tank.toml").code == 0
 

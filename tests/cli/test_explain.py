@@ -1,4 +1,4 @@
-"""`poppet explain`: every code has an answer."""
+"""Tests of `poppet explain`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a target cannot carry is refused by every one of them before anything is written."""
+"""Tests of circuits that export targets refuse before they write a file."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ WHOLE = {"c": FOLDER, "fmu": FMU, "live": PAGE}
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """Where circuits lie of which each has something that cannot be carried; nothing else may be there afterwards."""
+    """Folder with circuits that cannot be exported; a refused export adds no file."""
     monkeypatch.chdir(tmp_path)
     text = Path(CONTROL).read_text(encoding="utf-8")
     signals = text.index("[signals.")
     run = text.index("[run]")
     course = '[signals."regulator.setpoint"]\n'
     file = 'kind = "file"\npath = "bench.csv"\ncolumn = "regulator.setpoint"\n'
-    made = {
+    files = {
         "endless.toml": text[:run],
         "measured.toml": text[:signals] + course + file + text[run:],
         "quick.toml": f"{text[:signals]}{course}"
         'kind = "square"\nlow = "2 bar"\nhigh = "3 bar"\nfrequency = "20 kHz"\n' + text[run:],
         "bench.csv": "time [s],regulator.setpoint [Pa]\n0,2e5\n1,4e5\n",
     }
-    for name, content in made.items():
+    for name, content in files.items():
         (tmp_path / name).write_text(content, encoding="utf-8")
     yield tmp_path
-    assert {path.name for path in tmp_path.iterdir()} == made.keys()
+    assert {path.name for path in tmp_path.iterdir()} == files.keys()
 
 
 def command(target, file, *more):
@@ -83,7 +83,7 @@ def test_invalid_options_of_a_target_are_refused(target, file, given, code, fold
 
 
 def test_a_python_function_as_signal_is_refused():
-    """So no target meets one: what a circuit holds is data."""
+    """A circuit contains data only, so an export target never gets a Python function."""
     parts = {
         "tank": Chamber(volume="1 l", initial_pressure="5 bar"),
         "vent": Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3),

@@ -1,4 +1,4 @@
-"""`poppet export st`: a file or the terminal, and nothing where something is wrong."""
+"""Tests of `poppet export st`: output file, terminal, invalid input."""
 
 from __future__ import annotations
 

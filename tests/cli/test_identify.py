@@ -1,4 +1,4 @@
-"""`poppet identify`: the ways on the examples, and data that cannot be."""
+"""Tests of `poppet identify`: methods on the examples, and invalid data."""
 
 from __future__ import annotations
 
@@ -67,10 +67,12 @@ def test_an_undocumented_key_is_detected():
 
 
 def test_the_documentation_shows_all_methods():
-    shown = {
-        way for page in PAGES for way in re.findall(r"poppet identify (\w+) examples", page.read_text(encoding="utf-8"))
+    methods = {
+        method
+        for page in PAGES
+        for method in re.findall(r"poppet identify (\w+) examples", page.read_text(encoding="utf-8"))
     }
-    assert shown == {*WAYS, "design"}
+    assert methods == {*WAYS, "design"}
 
 
 def test_shown_files_are_those_of_the_examples():
@@ -116,8 +118,8 @@ def page_of(method: str) -> str:
     ],
 )
 def test_every_field_is_documented(method, names):
-    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", page_of(method)))))
-    assert [name for name in names if name not in words] == []
+    documented = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", page_of(method)))))
+    assert [name for name in names if name not in documented] == []
 
 
 # What the ways find -----------------------------------------------------------------------------------------------
@@ -133,9 +135,9 @@ def test_recordings_equal_the_output_of_their_script(tmp_path):
     names = sorted(str(path.relative_to(EXAMPLES)) for path in EXAMPLES.rglob("*.csv"))
     assert names == sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.csv"))
     for name in names:
-        kept, made = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (EXAMPLES, tmp_path))
+        stored, generated = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (EXAMPLES, tmp_path))
         # Another processor may round a sample to the next step of the recorder.
-        assert np.max(np.abs(made - kept)) <= 0.11
+        assert np.max(np.abs(generated - stored)) <= 0.11
 
 
 TRUTH = {
@@ -183,9 +185,9 @@ def test_an_identified_characteristic_is_used_in_a_circuit(poppet, bench):
 
 
 def test_too_short_strokes_are_reported(bench):
-    """At 80 mm/s the example has 12 samples of a stroke."""
-    (said,) = remarks(identify_friction(bench / "friction.toml"), "friction.short_strokes")
-    assert said.facts["count"] == 8
+    """The example has 12 samples per stroke at 80 mm/s."""
+    (note,) = remarks(identify_friction(bench / "friction.toml"), "friction.short_strokes")
+    assert note.facts["count"] == 8
 
 
 def test_a_spline_reports_that_the_data_reject_its_constraint(poppet, bench):
@@ -291,7 +293,7 @@ def test_errors_have_their_line_number(bench, way, old, new, marked, code):
     assert old in text
     text = text.replace(old, new, 1)
     path.write_text(text, encoding="utf-8")
-    line = next(n for n, each in enumerate(text.splitlines(), 1) if marked in each)
+    line = next(n for n, row in enumerate(text.splitlines(), 1) if marked in row)
     with pytest.raises(InputError) as error:
         READERS[way](path)
     assert (error.value.code, error.value.file, error.value.line) == (code, str(path), line)
@@ -322,7 +324,7 @@ def test_an_invalid_value_of_the_fit_file_has_its_line(poppet, bench):
     path = bench / "fit.toml"
     text = path.read_text(encoding="utf-8").replace("[recordings", '[set]\n"tank.volum" = 3\n\n[recordings', 1)
     path.write_text(text, encoding="utf-8")
-    line = next(n for n, each in enumerate(text.splitlines(), 1) if "tank.volum" in each)
+    line = next(n for n, row in enumerate(text.splitlines(), 1) if "tank.volum" in row)
     assert f"fit.toml:{line}: " in poppet("identify", "fit", str(path)).err
 
 
@@ -330,32 +332,32 @@ def test_a_gauge_pressure_read_as_absolute_is_reported(poppet, bench):
     path = bench / "tank.toml"
     path.write_text(path.read_text(encoding="utf-8").replace('unit = "bar g"', 'unit = "bar"'), encoding="utf-8")
     result = identify_tank(path)
-    (found,) = remarks(result, "finding.gauge")
-    assert found.address == "charge.tank.pressure"
-    assert found.facts["floor"] < 0.5 * found.facts["ambient"] == pytest.approx(0.4935)
-    assert (found.facts["number"], found.facts["verdict"]) == ("valve.critical_ratio", "at bound")
+    (finding,) = remarks(result, "finding.gauge")
+    assert finding.address == "charge.tank.pressure"
+    assert finding.facts["floor"] < 0.5 * finding.facts["ambient"] == pytest.approx(0.4935)
+    assert (finding.facts["number"], finding.facts["verdict"]) == ("valve.critical_ratio", "at bound")
     assert len([note for note in remarks(result, "suspicion.read_as_absolute") if "discharge" in note.address]) == 1
 
 
 def test_missing_matplotlib_is_reported_before_the_fit(poppet, bench, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     result = bench / "result.toml"
-    asked = ("identify", "flow", str(bench / "flow.toml"), "-o", str(result), "--report", str(bench / "page.html"))
-    code, out, err = poppet(*asked)
+    arguments = ("identify", "flow", str(bench / "flow.toml"), "-o", str(result), "--report", str(bench / "page.html"))
+    code, out, err = poppet(*arguments)
     assert (code, out) == (2, "")
     assert "matplotlib" in err
     assert not result.exists()
 
 
 def test_profiles_and_bootstrap_report_progress(bench):
-    told = []
+    calls = []
     options = {"profile": ["valve.critical_ratio"], "repeats": 2}
-    identify_tank(bench / "tank.toml", stages=lambda *parts: told.append(parts), **options)
-    assert [each for each in told if each[0] == "bootstrap fits"] == [("bootstrap fits", k, 2) for k in (1, 2)]
-    profile = [each for each in told if each[0].startswith("ends of profiles (valve.critical_ratio: ")]
+    identify_tank(bench / "tank.toml", stages=lambda *parts: calls.append(parts), **options)
+    assert [call for call in calls if call[0] == "bootstrap fits"] == [("bootstrap fits", k, 2) for k in (1, 2)]
+    profile = [call for call in calls if call[0].startswith("ends of profiles (valve.critical_ratio: ")]
     assert [done for _, done, _ in profile] == sorted(done for _, done, _ in profile)
     assert {total for *_, total in profile} == {2}
-    assert len(profile) + 2 == len(told)
+    assert len(profile) + 2 == len(calls)
 
 
 @pytest.mark.parametrize(
@@ -368,7 +370,7 @@ def test_profiles_and_bootstrap_report_progress(bench):
 )
 def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, note):
     """The interrupt comes during the fit that follows the report, where a search catches it."""
-    plain = identify_tank(bench / "tank.toml").parameters
+    uninterrupted = identify_tank(bench / "tank.toml").parameters
     armed = []
     original = Experiment.outputs
 
@@ -388,7 +390,7 @@ def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, note):
     )
     assert result.conditions["interrupted"] is True
     assert note in result.remarks
-    assert result.parameters == plain
+    assert result.parameters == uninterrupted
 
 
 def test_a_constant_pressure_gives_a_finding(poppet, bench):
@@ -417,7 +419,7 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
     repeated = {note.address: note.facts for note in remarks(result, "finding.bootstrap")}
     assert set(repeated) == set(result.parameters)
     assert repeated["valve.sonic_conductance"]["low"] == pytest.approx(2.1e-8, rel=0.02)
-    assert {each["fits"] for each in repeated.values()} == {3}
+    assert {facts["fits"] for facts in repeated.values()} == {3}
 
 
 @pytest.mark.parametrize(
@@ -478,7 +480,7 @@ def backwards(rows):
 
 
 def rising(rows):
-    return [[row[0], other[1], *row[2:]] for row, other in zip(rows, rows[::-1], strict=True)]
+    return [[row[0], mirrored[1], *row[2:]] for row, mirrored in zip(rows, rows[::-1], strict=True)]
 
 
 REFUSED = [
@@ -574,8 +576,8 @@ def test_a_constant_sensor_gives_a_finding(bench):
 
 def test_a_rising_pressure_in_a_discharge_gives_a_finding(bench):
     rewrite(bench / "discharge.csv", rising)
-    (found,) = remarks(doubtful(bench / "fit.toml"), "finding.residuals.not_white")[:1]
-    assert found.address == "discharge.tank.pressure"
+    (finding,) = remarks(doubtful(bench / "fit.toml"), "finding.residuals.not_white")[:1]
+    assert finding.address == "discharge.tank.pressure"
 
 
 def test_gauge_read_as_absolute_gives_a_finding(bench):

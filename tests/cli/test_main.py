@@ -1,4 +1,4 @@
-"""Finding the command, help, exit codes, and errors that never become tracebacks."""
+"""Tests of the entry point: command names, help, exit codes, errors without traceback."""
 
 from __future__ import annotations
 
@@ -84,8 +84,8 @@ def test_every_help_ends_with_two_or_three_examples(poppet, name):
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_example_can_be_parsed(name):
     for line in COMMANDS[name].examples:
-        program, *words = shlex.split(line)
-        command, arguments = main.split_command(words)
+        program, *command_line = shlex.split(line)
+        command, arguments = main.split_command(command_line)
         # A group shows what is in it.
         assert program == "poppet"
         assert f"{command} ".startswith(f"{name} ")
@@ -127,9 +127,9 @@ def test_every_command_has_quiet(poppet, monkeypatch, tmp_path, name):
 
     module, _, function = COMMANDS[name].function.partition(":")
     monkeypatch.setattr(importlib.import_module(f"poppet.cli.{module}"), function, execute)
-    words = shlex.split(COMMANDS[name].examples[0])[1:]
-    assert main.split_command(words)[0] == name
-    assert poppet(*words, "--quiet") == (0, "", "note: text\n")
+    arguments = shlex.split(COMMANDS[name].examples[0])[1:]
+    assert main.split_command(arguments)[0] == name
+    assert poppet(*arguments, "--quiet") == (0, "", "note: text\n")
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""Templates: listed, written, never over an existing file, and each of them runs."""
+"""Tests of `poppet new`: templates are listed, written and run; existing files are kept."""
 
 from __future__ import annotations
 

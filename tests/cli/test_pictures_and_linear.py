@@ -1,4 +1,4 @@
-"""`poppet draw`, `plot`, `linearise` and `paper`: what they hand to the rooms below."""
+"""Tests of `poppet draw`, `plot`, `linearise` and `paper`."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ class Linear:
 
 @pytest.fixture
 def asked(monkeypatch):
-    """What `Circuit.linearise` is asked for."""
+    """Record the arguments of `Circuit.linearise`."""
     calls = []
 
     def linearise(self, inputs=None, *, at=None):

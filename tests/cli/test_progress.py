@@ -1,4 +1,4 @@
-"""Something moves on a terminal once a command lasts longer than a second."""
+"""Tests of the progress display of commands that take longer than a second."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`poppet show`, `poppet library` and `poppet schema`."""
+"""Tests of `poppet show`, `poppet library` and `poppet schema`."""
 
 from __future__ import annotations
 

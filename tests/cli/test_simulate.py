@@ -1,4 +1,4 @@
-"""`poppet simulate`: options, files, summaries and failures."""
+"""Tests of `poppet simulate`: options, files, summaries and failures."""
 
 from __future__ import annotations
 
@@ -167,11 +167,11 @@ output_step = "1 ms"
 def test_one_note_reports_all_missed_steps(poppet, tmp_path):
     (tmp_path / "missing.toml").write_text(MISSING)
     code, _, err = poppet("simulate", "missing.toml", "-o", "out.parquet")
-    said = [note for note in house.Recording.read("out.parquet").remarks if note.code == "valve.not_reached"]
-    assert (code, len(said)) == (0, 6)
-    (shown,) = grouped(said)
-    assert (shown.facts["more"], shown.facts["size"]) == (5, max(note.facts["missed_bar"] for note in said))
-    assert err == f"note: {shown}\n"
+    notes = [note for note in house.Recording.read("out.parquet").remarks if note.code == "valve.not_reached"]
+    assert (code, len(notes)) == (0, 6)
+    (sentence,) = grouped(notes)
+    assert (sentence.facts["more"], sentence.facts["size"]) == (5, max(note.facts["missed_bar"] for note in notes))
+    assert err == f"note: {sentence}\n"
 
 
 def test_select_and_units_apply_to_the_file(poppet, tanks):
@@ -202,8 +202,8 @@ def test_start_from_continues_a_run(poppet, tanks):
     )
     assert code == 0
     poppet("simulate", "tanks.toml", "--set", "hole.opening=1", "-o", "whole.csv")
-    parts, whole = house.Recording.read("next.csv").last(), house.Recording.read("whole.csv").last()
-    assert parts["high.pressure"] == pytest.approx(whole["high.pressure"], rel=1e-5)
+    parts, uninterrupted = house.Recording.read("next.csv").last(), house.Recording.read("whole.csv").last()
+    assert parts["high.pressure"] == pytest.approx(uninterrupted["high.pressure"], rel=1e-5)
 
 
 def test_set_prevails_over_start_from(poppet, tanks):
@@ -272,7 +272,7 @@ def test_all_errors_of_set_are_reported(poppet, tanks):
     changes = ("--set", "high.volume=1 bar", "--set", "low.volmue=1 l", "--set", "hole.critical_ratio=1.5")
     answer = poppet("simulate", "tanks.toml", *changes)
     assert answer.code == 2
-    assert [mistake.address for mistake in answer.errors] == ["high.volume", "low.volmue", "hole.critical_ratio"]
+    assert [error.address for error in answer.errors] == ["high.volume", "low.volmue", "hole.critical_ratio"]
 
 
 def test_a_file_without_duration(poppet, tanks):

@@ -1,4 +1,4 @@
-"""What an export writes: identifiers, texts that stay texts, and nothing outside its folder."""
+"""Tests of exported files: identifiers, comments, string literals and folders."""
 
 from __future__ import annotations
 
@@ -16,31 +16,36 @@ HOSTILE = "*/ int main; /* \\\n // (* *) ??/ <script>&\"'%s \u202e µ"
 
 @given(st.lists(st.text(max_size=12), max_size=6))
 def test_identifiers_are_valid_and_distinct(texts):
-    found = identifiers(texts)
-    assert all(re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) for name in found)
-    assert len({name.lower() for name in found}) == len(texts)
-    assert not any("__" in name for name in found)
+    names = identifiers(texts)
+    assert all(re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) for name in names)
+    assert len({name.lower() for name in names}) == len(texts)
+    assert not any("__" in name for name in names)
 
 
 @given(st.text(max_size=80))
 def test_comment_text_cannot_end_the_comment(text):
-    found = comment_text(text)
-    assert not any(end in found for end in ("*/", "/*", "//", "*)", "(*", "??", "\\", "\n"))
-    assert re.fullmatch(r"[ -~]*", found)
+    comment = comment_text(text)
+    assert not any(end in comment for end in ("*/", "/*", "//", "*)", "(*", "??", "\\", "\n"))
+    assert re.fullmatch(r"[ -~]*", comment)
 
 
 @given(st.text(max_size=80))
 def test_c_string_contains_all_bytes(text):
-    inside = c_string(text)[1:-1]
-    read = re.sub(r"\\([0-7]{3})", lambda m: chr(int(m[1], 8)), inside)
+    content = c_string(text)[1:-1]
+    read = re.sub(r"\\([0-7]{3})", lambda m: chr(int(m[1], 8)), content)
     assert read.encode("latin-1") == text.encode()
-    assert '"' not in inside
-    assert inside.isascii()
-    assert "??" not in inside
+    assert '"' not in content
+    assert content.isascii()
+    assert "??" not in content
 
 
 def test_reserved_words_are_no_identifiers():
-    assert [identifier(word) for word in ("int", "While", "END_", "class")] == ["int_v", "While_v", "END_v", "class_v"]
+    assert [identifier(reserved) for reserved in ("int", "While", "END_", "class")] == [
+        "int_v",
+        "While_v",
+        "END_v",
+        "class_v",
+    ]
     assert identifier(HOSTILE).isidentifier()
 
 
@@ -75,14 +80,14 @@ def test_paths_outside_the_folder_are_refused(tmp_path, path):
 
 
 def test_links_out_of_the_folder_are_not_followed(tmp_path):
-    folder, outside = tmp_path / "own", tmp_path / "outside"
-    outside.mkdir()
-    (outside / "a.c").write_text("theirs")
+    folder, link_target = tmp_path / "own", tmp_path / "outside"
+    link_target.mkdir()
+    (link_target / "a.c").write_text("theirs")
     write_folder(folder, {"b.c": "1"}, "")
-    (folder / "sub").symlink_to(outside)
+    (folder / "sub").symlink_to(link_target)
     with refused("deploy.outside", path="sub/a.c"):
         write_folder(folder, {"sub/a.c": "1"}, "")
-    (folder / "a.c").symlink_to(outside / "a.c")
+    (folder / "a.c").symlink_to(link_target / "a.c")
     write_folder(folder, {"a.c": "mine"}, "")
-    assert (outside / "a.c").read_text() == "theirs"
+    assert (link_target / "a.c").read_text() == "theirs"
     assert (folder / "a.c").read_text() == "mine"

@@ -1,4 +1,4 @@
-"""The Windows library of an FMU, run by Wine: a host in C loads it, and gets the numbers of the one for Linux."""
+"""Test of the Windows library of an FMU in Wine: its values equal those of the Linux library."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The live page: what it carries, what it refuses, and in a browser that it computes and shows what Python computes."""
+"""Tests of the live page: content, refused sliders, and its results in a browser."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def header(page: str) -> dict:
 
 
 def sliders(circuit: Circuit, *texts: str) -> dict:
-    return {each.address: each for each in select_sliders(build_export_model(circuit), circuit, texts)}
+    return {slider.address: slider for slider in select_sliders(build_export_model(circuit), circuit, texts)}
 
 
 # --- what it carries ---
@@ -65,16 +65,16 @@ def test_a_page_is_small_and_self_contained():
     page = live_page(load(STAIRCASE))
     assert len(page.encode()) < 200_000
     needs_nothing_else(page)
-    shown = header(page)
-    assert [panel["y"]["label"].partition(" ")[0] for panel in shown["panels"]] == [
+    content = header(page)
+    assert [panel["y"]["label"].partition(" ")[0] for panel in content["panels"]] == [
         "pressure",
         "temperature",
         "stroke",
         "mass",
     ]
-    assert [band["label"] for band in shown["bands"]] == ["valve: supply", "valve: exhaust", "bleed", "valve"]
-    assert [mover["kind"] for mover in shown["drawing"]["movers"]] == ["poppet"]
-    assert "valve.pilot_pressure" in [each["address"] for each in shown["sliders"]]
+    assert [band["label"] for band in content["bands"]] == ["valve: supply", "valve: exhaust", "bleed", "valve"]
+    assert [mover["kind"] for mover in content["drawing"]["movers"]] == ["poppet"]
+    assert "valve.pilot_pressure" in [slider["address"] for slider in content["sliders"]]
 
 
 def test_special_characters_in_titles_are_escaped():
@@ -85,10 +85,10 @@ def test_special_characters_in_titles_are_escaped():
 
 
 def test_sliders_have_the_ranges_and_units_of_the_user():
-    found = sliders(
+    by_address = sliders(
         loads(TANK), "tank.volume=1 l..5 l", "tank.initial_pressure=1 bar g..4 bar g", "tank.wall_conductance"
     )
-    volume, pressure, wall = found.values()
+    volume, pressure, wall = by_address.values()
     assert (volume.low, volume.high, volume.unit) == (1e-3, 5e-3, "l")
     assert (pressure.low, pressure.high) == (2e5, 5e5)
     assert (wall.low, wall.high, wall.is_assumed) == (0.5, 2.0, True)
@@ -96,8 +96,8 @@ def test_sliders_have_the_ranges_and_units_of_the_user():
 
 
 def test_a_long_run_is_shown_with_fewer_rows():
-    shown = header(live_page(loads(TANK.replace("20 ms", "0.01 ms"))))
-    assert shown["lengths"]["n_rows"] == 2001
+    content = header(live_page(loads(TANK.replace("20 ms", "0.01 ms"))))
+    assert content["lengths"]["n_rows"] == 2001
 
 
 @pytest.mark.parametrize(
@@ -116,7 +116,9 @@ def test_invalid_sliders_are_refused(texts, code):
 
 def test_a_derived_parameter_is_refused():
     circuit = loads(TANK)
-    follows = next(each.address for each in build_export_model(circuit).parameters if each.fixed == "derived")
+    follows = next(
+        parameter.address for parameter in build_export_model(circuit).parameters if parameter.fixed == "derived"
+    )
     with refused("deploy.live.derived", address=follows):
         sliders(circuit, follows)
 
@@ -136,7 +138,7 @@ def test_a_delay_and_a_guided_body_are_refused():
 
 def test_tied_parameters_are_refused(tmp_path):
     circuit = load(EXAMPLES / "pressure_regulator.toml")
-    fixed = {each.fixed: each.address for each in build_export_model(circuit).parameters}
+    fixed = {parameter.fixed: parameter.address for parameter in build_export_model(circuit).parameters}
     assert "tied" in fixed
     with refused("deploy.live.tied", address=fixed["tied"]):
         write_live(circuit, tmp_path / "page.html", parameters=[fixed["tied"]])
@@ -175,8 +177,8 @@ def opened(browser: Browser, path: Path, **how) -> None:
 
 
 def series(browser: Browser, circuit: Circuit, address: str) -> np.ndarray:
-    place = [name for name, _ in circuit.model.outputs].index(address)
-    return np.array(browser(f"Array.from(live.kernel.series({place}))"))
+    index = [name for name, _ in circuit.model.outputs].index(address)
+    return np.array(browser(f"Array.from(live.kernel.series({index}))"))
 
 
 def differs(browser: Browser, circuit: Circuit, expected: Recording) -> float:
@@ -209,7 +211,7 @@ def typed(browser: Browser, label: str, text: str) -> None:
 def test_a_slider_gives_the_curves_of_python(browser, tmp_path, address, value):
     circuit = load(STAIRCASE)
     opened(browser, write_live(circuit, tmp_path / "page.html"))
-    k = [each["address"] for each in browser("live.header.sliders")].index(address)
+    k = [entry["address"] for entry in browser("live.header.sliders")].index(address)
     browser(f"""(() => {{ const range = document.querySelectorAll("#sliders input[type=range]")[{k}];
         const s = live.header.sliders[{k}]; range.value = {value} * s.factor + s.shift;
         range.dispatchEvent(new Event("input")); }})()""")
@@ -223,8 +225,8 @@ def test_a_slider_gives_the_curves_of_python(browser, tmp_path, address, value):
         table = None
         expected = circuit.with_values({address: value}).simulate()
     for name in ("tank.pressure", "tank.temperature"):
-        place = [each for each, _ in circuit.model.outputs].index(name)
-        python = table[place] if table is not None else expected[name]
+        index = [entry for entry, _ in circuit.model.outputs].index(name)
+        python = table[index] if table is not None else expected[name]
         assert np.max(np.abs(series(browser, circuit, name) / python - 1.0)) < 1e-6
 
 
@@ -235,8 +237,8 @@ def test_a_page_sends_no_request_and_escapes_names(browser, tmp_path):
     opened(browser, path)
     assert browser("document.querySelector('h1').textContent") == HOSTILE
     assert browser("document.images.length") == 0
-    asked = [e["params"]["request"]["url"] for e in browser.events if e["method"] == "Network.requestWillBeSent"]
-    assert [url for url in asked if not url.startswith(("file:", "data:", "about:"))] == []
+    urls = [e["params"]["request"]["url"] for e in browser.events if e["method"] == "Network.requestWillBeSent"]
+    assert [url for url in urls if not url.startswith(("file:", "data:", "about:"))] == []
     assert not [e for e in browser.events if e["method"] == "Runtime.exceptionThrown"]
     hostile = json.dumps("time [s],<img src=x onerror=alert(1)> [bar]\n0,3\n0.5,2\n1,1\n")
     browser(f"live.measured('<b>file</b>', {hostile})")
@@ -253,7 +255,7 @@ def test_a_link_restores_parameters_and_variants(browser, tmp_path):
     browser.settle()
     browser("live.change('tank.volume', 0.1)")
     browser.settle()
-    link, before = browser("live.remember(), location.hash"), browser("Array.from(live.kernel.series(5))")
+    link, old_series = browser("live.remember(), location.hash"), browser("Array.from(live.kernel.series(5))")
     browser("location.href = 'about:blank'")
     opened(browser, path)
     browser(f"location.hash = {json.dumps(link + '&tank.volme=1&supply.pressure=NaN')}")
@@ -261,7 +263,7 @@ def test_a_link_restores_parameters_and_variants(browser, tmp_path):
     browser.settle()
     assert browser("Array.from(live.state.changed)") == [["tank.volume", 0.1]]
     assert browser("Array.from(live.state.kept)") == [["tank.volume", 0.3]]
-    assert browser("Array.from(live.kernel.series(5))") == before
+    assert browser("Array.from(live.kernel.series(5))") == old_series
 
 
 def test_exported_values_can_be_imported(browser, tmp_path):
@@ -339,11 +341,11 @@ def test_ten_moves_in_a_frame_give_one_update(browser, tmp_path):
     updates, _ = dragged(browser, 20, each=10)
     assert 19 <= updates <= 21
     browser.settle()
-    before = browser("live.state.count")
+    old_count = browser("live.state.count")
     browser.settle()
-    assert browser("live.state.count") == before
+    assert browser("live.state.count") == old_count
     (address, value), *_ = browser("Array.from(live.state.changed)")
-    slider = next(each for each in browser("live.header.sliders") if each["address"] == address)
+    slider = next(entry for entry in browser("live.header.sliders") if entry["address"] == address)
     assert value == pytest.approx(slider["low"] + (slider["high"] - slider["low"]) * 20.9 / 21.0)
     signals = {**circuit.signals, address: Constant(value)}
     expected = replace(circuit, signals=signals).simulate()

@@ -1,4 +1,4 @@
-"""Plain functions, CasADi and python-control give the numbers of the house; derivatives stay finite; mistakes."""
+"""Tests of `to_ode`, `to_casadi` and `to_control`: values, derivatives, invalid arguments."""
 
 from __future__ import annotations
 

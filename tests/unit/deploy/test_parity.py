@@ -1,4 +1,4 @@
-"""The table of parity: every target within its limit, one that is wrong found out, one that cannot run says why."""
+"""Tests of the parity table: targets within limits, wrong targets, targets that are not run."""
 
 from __future__ import annotations
 
@@ -118,7 +118,7 @@ def test_the_comparison_ends_when_changed_kernels_diverge():
 
 
 def test_a_limit_cycle_is_compared_until_changed_kernels_diverge():
-    """With other rounding the valve of the joint takes another course after 65 ms; until then it is the same."""
+    """A change of the size of rounding leads to another run of the valve after 65 ms."""
     reference = run_kernel(load(EXAMPLES / "muscle_joint.toml").with_values({"run.duration": "0.2 s"}))
     of = reference.rows
     moved = comparison.change_effects(of, comparison.rounding_changes(reference.separate))

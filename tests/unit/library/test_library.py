@@ -56,18 +56,18 @@ def test_names():
 
 @pytest.mark.parametrize("name", library.characteristics())
 def test_characteristics_have_their_name(name):
-    chosen = library.characteristic(name)
-    assert isinstance(chosen, Characteristic)
-    assert chosen.name == name
-    assert chosen.domain == pytest.approx((0.0, 1e-3), rel=1e-15)
-    assert chosen.edge == "hold"
+    curve = library.characteristic(name)
+    assert isinstance(curve, Characteristic)
+    assert curve.name == name
+    assert curve.domain == pytest.approx((0.0, 1e-3), rel=1e-15)
+    assert curve.edge == "hold"
 
 
 def test_the_bare_name_selects_the_printed_polynomials():
-    bare, printed = library.characteristic("varga2012"), library.characteristic("varga2012.printed")
-    assert bare.numbers() == printed.numbers()
-    assert bare.closing is None
-    assert not bare.monotone
+    default, printed = library.characteristic("varga2012"), library.characteristic("varga2012.printed")
+    assert default.numbers() == printed.numbers()
+    assert default.closing is None
+    assert not default.monotone
 
 
 @pytest.mark.parametrize(
@@ -157,9 +157,9 @@ def test_stops_deflect_by_two_micrometres_under_20_newton(mode):
     ],
 )
 def test_gases(name, gas_constant, exponent):
-    chosen = library.gas(name)
-    assert float(chosen.gas_constant) == pytest.approx(gas_constant, rel=2e-4)
-    assert float(chosen.isentropic_exponent) == pytest.approx(exponent, abs=6e-4)
+    gas = library.gas(name)
+    assert float(gas.gas_constant) == pytest.approx(gas_constant, rel=2e-4)
+    assert float(gas.isentropic_exponent) == pytest.approx(exponent, abs=6e-4)
 
 
 @pytest.mark.parametrize("name", ["nitrogen", "oxygen", "argon", "helium", "hydrogen", "carbon dioxide", "methane"])
@@ -167,11 +167,13 @@ def test_gases_against_cantera(name):
     cantera = pytest.importorskip("cantera", reason="Cantera has the NASA polynomials to compare with")
     formula = {"nitrogen": "N2", "oxygen": "O2", "argon": "Ar", "helium": "He", "hydrogen": "H2"}
     formula |= {"carbon dioxide": "CO2", "methane": "CH4"}
-    species = {each.name: each for each in cantera.Species.list_from_file("nasa_gas.yaml")}[formula[name]]
+    species = {species_entry.name: species_entry for species_entry in cantera.Species.list_from_file("nasa_gas.yaml")}[
+        formula[name]
+    ]
     heat_capacity = species.thermo.cp(293.15) / cantera.gas_constant
-    chosen = library.gas(name)
-    assert float(chosen.gas_constant) == pytest.approx(cantera.gas_constant / species.molecular_weight, rel=1e-5)
-    assert float(chosen.isentropic_exponent) == pytest.approx(heat_capacity / (heat_capacity - 1.0), abs=5e-5)
+    gas = library.gas(name)
+    assert float(gas.gas_constant) == pytest.approx(cantera.gas_constant / species.molecular_weight, rel=1e-5)
+    assert float(gas.isentropic_exponent) == pytest.approx(heat_capacity / (heat_capacity - 1.0), abs=5e-5)
 
 
 def test_spelling_of_gases():
