@@ -23,49 +23,47 @@ TEMPLATES = {path.stem: path for path in sorted(Path(__file__).with_name("templa
 
 def check_files(options: argparse.Namespace) -> None:
     """Report all errors in circuit files, without a simulation."""
-    problems: list[InputError] = []
-    # An error in one file does not prevent the check of the others.
-    for file in options.files:
-        try:
-            _check_file(file)
-        except InputError as error:
-            problems.append(error)
-    collect(problems)
-
-
-def _check_file(file: str) -> None:
     from poppet.circuit.file import load
     from poppet.circuit.stop_conditions import parse_stop_condition
     from poppet.circuit.trace import trace
     from poppet.core.toml_file import TomlFile
 
-    circuit = load(file)
-    notes = list(circuit.static_notes)
-    try:
-        # The model is not compiled.
-        outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
-        for text in circuit.run.stop_texts:
-            parse_stop_condition(text, outputs, circuit.surroundings.pressure)
-        # A file without a duration is valid: the option --duration can set it.
-        if circuit.run.duration is not None:
-            circuit.run.grid()
-        if "ensemble" in circuit.origin[0]:
-            from poppet.ensemble import plan_of
+    problems: list[InputError] = []
+    # An error in one file does not prevent the check of the others.
+    for file in options.files:
+        try:
+            circuit = load(file)
+        except InputError as error:
+            problems.append(error)
+            continue
+        notes = list(circuit.static_notes)
+        try:
+            # The model is not compiled.
+            outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
+            for text in circuit.run.stop_texts:
+                parse_stop_condition(text, outputs, circuit.surroundings.pressure)
+            # A file without a duration is valid: the option --duration can set it.
+            if circuit.run.duration is not None:
+                circuit.run.grid()
+            if "ensemble" in circuit.origin[0]:
+                from poppet.ensemble import plan_of
 
-            notes += plan_of(circuit).notes
-    except InputError as error:
-        raise TomlFile.read(file).located(error) from None
-    parts = circuit.parts.values()
-    counts = {
-        "part": len(parts),
-        "state": sum(len(part.states()) for part in parts),
-        "input": sum(len(part.inputs()) for part in parts),
-        "output": len(outputs),
-        "assumed parameter": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
-    }
-    text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
-    print(f"{file}: no errors; {text}.")
-    print_notes(notes)
+                notes += plan_of(circuit).notes
+        except InputError as error:
+            problems.append(TomlFile.read(file).located(error))
+            continue
+        parts = circuit.parts.values()
+        counts = {
+            "part": len(parts),
+            "state": sum(len(part.states()) for part in parts),
+            "input": sum(len(part.inputs()) for part in parts),
+            "output": len(outputs),
+            "assumed parameter": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
+        }
+        text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
+        print(f"{file}: no errors; {text}.")
+        print_notes(notes)
+    collect(problems)
 
 
 def write_template(options: argparse.Namespace) -> None:
