@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import IO, Any, TypeVar
 
 from poppet.core.errors import InputError, NameSuggestion
-from poppet.core.toml import json_text, toml_text
 
 Choice = TypeVar("Choice")
 
@@ -78,9 +77,3 @@ def by_suffix(path: Path, choices: Mapping[str, Choice]) -> Choice:
     if suffix not in choices:
         raise InputError("files.suffix", path=str(path), suffix=path.suffix, near=NameSuggestion(suffix, choices))
     return choices[suffix]
-
-
-def write_tables(path: str | Path, content: Mapping[str, Any]) -> None:
-    """Write plain tables to a `.toml` or `.json` file."""
-    text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(content)
-    write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))

@@ -13,11 +13,10 @@ import numpy as np
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion, needed
-from poppet.core.files import write_tables
 from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
 from poppet.core.provenance import Number, Source
-from poppet.core.toml import from_json
+from poppet.core.toml import ResultFileMixin, from_json
 from poppet.timeseries.checks import FloatArray
 
 if TYPE_CHECKING:
@@ -108,7 +107,7 @@ class ResidualSummary:
 
 
 @dataclass(frozen=True)
-class Result(HtmlMixin):
+class Result(ResultFileMixin, HtmlMixin):
     """Result of an identification.
 
     Parameters
@@ -266,16 +265,6 @@ class Result(HtmlMixin):
             "remarks": [remark.plain() for remark in self.remarks],
             "optima": [dict(optimum) for optimum in self.optima],
         }
-
-    def save(self, path: str | Path) -> None:
-        """Write the result to a `.toml` or `.json` file.
-
-        Parameters
-        ----------
-        path : str or Path
-            Output file.
-        """
-        write_tables(path, self.content())
 
 
 DEPENDENT_FINDINGS = {

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.files import write_tables
+from poppet.core.toml import ResultFileMixin
 from poppet.identify.design.design_file import DesignPlan, TestCandidate, read_design_file
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import recording_parameters
@@ -65,7 +65,7 @@ class Prediction:
 
 
 @dataclass(frozen=True)
-class Design:
+class Design(ResultFileMixin):
     """Ranking of possible tests, the best first, with the recommended tests.
 
     Parameters
@@ -112,16 +112,6 @@ class Design:
             "interrupted": self.interrupted,
             "findings": [str(remark) for remark in self.remarks],
         }
-
-    def save(self, path: str | Path) -> None:
-        """Write the design to a `.toml` or `.json` file.
-
-        Parameters
-        ----------
-        path : str or Path
-            Output file.
-        """
-        write_tables(path, self.content())
 
 
 def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, int, str], Any] | None = None) -> Design:
