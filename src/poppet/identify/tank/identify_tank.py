@@ -13,10 +13,10 @@ from pathlib import Path
 from poppet.core.codes import Note
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import quantity
-from poppet.identify.fit.equivalent_optima import unite_estimates
 from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.identify_fit import CLEAR, STRONG, Progress, run_fit
+from poppet.identify.fit.identify_fit import CLEAR, STRONG, Progress, identify_fit
 from poppet.identify.fit.intervals import Stages
+from poppet.identify.fit.optima import unite_estimates
 from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
 from poppet.identify.gum import SPREAD, widened
 from poppet.identify.result import DETERMINED, Result
@@ -126,7 +126,7 @@ def identify_tank(
             test = read_test(file)
             runs = read_runs(test)
             plan = plan_tank_fit(test, runs)
-    result = run_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
+    result = identify_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     result = apply_caps(test, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)
