@@ -97,7 +97,7 @@ def _compare(options: argparse.Namespace) -> int:
         comparison.save(output)
     title = f"{len(circuits)} controllers on one plant"
     if options.plot is not None:
-        from poppet.report.control_figures import plot_comparison
+        from poppet.report.control_report import plot_comparison
 
         plot_comparison(comparison, options.plot, title=title)
     if options.report is not None:

@@ -339,7 +339,7 @@ class TestResult:
 
     def test_cells_name_what_comes_behind_the_load(self):
         pytest.importorskip("matplotlib")
-        from poppet.report.bench.limits_figures import bandwidth_figure
+        from poppet.report.bench.limits_report import bandwidth_figure
 
         texts = {text.get_text() for text in bandwidth_figure(filled()).axes[0].texts}
         assert {"40", "solenoids", "> 400", "load, poppet", "controller"} <= texts

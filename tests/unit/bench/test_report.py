@@ -17,8 +17,15 @@ from poppet.bench.iso10094.virtual_valve import StandIn
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.core.note_groups import grouped
-from poppet.report.bench.bench_report import bench_page, write_bench
-from poppet.report.bench.bench_text import DESCRIPTIONS, conditions_text, figure_text, value_text, verdict
+from poppet.report.bench.bench_report import (
+    DESCRIPTIONS,
+    bench_page,
+    conditions_text,
+    figure_text,
+    value_text,
+    verdict,
+    write_bench,
+)
 
 pytest.importorskip("matplotlib")
 VALVE = StandIn(

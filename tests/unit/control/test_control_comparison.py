@@ -13,7 +13,7 @@ import poppet
 from poppet import InputError, OutOfRangeError, control
 from poppet.control import METRICS, compare, step_metrics
 from poppet.core.errors import InputErrors
-from poppet.report.control_figures import plot_comparison
+from poppet.report.control_report import plot_comparison
 from poppet.signals import Sine
 
 EXAMPLES = Path(__file__).parents[3] / "examples"

@@ -15,7 +15,7 @@ from poppet.deploy.live.page_inputs import select_sliders
 from poppet.deploy.live.page_kernel import pack, run_data
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.report.html_page import document, findings, head
-from poppet.report.plots.scripts import data_element, tight
+from poppet.report.plots.interactive import data_element, tight
 from poppet.timeseries.plotting.figures import style
 
 if TYPE_CHECKING:
