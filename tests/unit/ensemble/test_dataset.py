@@ -104,12 +104,12 @@ def test_changed_requirements_need_no_runs(tmp_path, expected_hashes, monkeypatc
 
 def test_changed_number_of_indices_replaces_their_shards(tmp_path):
     """Shards of other indices have the same number of rows, but other values."""
-    folder, parameters = tmp_path / "set", {"runs": 20, "parameters": NUMBERS, "metrics": METRICS}
-    tank("").ensemble(folder, indices=512, **parameters)
+    folder, fields = tmp_path / "set", {"runs": 20, "parameters": NUMBERS, "metrics": METRICS}
+    tank("").ensemble(folder, indices=512, **fields)
     runs = hashes(folder / "runs")
     for indices in (256, 1024, 0):
-        ensemble = tank("").ensemble(folder, indices=indices, **parameters)
-        tank("").ensemble(tmp_path / f"new-{indices}", indices=indices, **parameters)
+        ensemble = tank("").ensemble(folder, indices=indices, **fields)
+        tank("").ensemble(tmp_path / f"new-{indices}", indices=indices, **fields)
         assert hashes(folder) == hashes(tmp_path / f"new-{indices}")
         assert len(ensemble.indices()) == (indices > 0)
         assert hashes(folder / "runs") == runs

@@ -82,11 +82,11 @@ def test_ratio_above_one_is_rejected():
 def test_relative_spread_of_a_gauge_pressure_refers_to_the_gauge_value():
     circuit = tank("").with_values({"tank.initial_pressure": "2 bar g"})
     fields = {"runs": 1, "metrics": METRICS}
-    fields = {"tank.initial_pressure": {"distribution": "uniform", "relative_range": 0.1}}
-    plan = read_plan(circuit, {**fields, "parameters": fields}, {}, circuit.origin.folder)
+    parameters = {"tank.initial_pressure": {"distribution": "uniform", "relative_range": 0.1}}
+    plan = read_plan(circuit, {**fields, "parameters": parameters}, {}, circuit.origin.folder)
     assert plan.alone["tank.initial_pressure"].numbers == {"low": pytest.approx(2.8e5), "high": pytest.approx(3.2e5)}
-    fields = {"tank.initial_pressure": {"distribution": "normal", "mean": "2.5 bar g", "sigma": "0.1 bar"}}
-    plan = read_plan(circuit, {**fields, "parameters": fields}, {}, circuit.origin.folder)
+    parameters = {"tank.initial_pressure": {"distribution": "normal", "mean": "2.5 bar g", "sigma": "0.1 bar"}}
+    plan = read_plan(circuit, {**fields, "parameters": parameters}, {}, circuit.origin.folder)
     assert plan.alone["tank.initial_pressure"].numbers == {"mean": pytest.approx(3.5e5), "sigma": pytest.approx(1e4)}
 
 
