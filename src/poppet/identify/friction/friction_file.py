@@ -158,14 +158,14 @@ def _read_channel(
 ) -> dict[str, Any]:
     """Return the table of a channel in SI units."""
     raw, n_files = file_fields[channel], len(file_fields["file"])
-    declared = dict.fromkeys(("column", "unit"), Field())
+    declared = {"column": Field(is_required=True, example=f'{channel} = {{ column = "..." }}'), "unit": Field()}
     if channel in PRESSURES:
-        declared["value"] = Field()
+        declared |= dict.fromkeys(("column", "value"), Field())
     if channel == coordinate.effort:
         declared["uncertainty"] = Field(unit=coordinate.effort_unit)
     fields = read_fields(errors, raw, declared, channel, table="channel")
-    if ("column" in raw) == ("value" in raw):
-        errors.add("friction.column_or_value" if channel in PRESSURES else "friction.no_column", channel)
+    if channel in PRESSURES and ("column" in raw) == ("value" in raw):
+        errors.add("friction.column_or_value", channel)
     if "unit" in fields:
         _has_valid_unit(errors, channel, str(fields["unit"]), coordinate)
     if "value" in fields:

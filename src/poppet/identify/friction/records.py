@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.tables import NumberRange
 from poppet.core.unit_table import read_unit
 from poppet.timeseries.checks import FloatArray, first_bad_time, numbers
 
@@ -66,6 +67,7 @@ COORDINATES = {coordinate.body: coordinate for coordinate in (ON_LINE, TURNING)}
 
 LEAST = 3
 """Minimum number of points."""
+POSITIVE = NumberRange(unit="", above=0.0)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -140,8 +142,10 @@ class FrictionRecord:
                 errors.add("friction.too_few", "force", count=force.size, least=LEAST)
             if "velocity" not in arrays and not {"position", "time"} <= arrays.keys():
                 errors.add("friction.no_velocity", "velocity")
-            if "uncertainty" in arrays and not (arrays["uncertainty"] > 0.0).all():
-                errors.add("friction.no_uncertainty", "uncertainty", value=float(np.min(arrays["uncertainty"])))
+            if "uncertainty" in arrays:
+                with errors.collecting():
+                    lowest = float(np.min(arrays["uncertainty"]))
+                    POSITIVE.check_range("uncertainty", lowest, f"{lowest:.3g}", "standard deviation")
             if "time" in arrays and (time_error := first_bad_time(arrays["time"], self.name)):
                 errors.extend([time_error[1]])
         if not np.ptp(arrays.get("velocity", arrays.get("position", force))) and "time" in arrays:
