@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
-from poppet.core.tables import NumberRange
+from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.tables import Field, NumberRange
 from poppet.core.unit_table import read_unit
 from poppet.timeseries.checks import FloatArray, first_bad_time, numbers
 
@@ -125,14 +125,8 @@ class FrictionRecord:
                 array = numbers(name, values)
                 arrays[name] = np.full(force.shape, float(array)) if array.ndim == 0 else array
         with ErrorCollector() as errors:
-            if self.body not in COORDINATES:
-                errors.add(
-                    "fields.not_an_option",
-                    "body",
-                    value=self.body,
-                    meaning="body",
-                    near=NameSuggestion(self.body, COORDINATES),
-                )
+            with errors.collecting():
+                Field(choices=tuple(COORDINATES)).read(self.body, "body")
             for name, array in arrays.items():
                 if array.shape != force.shape:
                     errors.add("friction.shape", name, shape=str(array.shape), points=force.size)
