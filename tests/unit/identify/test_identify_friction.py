@@ -765,7 +765,7 @@ skip = "15 ms"
 
 @pytest.fixture
 def write_file(tmp_path):
-    """Return a function that writes a friction file beside its two recordings."""
+    """Return a function that writes a friction file for two recordings."""
     for name in "ab":
         (tmp_path / f"{name}.csv").write_text("0\t0.0\t5\n10\t0.1\t6\n20\t0.2\t6\n30\t0.3\t6\n40\t0.4\t7\n")
 
