@@ -117,6 +117,8 @@ def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distanc
     # The window smooths the velocity while the bristles deflect.
     half_damping = math.hypot(cover * scatter[1], apparent_damping, window / bending * best[1])
     is_end = best[0] >= logarithms[-1] - 1e-9
+    # Without bristles, the friction changes its sign suddenly.
+    squares = [(np.where(turn.distance > 0.0, turn.level, -turn.level) - turn.measured) ** 2 for turn in turns]
     samples = sum(turn.measured.size for turn in turns)
     return Bristles(
         stiffness=stiffness,
@@ -126,7 +128,7 @@ def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distanc
         way=level / stiffness,
         resolution=resolution,
         rms=math.sqrt(max(best[2], 0.0) / samples),
-        rms_without=math.sqrt(sum(turn.sudden_change_cost() for turn in turns) / samples),
+        rms_without=math.sqrt(float(np.sum(np.concatenate(squares))) / samples),
         reversals=len(turns),
         damping=best[1],
         damping_low=min(best[1], unshifted[1]) - half_damping,
@@ -216,14 +218,6 @@ class ReversalData:
             missed, rate = self.measured[k] - force, self.rate[k] * (1.0 - force / level)
             sums += missed * missed, missed * rate, rate * rate
         return sums, force
-
-    def sudden_change_cost(self) -> float:
-        """Return the sum of squared errors of a model without bristles.
-
-        In this model the friction force changes its sign suddenly at the reversal.
-        """
-        modelled = np.where(self.distance > 0.0, self.level, -self.level)
-        return float(np.sum((modelled - self.measured) ** 2))
 
 
 def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:
