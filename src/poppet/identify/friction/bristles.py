@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -25,9 +25,6 @@ from poppet.identify.gum import coverage_factor
 from poppet.identify.result import WEAK
 from poppet.laws.physics.friction import sliding_level
 from poppet.timeseries.checks import FloatArray
-
-if TYPE_CHECKING:
-    from poppet.identify.friction.friction_fit import LawSolution
 
 FEWEST, STEPS = 3, 48
 """Minimum number of reversals, and number of stiffnesses on the grid."""
@@ -81,13 +78,16 @@ class Bristles:
         return self.is_seen and not self.is_coarse and self.damping_low > 0.0
 
 
-def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distance: float) -> Bristles | None:
+def fit_bristles(
+    motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
+) -> Bristles | None:
     """Fit stiffness and damping of the LuGre model to the friction after reversals.
 
-    The fit uses the samples up to the distance `distance` after a reversal; beyond it the body slides. `levels` is the
-    fitted law of steady sliding. The result is None if there are too few reversals.
+    The fit uses the samples up to the distance `distance` after a reversal; beyond it the body slides. `values` and
+    `offsets` are the parameters of steady sliding and the force offsets of the recordings. The result is None if there
+    are too few reversals.
     """
-    turns = usable_reversals(motions, levels, distance)
+    turns = usable_reversals(motions, values, offsets, distance)
     if len(turns) < FEWEST or distance <= 0.0:
         return None
     level = float(np.mean([turn.level[-1] for turn in turns]))
@@ -140,7 +140,9 @@ def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distanc
     )
 
 
-def usable_reversals(motions: Sequence[RecordedMotion], levels: LawSolution, distance: float) -> list[ReversalData]:
+def usable_reversals(
+    motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
+) -> list[ReversalData]:
     """Return the reversals at which the deflection of the bristles is resolved and known.
 
     The deflection is known after a long stroke. It is also known after a short stroke that follows a usable reversal.
@@ -152,7 +154,7 @@ def usable_reversals(motions: Sequence[RecordedMotion], levels: LawSolution, dis
         for reversal in motion.reversals:
             is_long = reversal.previous_length > 2.0 * distance
             if (is_long or reversal.stroke == last + 1) and SHARP * reversal.rounding < decay:
-                model = ReversalData.of(reversal, levels, distance, is_chained=not is_long)
+                model = ReversalData.of(reversal, values, offsets, distance, is_chained=not is_long)
                 if model.measured.size >= FEWEST:
                     turns.append(model)
                     last = reversal.stroke
@@ -174,17 +176,25 @@ class ReversalData:
     is_chained: bool  # True if the bristles start at the deflection of the previous reversal
 
     @classmethod
-    def of(cls, turn: Reversal, levels: LawSolution, distance: float, *, is_chained: bool) -> ReversalData:
-        """Return the data of a reversal up to a distance, for given levels of sliding friction.
+    def of(
+        cls,
+        turn: Reversal,
+        values: Mapping[str, float],
+        offsets: Mapping[int, float],
+        distance: float,
+        *,
+        is_chained: bool,
+    ) -> ReversalData:
+        """Return the data of a reversal up to a distance, for a given law of sliding friction.
 
         `is_chained` is True if the bristles start at the deflection at which the previous stroke ended.
         """
-        is_within, values, last = turn.distance <= distance, levels.values, turn.last
+        is_within, last = turn.distance <= distance, turn.last
         assert last is not None
         # After a small stroke, the bristles start at its final deflection, otherwise at sliding.
         is_lead = last.distance > (distance if is_chained else turn.previous_length - distance)
         velocity = turn.velocity[is_within]
-        offset_and_viscous = levels.offsets.get(turn.record, 0.0) + values.get(VISCOUS, 0.0) * velocity
+        offset_and_viscous = offsets.get(turn.record, 0.0) + values.get(VISCOUS, 0.0) * velocity
         fading = np.exp(-((velocity / values[STRIBECK]) ** 2)) if STRIBECK in values else 1.0
         return cls(
             turn,

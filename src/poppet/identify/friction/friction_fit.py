@@ -461,7 +461,7 @@ class FrictionFits:
     @cached_property
     def bristles(self) -> Bristles | None:
         """Estimates of bristle stiffness and damping; None if there are too few reversals."""
-        return fit_bristles(self.motions, self.fit.solution, self.distance)
+        return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
 
     @property
     def reversals(self) -> int:
