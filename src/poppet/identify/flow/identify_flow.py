@@ -11,7 +11,7 @@ import numpy as np
 
 from poppet.core.codes import notes_of
 from poppet.core.errors import ErrorCollector, InputError
-from poppet.identify.file_argument import or_file
+from poppet.identify.data_file import or_file
 from poppet.identify.flow.flow_file import read_flow_file
 from poppet.identify.flow.flow_findings import findings, suspicions
 from poppet.identify.flow.flow_fit import (

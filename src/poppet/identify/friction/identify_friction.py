@@ -11,7 +11,7 @@ import numpy as np
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.core.tables import Field
-from poppet.identify.file_argument import or_file
+from poppet.identify.data_file import or_file
 from poppet.identify.friction.bristles import usable_reversals
 from poppet.identify.friction.friction_file import read_friction_file
 from poppet.identify.friction.friction_findings import findings
