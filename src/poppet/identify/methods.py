@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import importlib
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from poppet.core.command_options import Option
-from poppet.core.plugins import Registry
+from poppet.core.plugins import Registry, import_object
 
 # Nothing heavy is imported here: the command line reads these declarations for its help.
 
@@ -35,8 +34,6 @@ class Method(NamedTuple):
     """Declaration of an identification method.
 
     A function can be given as text `module:name`. The module is then imported on first use.
-
-    The text form `module:name` of a function delays its import.
     """
 
     name: str
@@ -61,7 +58,7 @@ class Method(NamedTuple):
 
         `progress` and `stages` are ignored if the method does not accept them.
         """
-        run = imported(self.run)
+        run = import_object(self.run)
         accepted = inspect.signature(run).parameters
         is_accepted = {key: key in accepted or key not in ("progress", "stages") for key in options}
         return run(Path(path), **{key: value for key, value in options.items() if is_accepted[key]})
@@ -71,15 +68,7 @@ class Method(NamedTuple):
         from poppet.core.tables import table_schema
 
         title = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": f"poppet identify {self.name}"}
-        return title | table_schema(imported(self.fields))
-
-
-def imported(value: Any) -> Any:
-    """Return the object itself, or the object that its text form `module:name` refers to."""
-    if not isinstance(value, str) or not value:
-        return value
-    module, _, name = value.partition(":")
-    return getattr(importlib.import_module(module), name)
+        return title | table_schema(import_object(self.fields))
 
 
 _PROFILE = MethodOption(Option("--profile ADDRESS ...", "interval by profile likelihood; may be repeated"), "profile")
@@ -96,8 +85,8 @@ BUILT_IN = (
         "fit",
         "any free parameters of any circuit, from any recordings",
         run="poppet.identify.fit.identify_fit:identify_fit",
-        read="poppet.identify.fit.fit_file:read_fit_file",
-        fields="poppet.identify.fit.fit_file:TOP_LEVEL",
+        read="poppet.identify.fit.fit_plan:read_fit_file",
+        fields="poppet.identify.fit.fit_plan:TOP_LEVEL",
         options=(_COMPARE, _PROFILE, _CONTOUR, _BOOTSTRAP),
         examples=("poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",),
         description="Parameters of a circuit, fitted to recordings by weighted least squares on the integrated "
