@@ -547,7 +547,7 @@ def _paper() -> Any:
 )
 def paper_warming() -> Figures:
     (statement,) = [
-        s for s in module("poppet.report.varga2012.statements").statements(_paper()) if s.code == "paper.warming"
+        s for s in module("poppet.report.varga2012.paper").statements(_paper()) if s.code == "paper.warming"
     ]
     return {name: statement.facts[name] for name in ("isentrope", "adiabatic", "reported")}
 
@@ -562,7 +562,7 @@ def paper_warming() -> Figures:
     holds=lambda f: f["holds"] == f["count"],
 )
 def paper_statements() -> Figures:
-    module_ = module("poppet.report.varga2012.statements")
+    module_ = module("poppet.report.varga2012.paper")
     verdicts = [s.verdict.name.lower() for s in module_.statements(_paper())]
     return {"count": len(verdicts), **{name: verdicts.count(name) for name in ("holds", "fails", "open")}}
 

@@ -17,9 +17,8 @@ import pytest
 
 from pages import needs_nothing_else, plots
 from poppet.core.errors import InputError, MissingDependencyError
-from poppet.report.varga2012.paper import PaperResult, figure_3, figure_4, figure_6, write_paper
+from poppet.report.varga2012.paper import PaperResult, Verdict, figure_3, figure_4, figure_6, statements, write_paper
 from poppet.report.varga2012.runs import STROKES, SUPPLIES
-from poppet.report.varga2012.statements import Verdict, statements
 from poppet.timeseries.plotting.figures import style
 
 # Computed once from the equations of the paper, apart from this package.
@@ -160,7 +159,7 @@ def test_verdicts_follow_the_numbers(result):
         law_deviation=1e-3,
         exhaust_strokes=(-2e-5, -1e-5, 0.0),
     )
-    changed = statements(other)
+    changed = tuple(statements(other))
     assert verdict(changed, "warming") is Verdict.HOLDS
     assert verdict(changed, "following") is Verdict.HOLDS
     assert verdict(changed, "fig5") is Verdict.HOLDS

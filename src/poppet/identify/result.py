@@ -13,11 +13,10 @@ import numpy as np
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion, needed
-from poppet.core.files import by_suffix, write_whole
 from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
 from poppet.core.provenance import Number, Source
-from poppet.core.toml import from_json, json_text, toml_text
+from poppet.core.toml import ResultFileMixin, from_json
 from poppet.timeseries.checks import FloatArray
 
 if TYPE_CHECKING:
@@ -108,7 +107,7 @@ class ResidualSummary:
 
 
 @dataclass(frozen=True)
-class Result(HtmlMixin):
+class Result(ResultFileMixin, HtmlMixin):
     """Result of an identification.
 
     Parameters
@@ -266,17 +265,6 @@ class Result(HtmlMixin):
             "remarks": [remark.plain() for remark in self.remarks],
             "optima": [dict(optimum) for optimum in self.optima],
         }
-
-    def save(self, path: str | Path) -> None:
-        """Write the result to a `.toml` or `.json` file.
-
-        Parameters
-        ----------
-        path : str or Path
-            Output file.
-        """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 DEPENDENT_FINDINGS = {

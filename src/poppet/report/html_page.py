@@ -17,8 +17,7 @@ from poppet.core.files import write_whole
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import printable
 from poppet.core.version import __version__
-from poppet.report.plots import scripts
-from poppet.report.plots.reading import plot_data
+from poppet.report.plots import interactive
 from poppet.report.styles import stylesheet
 from poppet.report.tables import ReportTable
 from poppet.timeseries.plotting.figures import figure_bytes
@@ -76,12 +75,13 @@ def document(title: str, sections: Iterable[tuple[str, Content]], *, style: str 
     rendered = [(heading, render(content)) for heading, content in sections]
     body = "".join(f"<h2>{heading}</h2>\n{text}" if heading else text for heading, text in rendered if text)
     body += f'<p class="lead">Written by poppet {__version__}.</p>\n'
-    has_plots = scripts.MARK in body
-    code = tuple(filter(None, (scripts.script() if has_plots else "", program)))
+    has_plots = interactive.MARK in body
+    code = tuple(filter(None, (interactive.script() if has_plots else "", program)))
     body = f"<main>\n{body}</main>" + "".join(f"\n<script>{text}</script>\n" for text in code)
-    css = stylesheet("page") + (scripts.style() if has_plots else "") + style
+    css = stylesheet("page") + (interactive.style() if has_plots else "") + style
     meta = '<meta charset="utf-8">\n<meta name="viewport" content="width=device-width, initial-scale=1">\n'
-    meta += f"{scripts.policy(*code, computes=bool(program))}<title>{html.escape(title)}</title>\n<style>{css}</style>"
+    meta += interactive.policy(*code, computes=bool(program))
+    meta += f"<title>{html.escape(title)}</title>\n<style>{css}</style>"
     return f'<!DOCTYPE html>\n<html lang="en">\n<head>\n{meta}\n</head>\n<body>{body}</body>\n</html>\n'
 
 
@@ -133,10 +133,10 @@ def picture(
         svg = figure
     else:
         svg = figure_bytes(figure, "svg", name).decode("utf-8")
-        values = None if is_still else plot_data(figure)
+        values = None if is_still else interactive.plot_data(figure)
     svg = inline_svg(svg, name, label or caption.partition(".")[0])
     css_class = f' class="{kind}"' if kind else ""
-    element = scripts.data_element(values) if values else ""
+    element = interactive.data_element(values) if values else ""
     text = f"<figcaption>{html.escape(caption)}</figcaption>"
     return f'<figure{css_class}><div class="still scroll">{svg}</div>{element}{text}</figure>\n'
 

@@ -73,21 +73,21 @@ def mode_table(linear: LinearModel) -> ReportTable:
     threshold = ROUNDING * max(map(abs, modes), default=0.0)
     columns = Column("pole [1/s]" if is_sampled else "eigenvalue [1/s]"), *numeric("time constant [s]",
                      "frequency [Hz]", "damping")  # fmt: skip
-    # One row for each conjugate pair.
-    return ReportTable(columns, [_mode_row(value, threshold) for value in modes if value.imag >= 0.0])
-
-
-def _mode_row(value: complex, threshold: float) -> list[str]:
-    size = abs(value)
-    time_constant = -1.0 / value.real if value.real else math.inf
-    if value.imag != 0.0:
-        text = f"{time_constant:.5g}" if value.real < 0.0 else "unstable"
-        pair = f"{value.real:.6g} +- {value.imag:.6g}i"
-        return [pair, text, f"{size / (2.0 * math.pi):.5g}", f"{-value.real / size:.4g}"]
-    if size <= threshold:
-        return ["0", "integrates", "", ""]
-    text = f"{time_constant:.5g}" if value.real < 0.0 else f"unstable, {-time_constant:.5g}"
-    return [f"{value.real:.6g}", text, "", ""]
+    rows = []
+    for value in modes:
+        if value.imag < 0.0:  # one row for each conjugate pair
+            continue
+        size, time_constant = abs(value), -1.0 / value.real if value.real else math.inf
+        if value.imag != 0.0:
+            text = f"{time_constant:.5g}" if value.real < 0.0 else "unstable"
+            pair = f"{value.real:.6g} +- {value.imag:.6g}i"
+            rows.append([pair, text, f"{size / (2.0 * math.pi):.5g}", f"{-value.real / size:.4g}"])
+        elif size <= threshold:
+            rows.append(["0", "integrates", "", ""])
+        else:
+            text = f"{time_constant:.5g}" if value.real < 0.0 else f"unstable, {-time_constant:.5g}"
+            rows.append([f"{value.real:.6g}", text, "", ""])
+    return ReportTable(columns, rows)
 
 
 def extreme_table(recording: Recording) -> ReportTable:

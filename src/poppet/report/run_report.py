@@ -71,26 +71,30 @@ def run_page(
             figure = plot_recordings({"": recording}, select=select, units=units, inner=inner)
             figure.texts[0].set_visible(not recording.title)  # the page shows the title
             curves = picture(figure, "run", "The run; bars at the bottom show the regime of each flow path.")
+        loads: list[str | ReportTable] = []
+        if (metrics := recording.figures) is not None:
+            loads += [paragraph(STROKES), stroke_table(metrics)] if metrics.strokes else []
+            energy = [(name, f"{value} {unit}") for name, value, unit in energy_table(metrics).rows]
+            loads.append(ReportTable(("", Column("", "s")), energy, caption=ENERGY))
+        accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
+        settings = [
+            ("solver", circuit.run.solver),
+            ("relative tolerance", f"{circuit.run.numbers()['relative_tolerance'].value:.3g}"),
+            ("steps", f"{accepted:.0f} accepted, {rejected:.0f} rejected"),
+            ("ambient pressure", f"{recording.ambient_pressure / 1e5:.6g} bar"),
+        ]
         start = head(title, lead) + paragraph(recording.outcome, bold=True) + findings(recording.remarks)
         sections = [
             Section("", start),
-            Section("Strokes and energy", _loads(recording)),
+            Section("Strokes and energy", loads),
             Section("Run", curves),
             Section("Circuit", picture(draw_circuit(circuit), "circuit", "The circuit; * marks assumed values.")),
             Section("Values", extreme_table(recording) if recording.time.size else ""),
             Section("Balances", _balance_table(recording)),
-            Section("Solver", _settings(circuit, recording)),
+            Section("Solver", ReportTable(("", ""), settings)),
             Section("Parameters", _parameters(circuit)),
         ]
     return document(title, sections, style=stylesheet("run"))
-
-
-def _loads(recording: Recording) -> list[str | ReportTable]:
-    if (metrics := recording.figures) is None:
-        return []
-    content: list[str | ReportTable] = [paragraph(STROKES), stroke_table(metrics)] if metrics.strokes else []
-    energy = [(name, f"{value} {unit}") for name, value, unit in energy_table(metrics).rows]
-    return [*content, ReportTable(("", Column("", "s")), energy, caption=ENERGY)]
 
 
 def _parameters(circuit: BaseCircuit) -> str:
@@ -128,14 +132,3 @@ def _balance_table(recording: Recording) -> ReportTable:
     ]  # fmt: skip
     caption = "Residual: increase of the stored quantity minus the integrals of the flows into it."
     return ReportTable(("balance", *numeric("residual", "allowed", "throughput"), ""), rows, caption)
-
-
-def _settings(circuit: BaseCircuit, recording: Recording) -> ReportTable:
-    accepted, rejected = (recording.statistics.get(f"{kind}_steps", 0) for kind in ("accepted", "rejected"))
-    rows = [
-        ("solver", circuit.run.solver),
-        ("relative tolerance", f"{circuit.run.numbers()['relative_tolerance'].value:.3g}"),
-        ("steps", f"{accepted:.0f} accepted, {rejected:.0f} rejected"),
-        ("ambient pressure", f"{recording.ambient_pressure / 1e5:.6g} bar"),
-    ]
-    return ReportTable(("", ""), rows)

@@ -25,8 +25,7 @@ from poppet.core.errors import MissingDependencyError
 from poppet.ensemble import Ensemble
 from poppet.identify.result import Estimate, Result
 from poppet.report.notebook import CARDS, html_of
-from poppet.report.notebook.card import MAX_ROWS, STYLE
-from poppet.report.notebook.plot import COLUMNS, MAX_LINES, WIDTH, path, plot
+from poppet.report.notebook.cards import COLUMNS, MAX_LINES, MAX_ROWS, STYLE, WIDTH, path, plot
 from poppet.signals import Constant
 from poppet.timeseries.plotting.panels import Series
 

@@ -13,8 +13,7 @@ import pytest
 from browser import Browser, found
 from pages import column, lines, needs_nothing_else, plots
 from poppet.report.html_page import document, head, picture
-from poppet.report.plots.reading import DIGITS, MAX_POINTS, plot_data
-from poppet.report.plots.scripts import data_element
+from poppet.report.plots.interactive import DIGITS, MAX_POINTS, data_element, plot_data
 from poppet.report.tables import ReportTable, numeric
 from poppet.timeseries.plotting.figures import axes_in, new_figure, style
 from poppet.timeseries.plotting.plots import plot_recordings

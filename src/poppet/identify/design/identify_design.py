@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.files import by_suffix, write_whole
-from poppet.core.toml import json_text, toml_text
+from poppet.core.toml import ResultFileMixin
 from poppet.identify.design.design_file import DesignPlan, TestCandidate, read_design_file
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import recording_parameters
@@ -66,7 +65,7 @@ class Prediction:
 
 
 @dataclass(frozen=True)
-class Design:
+class Design(ResultFileMixin):
     """Ranking of possible tests, the best first, with the recommended tests.
 
     Parameters
@@ -113,17 +112,6 @@ class Design:
             "interrupted": self.interrupted,
             "findings": [str(remark) for remark in self.remarks],
         }
-
-    def save(self, path: str | Path) -> None:
-        """Write the design to a `.toml` or `.json` file.
-
-        Parameters
-        ----------
-        path : str or Path
-            Output file.
-        """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, int, str], Any] | None = None) -> Design:

@@ -5,7 +5,7 @@ Each figure can also show the curves of a reference valve.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -87,31 +87,20 @@ def characteristic_figure(result: BenchResult, reference: BenchResult | None = N
         x = np.array(RANGE)
         line = fit["slope"] * x + fit["offset"] - x
         right.plot(x, line, color=GREY, linestyle=(0, (1.5, 1.5)), linewidth=1.2, label="best line")
-    for axes in (left, right):
-        axes.set_xlim(-3, 103)
-        axes.set_xlabel("setpoint [% FS]")
-    left.set_ylabel("outlet [% FS]")
-    right.set_ylabel("outlet - nominal [% FS]")
-    _focus(right, [c for c in curves_of(result, "characteristic") if c.case != "cycles"])
+    for axes, label in ((left, "outlet [% FS]"), (right, "outlet - nominal [% FS]")):
+        axes.set(xlim=(-3, 103), xlabel="setpoint [% FS]", ylabel=label)
+    # Values outside the evaluated setpoint range, such as a dead zone near zero, can be outside the axis.
+    curves = [c for c in curves_of(result, "characteristic") if c.case != "cycles"]
+    evaluated = [(c.y - c.x)[(c.x >= RANGE[0]) & (c.x <= RANGE[1])] for c in curves]
+    values = np.concatenate([errors for errors in evaluated if errors.size] or [np.zeros(1)])
+    margin = max(0.6 * float(np.ptp(values)), 0.1)
+    all_errors = np.concatenate([c.y - c.x for c in curves if c.x.size] or [np.zeros(1)])
+    low = max(float(np.min(values)) - margin, float(np.min(all_errors)) - 0.05)
+    high = min(float(np.max(values)) + margin, float(np.max(all_errors)) + 0.05)
+    right.set_ylim(min(low, -0.05), max(high, 0.05))
     _key(left)
     _key(right, 5)
     return figure
-
-
-def _focus(axes: Any, curves: Sequence[PlottedCurve]) -> None:
-    """Set the limits of the vertical axis to the values in the evaluated setpoint range.
-
-    Other values, such as a dead zone near zero, can be outside the axis.
-    """
-    errors = [c.y - c.x for c in curves]
-    evaluated = [d[(c.x >= RANGE[0]) & (c.x <= RANGE[1])] for c, d in zip(curves, errors, strict=True)]
-    values = np.concatenate([d for d in evaluated if d.size] or [np.zeros(1)])
-    low, high = float(np.min(values)), float(np.max(values))
-    margin = max(0.6 * (high - low), 0.1)
-    all_errors = np.concatenate([d for d in errors if d.size] or [np.zeros(1)])
-    low = max(low - margin, float(np.min(all_errors)) - 0.05)
-    high = min(high + margin, float(np.max(all_errors)) + 0.05)
-    axes.set_ylim(min(low, -0.05), max(high, 0.05))
 
 
 def resolution_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
@@ -124,8 +113,7 @@ def resolution_figure(result: BenchResult, reference: BenchResult | None = None)
             axes.plot(curve.x, curve.y, label=curve.name, **style)
     for curve in [curve for curve in curves_of(reference, "resolution") if curve.name == "outlet"][:1]:
         axes.plot(curve.x, curve.y, color=_DOWN, label="outlet, reference", **_OTHER)
-    axes.set_xlabel("time [s]")
-    axes.set_ylabel("[% FS]")
+    axes.set(xlabel="time [s]", ylabel="[% FS]")
     _key(axes)
     return figure
 
@@ -134,8 +122,6 @@ def _there_and_back(axes: Any, curves: CurveValues, reference: CurveValues, thic
     """Draw the curves of each case (test condition) in one colour.
 
     Curves with a name in `thick` are thick; their return curves are thin. The reference valve has no return curves.
-
-    Curves with a name in `thick` are thick, their return curves are thin. The reference valve has no return curves.
     """
     cases = _cases(curve for curve, _, _ in curves)
     for group, is_other in ((curves, False), (reference, True)):
@@ -156,8 +142,7 @@ def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
     unit = readable_unit("kg/s", max((float(np.max(np.abs(c.x), initial=0.0)) for c in curves), default=1.0))
     groups = curves, curves_of(reference, "flow")
     measured, references = ([(c, convert(c.x, "kg/s", unit), c.y) for c in group] for group in groups)
-    axes.set_xlabel(f"forward flow [{unit}]; negative: relief flow")
-    axes.set_ylabel("outlet [% FS]")
+    axes.set(xlabel=f"forward flow [{unit}]; negative: relief flow", ylabel="outlet [% FS]")
     _there_and_back(axes, measured, references, ("drawn going", "fed going"))
     axes.axvline(0.0, color=GREY, linewidth=0.8)
     return figure
@@ -176,8 +161,7 @@ def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> 
     low, high = axes.get_ylim()
     if high - low < 0.02:  # rounding must not fill the figure
         axes.set_ylim(0.5 * (low + high) - 0.01, 0.5 * (low + high) + 0.01)
-    axes.set_xlabel("supply pressure [bar, absolute]")
-    axes.set_ylabel("outlet - its mean [% FS]")
+    axes.set(xlabel="supply pressure [bar, absolute]", ylabel="outlet - its mean [% FS]")
     return figure
 
 
@@ -205,8 +189,8 @@ def step_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
                     axes.plot(convert(curve.x, "s", unit), curve.y, color=PALETTE[sizes.index(size)], **style)
             axes.axhspan(100.0 - 100.0 * BAND, 100.0 + 100.0 * BAND, color=FAINT, alpha=0.5, linewidth=0)
             axes.axvline(0.0, color=GREY, linewidth=0.8)
-            axes.set_xlabel(f"time after the step {'up' if sign == '+' else 'down'}{volume} [{unit}]")
-            axes.set_ylabel("fraction of the change [%]")
+            label = f"time after the step {'up' if sign == '+' else 'down'}{volume} [{unit}]"
+            axes.set(xlabel=label, ylabel="fraction of the change [%]")
             _key(axes, 4)
     return figure
 
@@ -243,8 +227,7 @@ def bode_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
             else:
                 axes.semilogx(curve.x, curve.y, "o-", color=colour, markersize=3.0, label=f"± {curve.case}")
     for axes, label in ((gain, "gain, relative [dB]"), (phase, "phase [deg]")):
-        axes.set_xlabel("frequency [Hz]")
-        axes.set_ylabel(label)
+        axes.set(xlabel="frequency [Hz]", ylabel=label)
         axes.grid(visible=True, which="both", axis="x")
     low = min((float(np.min(c.y)) for c in curves if c.name == "gain"), default=-20.0)
     gain.set_ylim(max(low - 2.0, -40.0), None)

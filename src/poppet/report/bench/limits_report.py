@@ -1,17 +1,47 @@
-"""Report of the dynamic limits of a valve."""
+"""Report of the dynamic limits of a valve, with maps of bandwidth, step response, ideal parts and stability."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
 
-from poppet.bench.limits.bandwidth import WORTH
-from poppet.bench.limits.maps import INTERRUPTED, LOAD, PARTS, LimitsResult
-from poppet.report.bench import limits_figures as figures
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.bench.limits.bandwidth import WORTH, Point
+from poppet.bench.limits.maps import CONTROLLER, INTERRUPTED, LOAD, PARTS, LimitsPlan, LimitsResult
+from poppet.bench.limits.stability import DECAYS, OSCILLATES
 from poppet.report.html_page import Section, document, findings, folded, head, paragraph, picture, write_page
 from poppet.report.tables import ReportTable, numeric
-from poppet.timeseries.plotting.figures import style
+from poppet.timeseries.plotting.figures import GREY, INK, PALETTE, axes_in, new_figure, style
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+Scale = tuple[str, list[str]]
+"""Name and tick labels of an axis."""
+STILL = 1.0
+"""Amplitude at the outlet below which the valve is at rest [Pa]."""
+# Sizes in inches.
+_WIDTH, _LEFT, _TOP, _FOOT, _BAR, _SIDE = 10.0, 0.75, 0.4, 0.62, 0.16, 0.75
+_CELL, _MAX_COLUMNS = 0.44, 3
+_VOLUME = "load volume [l]"
+_COLOURS = {part: PALETTE[k] for k, part in enumerate((*PARTS, LOAD))} | {CONTROLLER: GREY}
+NOISY = 0.5
+"""Motion relative to the fundamental above which a bandwidth is marked as approximate."""
+SHORT = {
+    "solenoids": "solenoids",
+    "pilot volume": "pilot vol.",
+    "poppet": "poppet",
+    "sonic conductance": "seat C",
+    "sensors and sampling": "sensing",
+    "load volume": "load",
+    CONTROLLER: "controller",
+}
+"""Mapping from the name of a part to the short name in a cell."""
 _IDEALISATIONS = {
     "solenoids": "ten times the sonic conductance of both solenoids",
     "pilot volume": "a tenth of it",
@@ -68,26 +98,22 @@ def _bandwidth(result: LimitsResult) -> list[str]:
         "the fundamental."
     )
     response_caption = "Frequency of 90 degrees of lag, and times to 90 % of a step of twice the amplitude."
-    return [
-        picture(figures.bandwidth_figure(result), "bandwidth", caption),
-        picture(figures.response_figure(result), "response", response_caption),
-        folded("The values as a table", _point_table(result)),
-    ]
-
-
-def _point_table(result: LimitsResult) -> ReportTable:
     rows = []
     for (volume, amplitude), p in result.points.items():
         frequencies = (
-            "-" if math.isnan(value) else figures.frequency_text(result.plan, value)
+            "-" if math.isnan(value) else frequency_text(result.plan, value)
             for value in (p.gain_frequency, p.phase_frequency)
         )
-        times = ("-" if math.isnan(value) else figures.time_text(value) for value in (p.rise_up, p.rise_down))
+        times = ("-" if math.isnan(value) else time_text(value) for value in (p.rise_up, p.rise_down))
         noise = "-" if math.isnan(p.noise) else f"{100.0 * p.noise:.2g}"
         case = f"{volume * 1e3:.3g} l, {amplitude / 1e3:.3g} kPa"
         rows.append((case, *frequencies, *times, noise, p.limiting or "-"))
     headings = "-3 dB [Hz]", "-90 deg [Hz]", "step up [ms]", "step down [ms]", "residual motion [%]"
-    return ReportTable(("load, amplitude", *numeric(*headings), "limited by"), rows)
+    return [
+        picture(bandwidth_figure(result), "bandwidth", caption),
+        picture(response_figure(result), "response", response_caption),
+        folded("The values as a table", ReportTable(("load, amplitude", *numeric(*headings), "limited by"), rows)),
+    ]
 
 
 def _ideal_parts(result: LimitsResult) -> list[str | ReportTable]:
@@ -99,7 +125,7 @@ def _ideal_parts(result: LimitsResult) -> list[str | ReportTable]:
         rows.append((part, _IDEALISATIONS[part], span, str(n_limited)))
     table = ReportTable(("part", "ideal form", *numeric("bandwidth, ideal / real", "limits at points")), rows)
     caption = "Bandwidth with one ideal part divided by that of the real valve; blue: larger, red: smaller."
-    return [table, picture(figures.ideal_figure(result), "ideal", caption)]
+    return [table, picture(ideal_figure(result), "ideal", caption)]
 
 
 def _stability(result: LimitsResult) -> list[str | ReportTable]:
@@ -112,8 +138,8 @@ def _stability(result: LimitsResult) -> list[str | ReportTable]:
         (
             f"x {s:g}, x {d:g}, {v * 1e3:.3g} l",
             f"{point.growth:.3g}" if math.isfinite(point.growth) else "?",
-            figures.motion_text(point.smooth, point.smooth_frequency),
-            figures.swing_text(point.amplitude),
+            motion_text(point.smooth, point.smooth_frequency),
+            swing_text(point.amplitude),
             f"{point.frequency:.3g}" if math.isfinite(point.frequency) else "-",
         )
         for (s, d, v), point in result.stability.items()
@@ -127,9 +153,274 @@ def _stability(result: LimitsResult) -> list[str | ReportTable]:
     ]
     text = "<p>Cases in which the linear model and the full model without bands disagree:</p>\n" if differing else ""
     return [
-        picture(figures.stability_figure(result), "stability", caption),
-        picture(figures.hum_figure(result), "hum", cycle_caption),
+        picture(stability_figure(result), "stability", caption),
+        picture(hum_figure(result), "hum", cycle_caption),
         folded("The values as a table", values),
         text,
         ReportTable((*numeric("spring", "damping", "volume"), "reason"), differing),
     ]
+
+
+def bandwidth_figure(result: LimitsResult) -> Figure:
+    """Draw the bandwidth by load volume and amplitude of the setpoint.
+
+    Each cell also names the part that limits the bandwidth.
+    """
+    plan = result.plan
+    height = len(plan.volumes) * 0.62
+    figure, (axes,) = _panels(1, height, _SIDE + 0.35, 0.0)
+    values, noise, names = _array(result.grid("gain_frequency")), _array(result.grid("noise")), _limiting(result)
+    mesh, mark = _heat(axes, values, (plan.lowest, plan.highest))
+    _volume_axes(axes, plan)
+    hertz = _known(values, lambda v: frequency_text(plan, v))
+    rough = _Line(0.13, 9.5, lambda cell: f"~{hertz(cell)}" if noise[cell] > NOISY else hertz(cell), "bold")
+    _write(axes, values, mark, rough, _Line(-0.24, 7.5, lambda cell: names[cell[0]][cell[1]]))
+    axes.set_title("-3 dB frequency [Hz], and the part that limits it", loc="left")
+    _bar(figure, mesh, _WIDTH - _SIDE - 0.15, height, "")
+    return figure
+
+
+def response_figure(result: LimitsResult) -> Figure:
+    """Draw the frequency at a phase lag of 90 degrees, and the times of steps up and down."""
+    plan = result.plan
+    phase, up, down = (_array(result.grid(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
+    times = np.concatenate([grid[np.isfinite(grid)] for grid in (up, down)])
+    # Both steps have one scale. Without times the minimum exceeds the maximum; `_heat` corrects this.
+    span = (float(np.min(times, initial=10.0)), float(np.max(times, initial=1e-3)))
+    maps: list[tuple[str, Array, tuple[float, float], str, Callable[[float], str]]] = [
+        ("-90 deg frequency [Hz]", phase, (plan.lowest, plan.highest), "viridis", lambda v: frequency_text(plan, v)),
+        ("step up, 90 % [ms]", up, span, "viridis_r", time_text),
+        ("step down, 90 % [ms]", down, span, "viridis_r", time_text),
+    ]
+    figure, panels = _panels(3, len(plan.volumes) * _CELL, 0.15, 0.25)
+    for k, (axes, (title, values, limits, colours, text)) in enumerate(zip(panels, maps, strict=True)):
+        _, mark = _heat(axes, values, limits, colours)
+        _volume_axes(axes, plan, is_first=k == 0)
+        _write(axes, values, mark, _Line(0.0, 8.0, _known(values, text)))
+        axes.set_title(title, loc="left")
+    return figure
+
+
+def ideal_figure(result: LimitsResult) -> Figure:
+    """Draw the factor by which the bandwidth increases if one part is ideal.
+
+    Each part has a separate map.
+    """
+    plan = result.plan
+    height = len(plan.volumes) * 0.36
+    figure, panels = _panels(2 * _MAX_COLUMNS, height, _SIDE + 0.2, 0.25)
+    for k, (axes, part) in enumerate(zip(panels, (*PARTS, LOAD), strict=True)):
+        values = _array(result.gains(part))
+        mesh, mark = _heat(axes, values, (0.1, 10.0), "RdBu")
+        _volume_axes(axes, plan, is_first=k % _MAX_COLUMNS == 0, is_last=k >= _MAX_COLUMNS)
+        _write(axes, values, mark, _Line(0.0, 7.5, _known(values, lambda v: f"{v:.2g}")))
+        axes.set_title(part, loc="left", color=_COLOURS[part])
+    _bar(figure, mesh, _WIDTH - _SIDE - 0.1, 2 * height + _TOP, "bandwidth, ideal / real")
+    return figure
+
+
+def stability_figure(result: LimitsResult) -> Figure:
+    """Draw the growth rate of the linear model.
+
+    Each cell also describes the motion of the nonlinear model after a disturbance.
+    """
+    from matplotlib.colors import SymLogNorm
+
+    norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
+
+    def draw(axes: Any, spring: float) -> Any:
+        growth, hum = (_array(result.map(name, spring)) for name in ("growth", "smooth_frequency"))
+        does = np.array(result.map("smooth", spring))
+        _write(
+            axes, growth, lambda v: "white" if abs(v) > 300.0 else INK,
+            _Line(0.17, 8.0, lambda cell: f"{growth[cell]:.3g}" if math.isfinite(growth[cell]) else "?"),
+            _Line(-0.22, 7.0, lambda cell: motion_text(does[cell], hum[cell])),
+        )  # fmt: skip
+        return _mesh(axes, growth, cmap="RdBu_r", norm=norm)
+
+    return _spring_figure(result, draw, "growth of the linear model [1/s]")
+
+
+def hum_figure(result: LimitsResult) -> Figure:
+    """Draw the amplitude and the frequency of the limit cycles (self-excited oscillations) of the complete valve."""
+
+    def draw(axes: Any, spring: float) -> Any:
+        amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
+        mesh, mark = _heat(axes, amplitude, (10.0, 1e4), "viridis_r")
+
+        def frequency_word(cell: Any) -> str:
+            hertz = frequency[cell]
+            if not hertz > 0.0 or not amplitude[cell] >= STILL:
+                return ""
+            return f"{hertz:.2g} Hz" if hertz < 10.0 else f"{hertz:.0f} Hz"
+
+        first = _Line(0.17, 8.0, lambda cell: swing_text(amplitude[cell]))
+        _write(axes, amplitude, mark, first, _Line(-0.22, 7.0, frequency_word))
+        return mesh
+
+    return _spring_figure(result, draw, "amplitude at the outlet [Pa]")
+
+
+def swing_text(value: float) -> str:
+    """Return the amplitude of the outlet pressure [Pa] as text."""
+    if not math.isfinite(value):
+        return "?"
+    if value < STILL:
+        return "rests"
+    return f"{value:.3g}" if value < 1e3 else f"{value:.0f}"
+
+
+def _limiting(result: LimitsResult) -> list[list[str]]:
+    """Return the name of the limiting part for each cell of the map.
+
+    If the load limits the bandwidth, the most important part of the valve is also named if its effect is large enough.
+    """
+
+    def word(point: Point | None) -> str:
+        if point is None or not point.limiting:
+            return ""
+        gains = {part: gain for part, gain in point.gains.items() if part != LOAD}
+        second = max(gains, key=lambda part: gains[part]) if point.limiting == LOAD else ""
+        return SHORT[point.limiting] + (f", {SHORT[second]}" if second and gains[second] >= WORTH else "")
+
+    plan = result.plan
+    return [[word(result.points.get((volume, size))) for size in plan.amplitudes] for volume in plan.volumes]
+
+
+class _Line(NamedTuple):
+    """Position, size and content of one line of text in every cell of a map."""
+
+    up: float  # distance from the centre
+    size: float  # of the font
+    text: Callable[[Any], str]  # text of a cell
+    weight: str = "normal"
+
+
+def _write(axes: Any, values: Array, colour: Callable[[float], str], *lines: _Line) -> None:
+    for cell, value in np.ndenumerate(values):
+        alignment = {"ha": "center", "va": "center", "color": colour(float(value))}
+        for up, size, text, weight in lines:
+            axes.text(cell[1], cell[0] + up, text(cell), fontsize=size, fontweight=weight, **alignment)
+
+
+def _known(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
+    """Return a function that gives the text of a cell: a dash if its value is NaN.
+
+    `text` formats all other values.
+    """
+    return lambda cell: "-" if math.isnan(values[cell]) else text(float(values[cell]))
+
+
+def _array(grid: list[list[Any]]) -> Array:
+    return np.array(grid, dtype=float)
+
+
+def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
+    """Return a figure with `count` axes in one row, or in two rows for `2 * _MAX_COLUMNS` axes."""
+    columns = _MAX_COLUMNS if count == 2 * _MAX_COLUMNS else count
+    rows = count // columns
+    figure = new_figure(_WIDTH, rows * (_TOP + height) + _FOOT + 0.1 * (rows - 1))
+    width = (_WIDTH - _LEFT - right - (columns - 1) * gap) / columns
+    cells = [divmod(k, columns) for k in range(count)]
+    return figure, [
+        axes_in(figure, _LEFT + column * (width + gap), _TOP + row * (_TOP + height), width, height)
+        for row, column in cells
+    ]
+
+
+def _spring_figure(result: LimitsResult, draw: Callable[[Any, float], Any], label: str) -> Figure:
+    """Draw a map of damping factors and load volumes for each factor on the spring rates.
+
+    `draw` draws one map; `label` is the label of the colour bar.
+    """
+    plan = result.plan
+    height = len(plan.dampings) * 0.52
+    figure, panels = _panels(len(plan.springs), height, _SIDE + 0.2, 0.2)
+    for k, (axes, spring) in enumerate(zip(panels, plan.springs, strict=True)):
+        mesh = draw(axes, spring)
+        y_scale = ("damping", [f"x {d:g}" for d in plan.dampings])
+        _scales(axes, (_VOLUME, _liters(plan)), y_scale, is_first=k == 0)
+        axes.set_title(f"spring rate x {spring:g}", loc="left")
+    _bar(figure, mesh, _WIDTH - _SIDE - 0.1, height, label)
+    return figure
+
+
+def _mesh(axes: Any, values: Array, **options: Any) -> Any:
+    x, y = (np.arange(count + 1) - 0.5 for count in values.shape[::-1])  # cells about whole numbers
+    return axes.pcolormesh(x, y, values, **options)
+
+
+def _heat(
+    axes: Any, values: Array, limits: tuple[float, float], colours: str = "viridis"
+) -> tuple[Any, Callable[[float], str]]:
+    """Draw a map with colours on a logarithmic scale.
+
+    The second result is a function that returns a readable text colour for a value.
+    """
+    from matplotlib import colormaps
+    from matplotlib.colors import LogNorm
+
+    low, high = limits if limits[0] < limits[1] else (0.5 * limits[0], 2.0 * limits[0])
+    norm = LogNorm(low, high, clip=True)
+    palette = colormaps[colours].with_extremes(bad="#eceef1")
+    # Infinite values have the last colour of the scale. Only missing values are grey.
+    mesh = _mesh(axes, np.clip(values, low, high), cmap=palette, norm=norm)
+
+    def mark(value: float) -> str:
+        if math.isnan(value):
+            return INK
+        # Luminance: green looks brighter than red, and red looks brighter than blue.
+        red, green, blue, _ = palette(float(norm(min(max(value, low), high))))
+        return "white" if 0.3 * red + 0.59 * green + 0.11 * blue < 0.5 else INK
+
+    return mesh, mark
+
+
+def _volume_axes(axes: Any, plan: LimitsPlan, *, is_first: bool = True, is_last: bool = True) -> None:
+    x_scale = ("amplitude of the setpoint [kPa]", [f"{a / 1e3:.3g}" for a in plan.amplitudes])
+    _scales(axes, x_scale, (_VOLUME, _liters(plan)), is_first=is_first, is_last=is_last)
+
+
+def _liters(plan: LimitsPlan) -> list[str]:
+    return [f"{v * 1e3:.2g}" for v in plan.volumes]
+
+
+def _scales(axes: Any, x_scale: Scale, y_scale: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
+    """Set the names and the tick labels of both axes.
+
+    Only the first panel of a row has labels at the left, and only the last row has labels at the bottom.
+    """
+    axes.grid(visible=False)
+    (x_name, x), (y_name, y) = x_scale, y_scale
+    axes.set_xticks(range(len(x)), x if is_last else [])
+    axes.set_yticks(range(len(y)), y if is_first else [])
+    axes.set(xlabel=x_name if is_last else "", ylabel=y_name if is_first else "")
+
+
+def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> None:
+    bar = figure.colorbar(mesh, cax=axes_in(figure, left, _TOP, _BAR, height))
+    bar.outline.set_visible(False)
+    bar.ax.grid(visible=False)
+    bar.set_label(label)
+
+
+def frequency_text(plan: LimitsPlan, value: float) -> str:
+    """Return a frequency [Hz] as text.
+
+    The values 0 and infinity are below and above the range of the search.
+    """
+    if value == 0.0:  # below the range
+        return f"< {plan.lowest:g}"
+    return f"> {plan.highest:g}" if math.isinf(value) else f"{value:.2g}" if value < 100.0 else f"{value:.0f}"
+
+
+def time_text(value: float) -> str:
+    """Return a time [s] as text in milliseconds."""
+    return f"{1e3 * value:.2g}" if value < 0.0995 else f"{1e3 * value:.0f}"
+
+
+def motion_text(motion: str, frequency: float) -> str:
+    """Return a text on the motion of the nonlinear model after a disturbance."""
+    if motion == OSCILLATES:
+        return f"{frequency:.0f} Hz" if math.isfinite(frequency) and frequency > 0.0 else "oscillates"
+    return "calm" if motion == DECAYS else motion

@@ -163,14 +163,13 @@ class Layout:
             heights |= self._separated(row, dict.fromkeys(row, 0.0))
         for sweep in range(_SWEEPS):
             for row in self.rows if sweep % 2 == 0 else reversed(self.rows):
-                heights |= self._separated(row, {name: self._level_height(name, heights) for name in row})
+                targets = {}
+                for name in row:  # the edges to its neighbours are horizontal on average
+                    ends = [heights[neighbour] + self.anchors[neighbour] for neighbour in self.links[name]]
+                    targets[name] = sum(ends) / len(ends) - self.anchors[name] if ends else heights[name]
+                heights |= self._separated(row, targets)
         floor = min((heights[name] - self.sizes[name][1] / 2.0 for name in heights), default=0.0)
         return {n: BoxPosition(columns[self.layers[n]], y - floor, self.layers[n]) for n, y in heights.items()}
-
-    def _level_height(self, name: str, heights: Mapping[str, float]) -> float:
-        """Return the height of a box at which the edges to its neighbours are horizontal on average."""
-        ends = [heights[neighbour] + self.anchors[neighbour] for neighbour in self.links[name]]
-        return sum(ends) / len(ends) - self.anchors[name] if ends else heights[name]
 
     def column_width(self, layer: int) -> float:
         """Return the width of the widest box in a layer [in]."""

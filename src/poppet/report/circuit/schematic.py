@@ -289,12 +289,10 @@ class _Schematic:
         # A rod is drawn as two lines.
         for width, color in ((4.5, INK), (3.0, "white")) if edge[1] == BODY else ((1.7, _PIPE),):
             self.axes.add_patch(PathPatch(Outline(vertices, codes), facecolor="none", edgecolor=color, linewidth=width))
-        if edge[1] != BODY:
-            self._arrow(edge, points[1], points[2])
-
-    def _arrow(self, edge: Edge, start: tuple[float, float], end: tuple[float, float]) -> None:
-        """Draw an arrow in the direction of positive flow, halfway to the next layer."""
-        a, b = complex(*start), complex(*end)
+        if edge[1] == BODY:
+            return
+        # An arrow in the direction of positive flow, halfway to the next layer.
+        a, b = complex(*points[1]), complex(*points[2])
         slope = complex((b - a).real / 2.0, (b - a).imag)  # of the curve at its middle
         ports = [candidate for candidate in self.graph.edges if candidate[0] == edge[0]]
         is_inlet = len(ports) > 1 and ports[0] == edge  # positive flow enters a flow path at its first port
@@ -304,12 +302,22 @@ class _Schematic:
         self.axes.fill([c.real for c in corners], [c.imag for c in corners], color=_PIPE, linewidth=0.0, zorder=3)
 
     def _draw_box(self, name: str, box: _Box, position: BoxPosition) -> None:
+        from matplotlib.patches import FancyBboxPatch
+
         left, bottom = position.x - box.width / 2.0, position.y - box.height / 2.0
         if not box.name:
             self._strokes(OPEN_END, left, position.y - _VENT / 2.0, _VENT)
             self._text(left, position.y - _VENT / 2.0, AMBIENT, 6.5, ha="left", va="top", color=GREY)
             return
-        self._outline(name, left, bottom, box)
+        part = self.circuit.parts[name]
+        is_reservoir = not isinstance(part, Store) or isinstance(part, Reservoir)
+        fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if is_reservoir else _STORE_FILL
+        fill = _CONTROLLER_FILL if isinstance(part, Controller) else _BODY_FILL if isinstance(part, Body) else fill
+        is_angular = box.symbol_height or is_reservoir or isinstance(part, Controller)
+        shape = f"round,pad=0,rounding_size={0.02 if is_angular else min(0.22, box.body / 2.0)}"
+        outline: dict[str, Any] = {"facecolor": fill, "edgecolor": INK, "zorder": 2}
+        outline["linewidth"] = 0.9 if box.symbol_height else 1.5
+        self.axes.add_patch(FancyBboxPatch((left, bottom), box.width, box.body, boxstyle=shape, **outline))
         top = bottom + box.body - _PAD
         if box.symbol_height:
             self._symbol(name, position.x, top - box.symbol_height / 2.0)
@@ -322,8 +330,12 @@ class _Schematic:
                 self._text(position.x, y, line, _TEXT)
             else:
                 self.empty_lines.append((name, position.x, y, box.width - 2.0 * _PAD))
+        height = _TAG - 0.025
+        tag_style: dict[str, Any] = {"facecolor": "#fdeee4", "edgecolor": ACCENT, "linewidth": 0.8, "zorder": 2}
         for k, tag in enumerate(box.tags):
-            self._tag(position.x, bottom + box.body + _TAG * (k + 0.5), tag, box.width)
+            low = bottom + box.body + _TAG * k + 0.025
+            self.axes.add_patch(FancyBboxPatch((left, low), box.width, height, boxstyle="square,pad=0", **tag_style))
+            self._text(position.x, low + height / 2.0, tag, _TEXT, color=ACCENT)
 
     def _symbol(self, name: str, x: float, y: float) -> None:
         """Draw the symbol of a part, centred on x and y.
@@ -355,28 +367,6 @@ class _Schematic:
             else:
                 dashes = (0, (2.5, 1.8)) if stroke.is_dashed else "-"
                 self.axes.plot(x, y, color=INK, linewidth=_LINE_WIDTH, linestyle=dashes, zorder=3)
-
-    def _outline(self, name: str, left: float, bottom: float, box: _Box) -> None:
-        from matplotlib.patches import FancyBboxPatch
-
-        part = self.circuit.parts[name]
-        is_reservoir = not isinstance(part, Store) or isinstance(part, Reservoir)
-        fill = _PASSAGE_FILL if box.symbol_height else _RESERVOIR_FILL if is_reservoir else _STORE_FILL
-        fill = _CONTROLLER_FILL if isinstance(part, Controller) else _BODY_FILL if isinstance(part, Body) else fill
-        is_angular = box.symbol_height or is_reservoir or isinstance(part, Controller)
-        corner = 0.02 if is_angular else min(0.22, box.body / 2.0)
-        outline: dict[str, Any] = {"facecolor": fill, "edgecolor": INK, "zorder": 2}
-        outline["linewidth"] = 0.9 if box.symbol_height else 1.5
-        shape = f"round,pad=0,rounding_size={corner}"
-        self.axes.add_patch(FancyBboxPatch((left, bottom), box.width, box.body, boxstyle=shape, **outline))
-
-    def _tag(self, x: float, y: float, text: str, width: float) -> None:
-        from matplotlib.patches import FancyBboxPatch
-
-        low, left = y - _TAG / 2.0 + 0.025, x - width / 2.0
-        patch: dict[str, Any] = {"facecolor": "#fdeee4", "edgecolor": ACCENT, "linewidth": 0.8, "zorder": 2}
-        self.axes.add_patch(FancyBboxPatch((left, low), width, _TAG - 0.025, boxstyle="square,pad=0", **patch))
-        self._text(x, low + (_TAG - 0.025) / 2.0, text, _TEXT, color=ACCENT)
 
     def _text(self, x: float, y: float, text: str, size: float, **options: Any) -> None:
         properties: dict[str, Any] = {"ha": "center", "va": "center", "color": INK, "zorder": 4} | options

@@ -4,27 +4,38 @@ from __future__ import annotations
 
 import html
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
-from poppet.core.number_format import USUAL, scaled
-from poppet.ensemble import Ensemble
+import numpy as np
+from numpy.typing import NDArray
+
+from poppet.core.number_format import USUAL, pretty, scaled
+from poppet.core.units import convert
+from poppet.ensemble import Bands, Ensemble, Yield
 from poppet.ensemble.ensemble_plan import varied_specs
-from poppet.report.ensemble.ensemble_figures import (
-    MAX_POINTS,
-    Array,
-    bands_figure,
-    histogram_figure,
-    scatter_figure,
-    tornado_figure,
-    usual_unit,
-    with_unit,
-    yield_figure,
-)
+from poppet.ensemble.metrics import Metric
+from poppet.ensemble.statistics import SobolIndex, TornadoRange
 from poppet.report.html_page import Section, document, findings, head, paragraph, picture, write_page
 from poppet.report.tables import Column, ReportTable, code, numeric
-from poppet.timeseries.plotting.figures import style
+from poppet.timeseries.plotting.figures import ACCENT, GREY, INK, PALETTE, axes_in, new_figure, style, widest
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+WIDTH = 10.0
+GOOD, BAD = PALETTE[0], ACCENT
+_GAP = 0.72
+_STRIP = 0.32
+"""Height of a bar with its gap [in]."""
+MAX_POINTS = 1500
+"""Maximum number of runs in a scatter plot, which limits the size of the page."""
+MAX_BARS = 8
+"""Maximum number of parameters in a tornado chart."""
+_BANDS = (((0.01, 0.99), 0.14, "98 %"), ((0.05, 0.95), 0.22, "90 %"), ((0.25, 0.75), 0.38, "half"))
+"""Quantiles of the bands, opacity and label."""
 QUANTILES = (0.05, 0.5, 0.95)
 """Quantiles of a metric or a parameter that a table shows."""
 _METHODS = {
@@ -79,16 +90,31 @@ def ensemble_page(ensemble: Ensemble) -> str:
         f"{ensemble.done} runs, {len(plan.addresses)} uncertain parameters, sampling: {_METHODS[plan.sampling]}, "
         f"seed {plan.seed}."
     )
+    parameter_rows = []
+    for address in plan.addresses:
+        distribution, unit = plan.alone.get(address), units[address]
+        kind = distribution.kind if distribution else "file" if plan.table else "joint normal, from the fit"
+        quantiles = (_in_usual_unit(plan.quantile(address, u), unit) for u in QUANTILES)
+        parameter_rows.append((code(address), kind, *quantiles, usual_unit(unit)))
+    quantile_columns = numeric("5 %", "median", "95 %", digits=".4g")
+    parameters = ReportTable(("parameter", "distribution", *quantile_columns, "unit"), parameter_rows)
     with style("A report of an ensemble"):
+        runs = ""
+        if plan.metrics:
+            sample = {name: values[:MAX_POINTS] for name, values in rows.items()}
+            n_points = len(sample["run"])
+            caption = "Each metric versus the parameter with the largest effect; orange: runs that miss a requirement"
+            caption += f". Only the first {n_points} runs are shown." if ensemble.done > n_points else "."
+            runs = picture(scatter_figure(ensemble, sample, units), "scatter", caption, is_still=True)
         sections = [
             Section("", head(title, lead) + findings(ensemble.remarks())),
             Section("Yield", _yield(ensemble)),
             Section("Curves", _curves(ensemble)),
             Section("Metrics", _metrics(ensemble, rows)),
             Section("Influence of the parameters", _influence(ensemble)),
-            Section("Runs", _scatter(ensemble, rows, units)),
+            Section("Runs", runs),
             Section("Worst cases", _worst_cases(ensemble, units)),
-            Section("Parameters", _parameter_table(ensemble, units)),
+            Section("Parameters", parameters),
         ]
     return document(title, sections)
 
@@ -144,16 +170,6 @@ def _influence(ensemble: Ensemble) -> str:
     return text
 
 
-def _scatter(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping[str, str]) -> str:
-    if not ensemble.plan.metrics:
-        return ""
-    sample = {name: values[:MAX_POINTS] for name, values in rows.items()}
-    n_points = len(sample["run"])
-    caption = "Each metric versus the parameter with the largest effect; orange: runs that miss a requirement"
-    caption += f". Only the first {n_points} runs are shown." if ensemble.done > n_points else "."
-    return picture(scatter_figure(ensemble, sample, units), "scatter", caption, is_still=True)
-
-
 def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | ReportTable]:
     plan = ensemble.plan
     if not plan.requirements:
@@ -175,11 +191,167 @@ def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | Rep
     return [text, ReportTable(("requirement", Column("run", "d"), "metric", *numeric(*headings, digits=".4g")), rows)]
 
 
-def _parameter_table(ensemble: Ensemble, units: Mapping[str, str]) -> ReportTable:
-    plan, rows = ensemble.plan, []
-    for address in plan.addresses:
-        distribution = plan.alone.get(address)
-        kind = distribution.kind if distribution else "file" if plan.table else "joint normal, from the fit"
-        values = (_in_usual_unit(plan.quantile(address, u), units[address]) for u in QUANTILES)
-        rows.append((code(address), kind, *values, usual_unit(units[address])))
-    return ReportTable(("parameter", "distribution", *numeric("5 %", "median", "95 %", digits=".4g"), "unit"), rows)
+def in_usual_unit(values: Array, unit: str) -> Array:
+    """Convert values from an SI unit to the unit that reports use."""
+    return values if unit not in USUAL else np.asarray(convert(values, unit, USUAL[unit]))
+
+
+def usual_unit(unit: str) -> str:
+    """Return the unit that reports use for an SI unit, as printed.
+
+    The text is empty for a dimensionless quantity.
+    """
+    return "" if unit == "1" else pretty(USUAL.get(unit, unit))
+
+
+def with_unit(name: str, unit: str) -> str:
+    """Return a label followed by its unit in brackets."""
+    return f"{name} [{usual_unit(unit)}]".replace(" []", "")
+
+
+def yield_figure(yields: list[Yield]) -> Figure:
+    """Draw the yield of each requirement as a bar with its confidence interval."""
+    names = [f"{y.name}: {y.text}" if y.text else "all together" for y in yields]
+    left = widest(names, 8.5) + 0.25
+    figure = new_figure(WIDTH, _STRIP * len(yields) + 0.75)
+    axes = axes_in(figure, left, 0.15, WIDTH - left - 0.9, _STRIP * len(yields))
+    for level, y in enumerate(reversed(yields)):
+        axes.barh(level, 100.0 * y.share, height=0.6, color=GOOD if y.text else INK, alpha=0.85)
+        axes.plot([100.0 * y.low, 100.0 * y.high], [level] * 2, color=ACCENT, linewidth=2.2, solid_capstyle="butt")
+        axes.text(101.5, level, f"{100.0 * y.share:.4g} %", va="center", fontsize=8.5, clip_on=False)
+    _label_rows(axes, names)
+    axes.set(xlim=(0.0, 100.0), xlabel="runs that meet it [%]")
+    return figure
+
+
+def _label_rows(axes: Any, names: list[str], *, is_labelled: bool = True) -> None:
+    """Label horizontal bars with names, from top to bottom."""
+    axes.set_yticks(range(len(names)), list(reversed(names)) if is_labelled else [""] * len(names))
+    axes.set_ylim(-0.6, len(names) - 0.4)
+    axes.grid(visible=False, axis="y")
+
+
+def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
+    """Draw quantiles of one output over all runs versus time.
+
+    `curve` is the address of the output.
+    """
+    figure = new_figure(WIDTH, 3.4)
+    axes = axes_in(figure, 0.8, 0.3, WIDTH - 1.0, 2.5)
+    unit = units[curve]
+    for quantiles, alpha, label in _BANDS:
+        edges = [in_usual_unit(bands.quantile(curve, u), unit) for u in quantiles]
+        axes.fill_between(bands.time, *edges, color=GOOD, alpha=alpha, linewidth=0.0, label=f"{label} of the runs")
+    axes.plot(bands.time, in_usual_unit(bands.quantile(curve, 0.5), unit), color=INK, linewidth=1.1, label="median")
+    label = with_unit(curve.replace("_", " "), unit)
+    axes.set(xlim=(bands.time[0], bands.time[-1]), xlabel="time [s]", ylabel=label)
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper left", bbox_to_anchor=(0.07, 1.0), ncols=4, fontsize=8)
+    return figure
+
+
+def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float = 1.9) -> Figure:
+    """Return a figure with one small panel for each title, in rows of two or three.
+
+    `draw` draws the panel with a given index.
+    """
+    columns = 2 if len(titles) in (1, 2, 4) else 3
+    rows, width = -(-len(titles) // columns), (WIDTH - 0.8 - (columns - 1) * _GAP) / columns
+    figure = new_figure(WIDTH, rows * (height + 0.95))
+    for k, title in enumerate(titles):
+        row, column = divmod(k, columns)
+        axes = axes_in(figure, 0.7 + column * (width + _GAP), 0.35 + row * (height + 0.95), width, height)
+        axes.set_title(title, loc="left", fontsize=9.5)
+        draw(k, axes)
+    return figure
+
+
+def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
+    """Draw the histogram of every metric, with the bounds of the requirements."""
+    metrics = ensemble.plan.metrics
+
+    def draw(k: int, axes: Any) -> None:
+        metric = metrics[k]
+        values = in_usual_unit(rows[metric.name][np.isfinite(rows[metric.name])], metric.unit)
+        if values.size:
+            axes.hist(values, bins=min(60, max(10, round(values.size**0.5))), color=GOOD, alpha=0.85)
+            _draw_bounds(ensemble, metric, axes.axvline, axes.get_xlim())
+        axes.set(xlabel=usual_unit(metric.unit), ylabel="runs")
+
+    return _panels([metric.name.replace("_", " ") for metric in metrics], draw)
+
+
+def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], limits: tuple[float, float]) -> None:
+    """Draw the bounds of the requirements on a metric if they are within or near the axis limits."""
+    span = limits[1] - limits[0]
+    for requirement in ensemble.plan.requirements:
+        for _, bound in requirement.bounds if requirement.metric == metric.name else ():
+            level = float(in_usual_unit(np.array([bound]), metric.unit)[0])
+            if limits[0] - span <= level <= limits[1] + span:
+                line(level, color=ACCENT, linewidth=1.3, linestyle=(0, (4, 2)))
+
+
+def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping[str, str]) -> Figure:
+    """Draw every metric versus the parameter that has the largest effect on it."""
+    metrics = ensemble.plan.metrics
+    strongest = {name: ranges[0].address for name, ranges in ensemble.tornado().items() if ranges}
+    is_good = np.ones(len(rows["done"]), dtype=np.bool_)
+    for requirement in ensemble.plan.requirements:
+        is_good &= requirement.met(rows[requirement.metric])
+
+    def draw(k: int, axes: Any) -> None:
+        metric, address = metrics[k], strongest[metrics[k].name]
+        y = in_usual_unit(rows[metric.name], metric.unit)
+        x = in_usual_unit(rows[address], units[address])
+        for mask, colour in ((is_good, GOOD), (~is_good, BAD)):
+            is_visible = mask & np.isfinite(y)
+            axes.plot(x[is_visible], y[is_visible], ".", color=colour, markersize=2.6, alpha=0.55)
+        if np.isfinite(y).any():
+            _draw_bounds(ensemble, metric, axes.axhline, axes.get_ylim())
+        axes.set_xlabel(with_unit(address, units[address]), fontsize=8.5)
+
+    return _panels([with_unit(metric.name.replace("_", " "), metric.unit) for metric in metrics], draw)
+
+
+def tornado_figure(metric: Metric, ranges: list[TornadoRange], indices: list[SobolIndex] | None) -> Figure:
+    """Draw the effect of each parameter on a metric as a tornado chart.
+
+    Sobol indices are drawn beside the chart if they are available.
+    """
+    effects = [effect for effect in ranges if math.isfinite(effect.size)][:MAX_BARS]
+    names = [effect.address for effect in effects]
+    left = max(widest(names, 8.5) + 0.25, 0.8)
+    height, total_width = _STRIP * max(len(effects), 1), WIDTH - left - 0.3
+    width = 0.56 * total_width if indices else total_width
+    figure = new_figure(WIDTH, height + 1.0)
+    axes = axes_in(figure, left, 0.35, width, height)
+    for level, effect in enumerate(reversed(effects)):
+        middle, low, high = in_usual_unit(np.array([effect.middle, effect.low, effect.high]), metric.unit)
+        for end, colour in ((low, PALETTE[5]), (high, PALETTE[4])):
+            axes.barh(level, end - middle, left=middle, height=0.6, color=colour)
+    if effects:
+        median = float(in_usual_unit(np.array([effects[0].middle]), metric.unit)[0])
+        axes.axvline(median, color=INK, linewidth=0.9)
+    _label_rows(axes, names)
+    axes.set_xlabel(with_unit(metric.name.replace("_", " "), metric.unit))
+    if indices:
+        axes = axes_in(figure, left + width + 0.35, 0.35, total_width - width - 0.35, height)
+        by_factor = {index.factor: index for index in indices}
+        for level, name in enumerate(reversed(names)):
+            # All parameters of a fit are one factor.
+            index = by_factor.get(name, by_factor.get("from_fit"))
+            if index is None:
+                continue
+            for y, value, low, high, colour in (
+                (level + 0.16, index.first, index.first_low, index.first_high, PALETTE[0]),
+                (level - 0.16, index.total, index.total_low, index.total_high, PALETTE[3]),
+            ):
+                axes.plot([low, high], [y, y], color=colour, linewidth=1.4)
+                axes.plot([value], [y], "o", color=colour, markersize=4.0)
+        axes.plot([], [], "o-", color=PALETTE[0], label="first")
+        axes.plot([], [], "o-", color=PALETTE[3], label="total")
+        _label_rows(axes, names, is_labelled=False)
+        axes.set_xlim(min(0.0, axes.get_xlim()[0]), max(1.0, axes.get_xlim()[1]))
+        axes.axvline(0.0, color=GREY, linewidth=0.8)
+        axes.set_xlabel("Sobol index [1]")
+        axes.legend(loc="lower right", fontsize=7.5)
+    return figure

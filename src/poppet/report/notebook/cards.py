@@ -1,26 +1,34 @@
-"""HTML output (card) of each class in notebooks.
+"""HTML output (card) of each class in notebooks, with a small SVG plot of recordings.
 
 The modules of the classes are imported when an object is displayed, so no function imports more than it needs.
+
+Text inherits the colour of the notebook; lines and backgrounds are mixed from it. The output therefore suits light and
+dark themes of classic notebooks, JupyterLab and VS Code.
 """
 
 from __future__ import annotations
 
+import html
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 from zlib import crc32
 
 import numpy as np
 
+from poppet.core.codes import Note
 from poppet.core.errors import MissingDependencyError
+from poppet.core.note_groups import grouped
 from poppet.core.number_format import USUAL, pretty
 from poppet.core.units import convert
-from poppet.report.html_page import folded, inline_svg, paragraph
-from poppet.report.notebook.card import MAX_ROWS, card, note_list, plural
-from poppet.report.notebook.plot import plot
+from poppet.report.html_page import Content, folded, inline_svg, items, paragraph, render
+from poppet.report.styles import stylesheet
 from poppet.report.tables import ReportTable, code, numeric
+from poppet.timeseries.columns import Columns
+from poppet.timeseries.plotting.panels import Panel, Series, looks_of, panels_of, shown_series, thinned
+from poppet.timeseries.plotting.plots import axis_unit, home_colours, panel_colours, time_unit
 from poppet.timeseries.recording import Recording
 
 if TYPE_CHECKING:
@@ -31,6 +39,9 @@ if TYPE_CHECKING:
     from poppet.ensemble import Ensemble
     from poppet.identify.result import Result
 
+STYLE = stylesheet("notebook")
+MAX_ROWS = 12
+"""Maximum number of rows of an unfolded table."""
 MAX_PARTS = 40
 """Maximum number of parts in a drawing; larger drawings take seconds and are not readable in a notebook."""
 ROUNDING = 1e-12
@@ -47,9 +58,43 @@ _COLOURS = {
     "#c2410c": "color-mix(in srgb, #c2410c 70%, currentColor)",
 }
 """Mapping from the colours of a schematic to the colours of the notebook."""
+MAX_PANELS, MAX_LINES = 4, 6
+COLUMNS = 200
+"""Columns of a plot; a line has the first, last, lowest and highest sample of each."""
+WIDTH, HEIGHT = 1000, 100
+"""Size of the drawing, which is stretched to the available width."""
 _POINTS_PER_INCH = 72.0
 _SCALE = 1.12
 """Size of a drawing in pixels relative to points."""
+
+
+def card(title: str, lead: str, *blocks: Content) -> str:
+    """Return the HTML output of one object in a notebook.
+
+    `title` and `lead` are text; `blocks` are HTML or tables.
+
+    Examples
+    --------
+    >>> card("a < b", "Recording").partition("</style>")[2]
+    '<p><span class="poppet-head">a &lt; b</span> <span class="lead">Recording</span></p></div>'
+    """
+    name = f'<span class="poppet-head">{html.escape(title)}</span> ' if title else ""
+    head = f'<p>{name}<span class="lead">{html.escape(lead)}</span></p>'
+    return f'<div class="poppet-card"><style>{STYLE}</style>{head}{"".join(map(render, blocks))}</div>'
+
+
+def note_list(notes: Iterable[Note]) -> str:
+    """Return notes as an HTML list.
+
+    A long list is folded: the reader can unfold it.
+    """
+    texts = grouped(notes)
+    return folded(plural(len(texts), "note"), items(texts), is_open=len(texts) <= 3)
+
+
+def plural(count: int, noun: str) -> str:
+    """Return a count with its noun in singular or plural, such as `2 notes`."""
+    return f"{count} {noun}{'s' * (count != 1)}"
 
 
 def circuit_card(circuit: BaseCircuit) -> str:
@@ -185,3 +230,95 @@ def limits_card(result: LimitsResult) -> str:
     columns = "volume", *(f"± {amplitude / 1e5:.3g} bar" for amplitude in plan.amplitudes)
     lead = f"Dynamic limits of {plan.valve} at {plan.mean / 1e5:.3g} bar: -3 dB frequency and the limiting part."
     return card(plan.circuit.title or plan.valve, lead, ReportTable(columns, rows), note_list(result.findings))
+
+
+def plot(recording: Columns) -> str:
+    """Return an SVG plot of the outputs that change, or an empty text if all are constant."""
+    if recording.time.size < 2:
+        return ""
+    pairs = zip(recording.names, recording.units, strict=True)
+    names = [name for name, unit in pairs if looks_of(name, unit, recording[name]) is None]  # no codes
+    # Only the samples that the plot shows. Internal outputs are omitted if there are other outputs.
+    thin, ambient = [], recording.ambient_pressure
+    for name in [name for name in names if name not in recording.inner] or names:
+        rows = thinned(recording.time, recording[name], COLUMNS)
+        values, units = recording[name][rows].reshape(1, -1), (recording.unit(name),)
+        thin.append(Columns(recording.time[rows], (name,), units, values, ambient_pressure=ambient))
+    panels, _ = panels_of(shown_series(thin, None, None))
+    panels = [panel for panel in panels if any(not line.is_still for line in panel.series)][:MAX_PANELS]
+    homes = home_colours(panels)
+    start, end = float(recording.time[0]), float(recording.time[-1])
+    unit, size = time_unit(end - start)
+    times = "".join(f"<span>{text}</span>" for text in (f"{start / size:.5g}", f"time [{unit}]", f"{end / size:.5g}"))
+    body = "".join(_panel(panel, panel_colours(panel, homes), (start, end)) for panel in panels)
+    return f'{body}<div class="poppet-time">{times}</div>' if body else ""
+
+
+def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
+    """Return one panel of the plot as HTML: legend, limits of the scale and lines."""
+    # First the first lines of all parts, then the second lines.
+    counts: dict[str, int] = {}
+    ranks: dict[str, int] = {}
+    for line in panel.series:
+        part = line.name.partition(".")[0]
+        ranks[line.name] = counts[part] = counts.get(part, -1) + 1
+    series = sorted(panel.series, key=lambda line: ranks[line.name])[:MAX_LINES]
+    finite = np.concatenate([line.values[np.isfinite(line.values)] for line in series])
+    low, high = float(finite.min()), float(finite.max())
+    paths, keys = [], []
+    for line in series:
+        colour = f"color-mix(in srgb, {colours[line.name]} 72%, currentColor)"
+        points = path(line, span, (low, high if high > low else low + 1.0))
+        # The first colour is for browsers without `color-mix`.
+        paths.append(f'<path stroke="{colours[line.name]}" style="stroke:{colour}" d="{points}"/>')
+        mark = f'<i style="background:{colours[line.name]};background:{colour}"></i>'
+        keys.append(f"<span>{mark}{html.escape(panel.labels[line.name])}</span>")
+    n_omitted = len(panel.series) - len(series)
+    keys += [f'<span class="lead">and {n_omitted} more</span>'] if n_omitted else []
+    label = html.escape(f"{panel.quantity} over time", quote=True)
+    return (
+        f'<div class="poppet-panel"><div class="poppet-key"><b>{html.escape(panel.quantity)}</b> '
+        f'{html.escape(axis_unit(panel))}{"".join(keys)}</div><div class="poppet-plot"><div class="poppet-ends">'
+        f"<span>{_end(high, high - low)}</span><span>{_end(low, high - low)}</span></div>"
+        f'<svg role="img" aria-label="{label}" viewBox="0 -2 {WIDTH} {HEIGHT + 4}" preserveAspectRatio="none">'
+        f"{''.join(paths)}</svg></div></div>"
+    )
+
+
+def _end(value: float, span: float) -> str:
+    """Return the value at one end of a scale as text, rounded to about a thousandth of the span."""
+    decimals = 3 - math.floor(math.log10(span)) if span > 0.0 else 6
+    return f"{round(value, decimals):z.6g}"
+
+
+def path(series: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
+    """Return a line as the attribute `d` of an SVG path.
+
+    Abscissas are in thousandths of the width. NaN interrupts the line.
+
+    Examples
+    --------
+    >>> time, values = np.array([0.0, 1.0, 2.0]), np.array([0.0, 5.0, 10.0])
+    >>> path(Series("a", 0, time, values, "1", "", 0), (0.0, 2.0), (0.0, 10.0))
+    'M0 100L500 50L1000 0'
+    """
+    x = np.round((series.time - span[0]) / (span[1] - span[0]) * WIDTH).astype(int)
+    y = np.round(HEIGHT * (1.0 - (series.values - scale[0]) / (scale[1] - scale[0])), 1)
+    parts: list[str] = []
+    is_down, previous = False, 0.0
+    # Omit repeated points and inner points of horizontal lines.
+    level = np.where(np.isfinite(y), y, -1e9)
+    distinct = np.flatnonzero((np.diff(x, prepend=-1) != 0) | (np.diff(level, prepend=np.nan) != 0.0))
+    level = level[distinct]
+    is_inner = (level[1:-1] == level[:-2]) & (level[1:-1] == level[2:])
+    for k in distinct[np.concatenate(([True], ~is_inner, [True]))[: len(distinct)]]:
+        if not np.isfinite(y[k]):
+            is_down = False
+        elif not is_down:
+            parts.append(f"M{x[k]} {y[k]:g}")
+            is_down = True
+        else:
+            # A step is horizontal first.
+            parts.append(f"H{x[k]}V{y[k]:g}" if series.is_staircase and y[k] != previous else f"L{x[k]} {y[k]:g}")
+        previous = y[k]
+    return "".join(parts)

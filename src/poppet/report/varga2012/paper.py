@@ -1,15 +1,19 @@
-"""Report on Varga & Keski-Honkola 2012: recomputed figures and tables, and a check of every statement."""
+"""Report on Varga & Keski-Honkola 2012: recomputed figures and tables, and a check of every statement.
+
+The texts of the statements are in `messages/paper.toml`.
+"""
 
 from __future__ import annotations
 
 import dataclasses
+import enum
 import json
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
+from operator import methodcaller
 from pathlib import Path
-from typing import IO, TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -22,7 +26,6 @@ from poppet.report.html_page import Section, document, head, paragraph, picture
 from poppet.report.styles import stylesheet
 from poppet.report.tables import Column, Markup, ReportTable, numeric
 from poppet.report.varga2012 import runs
-from poppet.report.varga2012.statements import Statement, Verdict, statements
 from poppet.timeseries.plotting.figures import FAINT, GREY, INK, PALETTE, axes_in, figure_bytes, new_figure, style
 
 if TYPE_CHECKING:
@@ -43,6 +46,46 @@ _TANKS = (
     ("wall", "energy balance with wall heat", _BLUE, "-"),
     ("isothermal", "isothermal", _GREEN, (0, (1.2, 1.4))),
 )
+
+
+class Verdict(enum.Enum):
+    """Verdict on a statement of the paper; the value is the printed text."""
+
+    HOLDS = "holds"
+    FAILS = "does not hold"
+    OPEN = "cannot be told"
+
+
+@dataclass(frozen=True)
+class Statement:
+    """Statement of the paper: code, truth, and the values in the text of the finding.
+
+    The truth is None if the statement cannot be decided. The values are in the units of the text.
+    """
+
+    code: str
+    holds: bool | None
+    facts: Mapping[str, Any]
+
+    @property
+    def verdict(self) -> Verdict:
+        """Verdict on the statement."""
+        return Verdict.OPEN if self.holds is None else Verdict.HOLDS if self.holds else Verdict.FAILS
+
+    @property
+    def text(self) -> str:
+        """Text of the statement."""
+        return sentence(f"{self.code}.text", {})
+
+    @property
+    def place(self) -> str:
+        """Location of the statement in the paper."""
+        return sentence(f"{self.code}.place", {})
+
+    @property
+    def finding(self) -> str:
+        """Text on the simulation result that supports the verdict."""
+        return sentence(f"{self.code}.finding", self.facts)
 
 
 @dataclass(frozen=True)
@@ -91,36 +134,22 @@ def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] = la
             raise InputError("paper.folder", path=str(target), why=problem.strerror or str(problem)) from problem
         results = runs.find(progress)
         progress("figures")
-        checked = statements(results)
+        checked = tuple(statements(results))
         tables = {table.name: table for table in _tables(results, checked)}
-        files = dict(_files(results, dict(_figures(results)), tables, checked))
-    paths = tuple(write_whole(target / name, partial(_write_bytes, content)) for name, content in files.items())
-    return PaperResult(target, paths, results, tables, checked)
-
-
-def _write_bytes(content: bytes, stream: IO[bytes]) -> object:
-    return stream.write(content)
-
-
-def _files(
-    results: runs.Findings,
-    pictures: Mapping[str, Figure],
-    tables: Mapping[str, ReportTable],
-    checked: Sequence[Statement],
-) -> Iterator[tuple[str, bytes]]:
-    """Yield the name and the content of every output file, the report first."""
-    svgs = {name: figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
-    yield "report.html", _page(results, pictures, tables, checked).encode()
-    yield "results.json", (json.dumps(_numbers(results, checked), indent=1) + "\n").encode()
-    for name, figure in pictures.items():
-        yield f"{name}.svg", svgs[name]
-        yield f"{name}.png", figure_bytes(figure, "png", name)
-    for name, table in tables.items():
-        yield f"{name}.csv", table.csv().encode()
+        pictures = dict(_figures(results))
+        svgs = {f"{name}.svg": figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
+        files = {"report.html": _page(results, pictures, tables, checked).encode()}
+        files["results.json"] = (json.dumps(_numbers(results, checked), indent=1) + "\n").encode()
+        for name, figure in pictures.items():
+            files[f"{name}.svg"] = svgs[f"{name}.svg"]
+            files[f"{name}.png"] = figure_bytes(figure, "png", name)
     run = results.staircase
     headings = ["time [s]", *(f"{name} [{unit}]" for name, unit in zip(run.names, run.units, strict=True))]
-    rows = tuple(tuple(map(float, row)) for row in zip(run.time, *run.values, strict=True))
-    yield "fig6.csv", ReportTable(headings, rows).csv().encode()
+    rows = [tuple(map(float, row)) for row in zip(run.time, *run.values, strict=True)]
+    for name, table in {**tables, "fig6": ReportTable(headings, rows)}.items():
+        files[f"{name}.csv"] = table.csv().encode()
+    paths = tuple(write_whole(target / name, methodcaller("write", content)) for name, content in files.items())
+    return PaperResult(target, paths, results, tables, checked)
 
 
 def _numbers(results: runs.Findings, checked: Sequence[Statement]) -> dict[str, Any]:
@@ -138,6 +167,90 @@ def _numbers(results: runs.Findings, checked: Sequence[Statement]) -> dict[str, 
             for item in checked
         ],
     }
+
+
+# --- Statements ---
+
+
+def statements(results: runs.Findings) -> Iterator[Statement]:
+    """Yield all statements of the paper with their verdicts."""
+    c, b, (stroke, largest) = results.conductances, results.ratios, results.largest
+    smallest_stroke, smallest = results.smallest_ratio
+    fill = results.fillings
+    isentrope, adiabatic, walled = fill["isentrope"], fill["adiabatic"], fill["wall of the peak"]
+    isothermal, polytropic = fill["isothermal"].time, fill["polytropic"].time
+    settling = {"settling": 1e3 * results.settling_time}
+    first, greatest = {"first": 1e8 * c[0]}, {"largest": 1e8 * largest}
+
+    # The flow law.
+    yield Statement("paper.law", results.law_deviation < 1e-9, {"deviation": results.law_deviation})
+    error = results.downstream_error
+    yield Statement("paper.downstream", abs(error) < 1e-3, {"per_cent": 100.0 * error})
+    is_physical = min(c) > 0.0 and min(b) > 0.0 and max(b) < 1.0
+    beyond = {"zero": 1e3 * results.zero_beyond, "beyond": 1e8 * results.conductance_beyond}
+    yield Statement("paper.range", is_physical, beyond)
+
+    # The characteristic.
+    ratios = {"lowest_ratio": smallest, "lowest_stroke": 1e3 * smallest_stroke, "first_ratio": b[0]}
+    spread = {**first, **greatest, **ratios, "growth": largest / c[0], "stroke": 1e3 * stroke}
+    yield Statement("paper.nonlinear", largest > 1.1 * c[0] and b[0] > 1.1 * smallest, spread)
+    hump = {"fall": 100.0 * (1.0 - c[-1] / largest), "suspected": 1e8 * results.suspected_largest}
+    yield Statement("paper.drawn", None, greatest | hump)  # the points of the figure are not in the text
+    leak = {"share": 100.0 * c[0] / largest, "leak": 1e3 * results.leak}
+    yield Statement("paper.closing", c[0] < 1e-3 * largest, first | leak)
+
+    # Mechanics.
+    strokes = results.exhaust_strokes
+    yield Statement("paper.emptying", max(strokes) - min(strokes) < 1e-9, {"strokes": [1e6 * x for x in strokes]})
+    printed, drawn = results.stroke_printed, results.stroke_fig5
+    is_equal = abs(drawn - printed) < 1e-3 * printed
+    yield Statement("paper.fig5", is_equal, {"printed": 1e3 * printed, "drawn": 1e3 * drawn})
+    low, high = results.open_end
+    yield Statement("paper.following", max(low, high) < 0.99 * runs.SUPPLY, {"low": 1e-5 * low, "high": 1e-5 * high})
+    yield Statement("paper.slow", results.settling_time < 1e-2 * walled.time, settling | {"filling": walled.time})
+    yield Statement("paper.faster", None, settling)  # no response of the real valve is given
+
+    # The tank.
+    rise = isentrope.end_temperature - runs.START_TEMPERATURE
+    warmed = {"isentrope": rise, "adiabatic": adiabatic.end_temperature - runs.START_TEMPERATURE}
+    walls = {"walls": [wall.for_peak for wall in results.walls], "supplies": [1e-5 * p for p in runs.SUPPLIES]}
+    reported = {"reported": runs.REPORTED_RISE, "exponent": results.exponent}
+    is_near = abs(rise - runs.REPORTED_RISE) < 0.5 * runs.REPORTED_RISE
+    yield Statement("paper.warming", is_near, warmed | reported | walls)
+    times = {"isentrope": isentrope.time, "adiabatic": adiabatic.time}
+    ends = {"isentrope_end": isentrope.end_temperature, "adiabatic_end": adiabatic.end_temperature}
+    yield Statement("paper.no_heat", abs(isentrope.time - adiabatic.time) < 1e-2 * adiabatic.time, times | ends)
+    times = {"isentrope": isentrope.time, "walled": walled.time, "isothermal": isothermal}
+    excess = {"least": walled.time / isentrope.time, "most": isothermal / isentrope.time, "wall": results.wall.for_peak}
+    yield Statement("paper.measured_slower", walled.time > isentrope.time, times | excess)
+
+    # Conclusions.
+    by_heat, by_law = walled.time - adiabatic.time, adiabatic.time - isentrope.time
+    drop = results.pressure_drop
+    shares = {"difference": walled.time - isentrope.time, "by_heat": by_heat, "by_law": by_law, "drop": 1e-5 * drop}
+    yield Statement("paper.heat", by_heat > by_law and drop > 0.0, shares)
+    times = {"polytropic": polytropic, "walled": walled.time, "isentrope": isentrope.time}
+    is_near = abs(polytropic - walled.time) < 0.1 * abs(isentrope.time - walled.time)
+    yield Statement("paper.polytropic", is_near, times | {"exponent": results.exponent})
+    slow, constant = results.slow_time, results.slow_time_constant
+    yield Statement("paper.precise", slow > 1.1 * constant, {"slow": slow, "constant": constant})
+    lowest, highest, miss = _staircase(results)
+    facts = {"low": lowest, "high": highest, "miss": 100.0 * miss}
+    yield Statement("paper.staircase", miss < 1e-2 and lowest > 0.999 and highest < 5.5, facts)
+    yield Statement("paper.works_well", None, {})  # the points of fig. 6 are not in the text
+
+
+def _staircase(results: runs.Findings) -> tuple[float, float, float]:
+    """Return the minimum and the maximum pressure [bar], and the maximum relative error at the end of a step.
+
+    They are taken over all tanks.
+    """
+    run = results.staircase
+    required = run["required.pressure"]
+    ends = np.append(np.flatnonzero(np.diff(required)), required.size - 1)
+    rows = np.array([run[f"{tank}.pressure"] for tank in runs.TANKS])
+    miss = float(np.max(np.abs(rows[:, ends] / required[ends] - 1.0)))
+    return 1e-5 * float(rows.min()), 1e-5 * float(rows.max()), miss
 
 
 # --- Tables ---

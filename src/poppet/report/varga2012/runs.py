@@ -107,13 +107,28 @@ class Findings:
 def find(progress: Callable[[str], Any]) -> Findings:
     """Run all simulations of the report, and return their findings."""
     progress("tank laws")
-    exponent = _polytropic_exponent()
+    polytropic = filling(thermal="polytropic", polytropic_exponent=1.1)
+
+    def excess(exponent: float) -> float:
+        changed = polytropic.with_values({"tank.polytropic_exponent": exponent})
+        return float(_run_to_target(changed)["tank.temperature"][-1]) - START_TEMPERATURE - REPORTED_RISE
+
+    exponent = _root(excess, 1.001, 1.4, xtol=1e-7)
     progress("wall conductances")
     walls = tuple(_wall_conductance(supply) for supply in SUPPLIES)
     wall = walls[SUPPLIES.index(SUPPLY)].for_peak
     fillings = _fillings(wall, exponent)
+    # After the valve has closed at 5 bar, the gas cools to the wall.
+    closing = Steps([0.0, fillings["wall of the peak"].time], [1.0, 0.0])
+    closed = BaseCircuit(filling(wall_conductance=wall).parts, {"valve.opening": closing})
+    end_pressure = closed.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE)["tank.pressure"][-1]
     progress("main stage")
-    stroke_printed, stroke_drawn = _strokes_by_sign()
+    # Equilibrium stroke at 3 bar g: by eq. (5) of the paper, and with k2 (h2 - x) as in fig. 5.
+    stage = staged("paper", Steps([0.0], [4e5]))
+    valve: Any = stage.parts["valve"]
+    k1, h1 = float(valve.upper_spring.rate), float(valve.upper_spring.preload)
+    k2, h2 = float(valve.lower_spring.rate), float(valve.lower_spring.preload)
+    stroke_drawn = (float(valve.plate_area) * 3e5 - k1 * h1 - k2 * h2) / (k1 - k2)
     open_ends = [
         staged("paper", Steps([0.0], [START + pilot]), thermal="isothermal").simulate(_LONGEST)["tank.pressure"][-1]
         for pilot in (1e5, 4e5)
@@ -129,13 +144,13 @@ def find(progress: Callable[[str], Any]) -> Findings:
         fillings=fillings,
         walls=walls,
         exponent=exponent,
-        pressure_drop=_pressure_drop(wall, fillings["wall of the peak"].time),
+        pressure_drop=float(TARGET - end_pressure),
         slow_time=float(_filled(stroke=0.1e-3, thermal="isothermal").time[-1]),
         slow_time_constant=fillings["isothermal"].time,
         settling_time=_settling_time(),
         open_end=(float(open_ends[0]), float(open_ends[1])),
         exhaust_strokes=tuple(map(float, emptying)),
-        stroke_printed=stroke_printed,
+        stroke_printed=float(stage.simulate(0.1)["valve.stroke"][-1]),
         stroke_fig5=stroke_drawn,
         staircase=_staircase(wall, progress),
     )
@@ -201,6 +216,14 @@ def _curve_findings() -> dict[str, Any]:
     polynomial = curve.sonic_conductance
     conductances = tuple(float(curve.sonic_conductance_at(x)) for x in STROKES)
     ratios = tuple(float(curve.critical_ratio_at(x)) for x in STROKES)
+    # Deviation of eqs (1) and (2) of the paper from the flow law without its laminar range, relative to choked flow.
+    p1, ratio, deviation = SUPPLY, np.linspace(0.0, iso6358.LAMINAR_RATIO, 2001), 0.0
+    for c, b in zip(conductances, ratios, strict=True):
+        choked = c * p1 * iso6358.REFERENCE_DENSITY
+        bracket = 1.0 - ((ratio - b) / (1.0 - b)) ** 2
+        printed = np.where(ratio <= b, choked, choked * np.sqrt(np.where(ratio <= b, 1.0, bracket)))
+        law = iso6358.mass_flow_rate(p1, ratio * p1, 293.15, sonic_conductance=c, critical_ratio=b)
+        deviation = max(deviation, float(np.max(np.abs(law - printed))) / choked)
     return {
         "conductances": conductances,
         "ratios": ratios,
@@ -209,7 +232,7 @@ def _curve_findings() -> dict[str, Any]:
         "conductance_beyond": float(polynomial(1.2e-3)),
         "zero_beyond": _root(polynomial, 1e-3, 1.2e-3),
         "suspected_largest": _extreme(suspected().sonic_conductance_at, -1.0)[1],
-        "law_deviation": max(map(_law_deviation, conductances, ratios)),
+        "law_deviation": deviation,
     }
 
 
@@ -222,19 +245,6 @@ def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[fl
     values = np.asarray(curve(strokes))
     index = int(np.argmin(sign * values))
     return float(strokes[index]), float(values[index])
-
-
-def _law_deviation(c: float, b: float) -> float:
-    """Return the maximum deviation of eqs (1) and (2) of the paper from the flow law.
-
-    The laminar range of the flow law is excluded. The deviation is relative to the choked flow.
-    """
-    p1, ratio = SUPPLY, np.linspace(0.0, iso6358.LAMINAR_RATIO, 2001)
-    choked = c * p1 * iso6358.REFERENCE_DENSITY
-    bracket = 1.0 - ((ratio - b) / (1.0 - b)) ** 2
-    printed = np.where(ratio <= b, choked, choked * np.sqrt(np.where(ratio <= b, 1.0, bracket)))
-    law = iso6358.mass_flow_rate(p1, ratio * p1, 293.15, sonic_conductance=c, critical_ratio=b)
-    return float(np.max(np.abs(law - printed))) / choked
 
 
 def _root(function: Callable[[float], Any], low: float, high: float, **tolerance: float) -> float:
@@ -278,16 +288,6 @@ def _filling_of(law: str, recording: Recording) -> Filling:
     return Filling(law, float(time[-1]), float(temperature[-1]), float(temperature[peak]), float(time[peak]))
 
 
-def _polytropic_exponent() -> float:
-    circuit = filling(thermal="polytropic", polytropic_exponent=1.1)
-
-    def excess(exponent: float) -> float:
-        changed = circuit.with_values({"tank.polytropic_exponent": exponent})
-        return float(_run_to_target(changed)["tank.temperature"][-1]) - START_TEMPERATURE - REPORTED_RISE
-
-    return _root(excess, 1.001, 1.4, xtol=1e-7)
-
-
 def _wall_conductance(supply: float) -> WallConductance:
     circuit = filling(supply)
 
@@ -301,13 +301,6 @@ def _wall_conductance(supply: float) -> WallConductance:
     return WallConductance(supply, peak, filled(peak).peak_time, end)
 
 
-def _pressure_drop(wall: float, closing_time: float) -> float:
-    """Return the pressure drop after the valve has closed at 5 bar, while the gas cools to the wall."""
-    closing = Steps([0.0, closing_time], [1.0, 0.0])
-    closed = BaseCircuit(filling(wall_conductance=wall).parts, {"valve.opening": closing})
-    return float(TARGET - closed.simulate(_LONGEST, _ROWS_EVERY, _TOLERANCE)["tank.pressure"][-1])
-
-
 # --- Main stage ---
 
 
@@ -317,19 +310,6 @@ def _settling_time() -> float:
     stroke = run["valve.stroke"]
     away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])
     return float(run.time[np.flatnonzero(away)[-1] + 1])
-
-
-def _strokes_by_sign() -> tuple[float, float]:
-    """Return the equilibrium stroke at 3 bar g for both signs of the spring force.
-
-    The first is by eq. (5) of the paper, the second with k2 (h2 - x) as in fig. 5.
-    """
-    circuit = staged("paper", Steps([0.0], [4e5]))
-    valve: Any = circuit.parts["valve"]
-    k1, h1 = float(valve.upper_spring.rate), float(valve.upper_spring.preload)
-    k2, h2 = float(valve.lower_spring.rate), float(valve.lower_spring.preload)
-    stroke = (float(valve.plate_area) * 3e5 - k1 * h1 - k2 * h2) / (k1 - k2)
-    return float(circuit.simulate(0.1)["valve.stroke"][-1]), stroke
 
 
 # --- Fig. 6 ---

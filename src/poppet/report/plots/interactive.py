@@ -1,19 +1,32 @@
-"""Conversion of Matplotlib figures to data for interactive plots."""
+"""Interactive plots: data of Matplotlib figures, and the scripts and style sheets that a page contains completely."""
 
 from __future__ import annotations
 
+import base64
+import hashlib
+import json
 import math
+import re
 from collections.abc import Sequence
+from functools import cache
+from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from poppet.report.styles import stylesheet
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.plotting.panels import thinned, whole_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+MARK = 'class="plot-data"'
+"""Attribute of the data elements of plots."""
+# uPlot needs a valid language; browsers without a locale report an invalid one.
+_LOCALE = (
+    'try{new Intl.NumberFormat(navigator.language)}catch{Object.defineProperty(navigator,"language",{value:"en-US"})}'
+)
 MAX_POINTS = 4000
 """Maximum number of points of a line in a page; longer lines are reduced to extremes."""
 DIGITS = 5
@@ -38,7 +51,15 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
     >>> data["columns"]
     [{'from': 0.0, 'step': 1.0, 'count': 4}, [5.0, 7.0, 7.0, 5.0]]
     """
-    if not figure.axes or any(_is_still(axes) for axes in figure.axes):
+    from matplotlib.collections import LineCollection, PolyCollection
+
+    for axes in figure.axes:
+        # Maps, drawings and unknown scales cannot become interactive.
+        has_known_artists = all(isinstance(artist, LineCollection | PolyCollection) for artist in axes.collections)
+        has_known_scales = {axes.get_xscale(), axes.get_yscale()} <= {"linear", "log"}
+        if not (axes.axison and has_known_artists and has_known_scales) or axes.images:
+            return None
+    if not figure.axes:
         return None
     columns, width = _PixelColumns(), float(figure.get_size_inches()[0])
     lefts = sorted({round(_box(figure, axes)[0], 3) for axes in figure.axes})
@@ -56,15 +77,6 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
     return {"columns": columns.series, "panels": panels, "notes": [" ".join(notes.split())] * bool(notes.strip())}
 
 
-def _is_still(axes: Any) -> bool:
-    """Return True for axes that cannot become interactive: maps, drawings and unknown scales."""
-    from matplotlib.collections import LineCollection, PolyCollection
-
-    has_known_artists = all(isinstance(artist, LineCollection | PolyCollection) for artist in axes.collections)
-    scales = {axes.get_xscale(), axes.get_yscale()}
-    return not (axes.axison and has_known_artists and scales <= {"linear", "log"}) or bool(axes.images)
-
-
 def _box(figure: Figure, axes: Any) -> list[float]:
     """Return the position of axes in a figure: left, top, width and height [in]."""
     width, height = figure.get_size_inches()
@@ -80,43 +92,39 @@ class _PixelColumns:
         self._indices: dict[bytes, int] = {}
 
     def add(self, values: FloatArray, *, is_log: bool = False) -> int:
-        """Add a column of numbers if it is new, and return its index."""
+        """Add a column of numbers if it is new, and return its index.
+
+        Evenly spaced numbers become first value, step and count. Other numbers are rounded to the digits that an
+        enlarged plot can show; NaN becomes None.
+        """
         key = values.tobytes() + bytes([is_log])
-        if key not in self._indices:
-            self._indices[key] = len(self.series)
-            self.series.append(_stepped(values) or _rounded(values, is_log=is_log))
+        if key in self._indices:
+            return self._indices[key]
+        finite = values[np.isfinite(values)]
+        size = float(np.ptp(finite)) if finite.size else 0.0
+        is_even = finite.size == values.size >= 4 and bool(values[-1] > values[0])
+        if is_even:
+            even = np.linspace(values[0], values[-1], values.size)
+            is_even = bool(np.max(np.abs(values - even)) <= 1e-9 * (values[-1] - values[0]))
+        column: Any
+        if is_even:
+            step = float(values[-1] - values[0]) / (values.size - 1)
+            column = {"from": float(values[0]), "step": float(f"{step:.15g}"), "count": values.size}
+        elif is_log or size == 0.0:
+            column = [float(f"{v:.6g}") if math.isfinite(v) else None for v in values]
+        else:
+            decimals = DIGITS - math.floor(math.log10(size))
+            column = [round(v, decimals) if math.isfinite(v) else None for v in values.tolist()]
+        self._indices[key] = len(self.series)
+        self.series.append(column)
         return self._indices[key]
 
 
-def _stepped(values: FloatArray) -> dict[str, float | int] | None:
-    """Return evenly spaced numbers as first value, step and count.
-
-    The result is None if the numbers are not evenly spaced.
-    """
-    if values.size < 4 or not np.isfinite(values).all() or not values[-1] > values[0]:
-        return None
-    even = np.linspace(values[0], values[-1], values.size)
-    if np.max(np.abs(values - even)) > 1e-9 * (values[-1] - values[0]):
-        return None
-    first, step = float(values[0]), float(values[-1] - values[0]) / (values.size - 1)
-    return {"from": first, "step": float(f"{step:.15g}"), "count": values.size}
-
-
-def _rounded(values: FloatArray, *, is_log: bool = False) -> list[float | None]:
-    """Return numbers rounded to the digits that an enlarged plot can show.
-
-    NaN becomes None.
-    """
-    finite = values[np.isfinite(values)]
-    size = float(np.ptp(finite)) if finite.size else 0.0
-    if is_log or size == 0.0:
-        return [float(f"{v:.6g}") if math.isfinite(v) else None for v in values]
-    decimals = DIGITS - math.floor(math.log10(size))
-    return [round(v, decimals) if math.isfinite(v) else None for v in values.tolist()]
-
-
 def _panel(axes: Any, columns: _PixelColumns) -> dict[str, Any]:
-    panel: dict[str, Any] = {"group": _group(axes), "x": _axis(axes, "x"), "y": _axis(axes, "y")}
+    panels: list[Any] = axes.figure.axes
+    # Index of the first panel that shares the horizontal axis.
+    group = min(panels.index(panel) for panel in axes.get_shared_x_axes().get_siblings(axes) if panel in panels)
+    panel: dict[str, Any] = {"group": group, "x": _axis(axes, "x"), "y": _axis(axes, "y")}
     title = axes.get_title(loc="left") or axes.get_title()
     panel["lines"], panel["rules"] = _lines(axes, columns)
     panel["bands"], panel["boxes"], panel["segments"] = _filled(axes, columns)
@@ -125,12 +133,6 @@ def _panel(axes: Any, columns: _PixelColumns) -> dict[str, Any]:
         title = title or next((t.get_text().replace("\n", " ") for t in axes.texts if t.get_position()[0] < 0.0), "")
     panel["title"] = title
     return {key: value for key, value in panel.items() if value != [] and value != ""}
-
-
-def _group(axes: Any) -> int:
-    """Return the index of the first panel that shares the horizontal axis with these axes."""
-    panels: list[Any] = axes.figure.axes
-    return min(panels.index(panel) for panel in axes.get_shared_x_axes().get_siblings(axes) if panel in panels)
 
 
 def _axis(axes: Any, name: str) -> dict[str, Any]:
@@ -173,20 +175,15 @@ def _colour(value: Any, alpha: float | None = None) -> dict[str, Any]:
     return {"colour": to_hex(value)} | ({"alpha": round(float(opacity), 3)} if opacity < 1.0 else {})
 
 
-def _pen(artist: Any) -> dict[str, Any]:
-    """Return the colour, the width and the dashes of a line."""
-    style = artist.get_linestyle()
-    width = float(artist.get_linewidth()) if style not in _NO_MARKER else 0.0
-    pen = _colour(artist.get_color(), artist.get_alpha()) | {"width": width}
-    dashes = artist._unscaled_dash_pattern[1] if style not in (*_NO_MARKER, "-") else None
-    return pen | ({"dash": [round(2.0 * float(v), 2) for v in dashes]} if dashes else {})
-
-
 def _lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
     """Return the lines of a panel, and the straight lines that cross the whole panel."""
     lines, rules = [], []
     for line in axes.lines:
-        entry = {"label": _label(line)} | _pen(line)
+        stroke = line.get_linestyle()
+        width = float(line.get_linewidth()) if stroke not in _NO_MARKER else 0.0
+        entry = {"label": _label(line)} | _colour(line.get_color(), line.get_alpha()) | {"width": width}
+        dashes = line._unscaled_dash_pattern[1] if stroke not in (*_NO_MARKER, "-") else None
+        entry |= {"dash": [round(2.0 * float(v), 2) for v in dashes]} if dashes else {}
         in_x, in_y = line.get_transform().contains_branch_seperately(axes.transData)
         if not (in_x and in_y):
             level = line.get_xdata()[0] if in_x else line.get_ydata()[0]
@@ -263,3 +260,53 @@ def _texts(axes: Any) -> tuple[list[Any], list[Any]]:
         elif in_y and x > 1.0:
             rows.append([y, text.get_text()])
     return texts, rows
+
+
+def data_element(data: dict[str, Any]) -> str:
+    """Return the data of a figure as an HTML element.
+
+    Special characters are escaped for HTML and XML.
+
+    Examples
+    --------
+    >>> print(data_element({"a": "</script>"}))
+    <script type="application/json" class="plot-data">{"a":"\\u003c/script\\u003e"}</script>
+    """
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    for sign in "<>&":
+        text = text.replace(sign, f"\\u{ord(sign):04x}")
+    return f'<script type="application/json" {MARK}>{text}</script>'
+
+
+@cache
+def script() -> str:
+    """Return the JavaScript of the plots: the library uPlot and the script that uses it."""
+    folder = files("poppet.report.plots")
+    plots = tight((folder / "plots.js").read_text(encoding="utf-8"))
+    library = (folder / "uplot" / "uPlot.iife.min.js").read_text(encoding="utf-8")
+    return f"{_LOCALE}\n{library.strip()}\n{plots}"
+
+
+def tight(script: str) -> str:
+    """Return a script without its comments and indentation."""
+    lines = (line.strip() for line in re.sub(r"/\*.*?\*/", "", script, flags=re.DOTALL).splitlines())
+    return "\n".join(filter(None, lines)) + "\n"
+
+
+@cache
+def style() -> str:
+    """Return the style sheets of uPlot and of the plots."""
+    text = (files("poppet.report.plots") / "uplot" / "uPlot.min.css").read_text(encoding="utf-8")
+    return f"{text.strip()}\n{stylesheet('plots').strip()}\n"
+
+
+def policy(*scripts: str, computes: bool = False) -> str:
+    """Return a content security policy that permits only the given scripts.
+
+    With `computes`, the policy also permits WebAssembly.
+    """
+    hashes = (base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in scripts)
+    allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"
+    allowed += " 'wasm-unsafe-eval'" * computes
+    rules = f"default-src 'none'; style-src 'unsafe-inline'; img-src data:; script-src {allowed}; base-uri 'none'"
+    return f'<meta http-equiv="Content-Security-Policy" content="{rules}; form-action \'none\'">\n'
