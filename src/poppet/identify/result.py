@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -289,6 +289,12 @@ def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Es
     return tuple(findings)
 
 
+def mark_interrupted(result: Result, note: Note, *remarks: Note) -> Result:
+    """Return a result that is marked as interrupted, with further remarks and a note on the interruption."""
+    remarks = (*result.remarks, *remarks, note)
+    return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=remarks)
+
+
 def fitted_number(estimate: Estimate, title: str) -> Number:
     """Return the value of an estimate as a parameter value whose source is `fitted`."""
     note = f"+/- {estimate.standard_error:.3g} ({estimate.verdict})"
@@ -350,7 +356,8 @@ def read_result(path: str | Path) -> Result:
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
             near = NameSuggestion(str(estimate.verdict), VERDICTS)
-            raise InputError("result.verdict", name, path=str(path), verdict=estimate.verdict, near=near)
+            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "near": near}
+            raise InputError("fields.not_an_option", f"parameters.{name}.verdict", **facts).located(file=str(path))
     return Result(
         data.get("method", "fit"),
         data.get("title", path.stem),
