@@ -104,7 +104,7 @@ def test_the_same_result_gives_the_same_bytes(result, tmp_path):
     assert first == second
     with pytest.raises(InputError) as caught:
         write_bench(result, tmp_path / "a.pdf")
-    assert caught.value.code == "page.suffix"
+    assert caught.value.code == "files.suffix"
 
 
 def test_a_result_from_a_file_has_the_same_words(result, tmp_path):

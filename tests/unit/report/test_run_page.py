@@ -89,5 +89,5 @@ def test_a_run_without_a_row_has_a_page(recording):
 
 
 def test_another_suffix_is_refused(recording, tmp_path):
-    with refused("page.suffix"):
+    with refused("files.suffix"):
         write_run(CIRCUIT, recording, tmp_path / "run.txt")
