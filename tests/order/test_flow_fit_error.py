@@ -1,4 +1,4 @@
-"""Error of a flow bench's direct fit against the noise of its readings: first order, and none without noise."""
+"""Error of the fit to a flow bench versus the noise of the readings, which is of first order."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ LAW = {"sonic_conductance": 2e-8, "critical_ratio": 0.35}
 
 
 def fit_errors(noise, seed):
-    """Relative error of C and error of b, for noise of equal shape."""
+    """Return the relative errors of C and b for scaled noise."""
     generator = np.random.default_rng(seed)
     p_2 = 7e5 * np.linspace(0.05, 0.95, 20)
     q = mass_flow_rate(7e5, p_2, 293.15, laminar_ratio=1 - 1e-9, **LAW)
     errors = generator.standard_normal((2, 20))
     points = FlowPoints(q + noise * np.max(q) * errors[0], 7e5, p_2 * (1.0 + noise * errors[1]), 293.15)
-    found = identify_flow(points).parameters
-    return [found[name].value / value - 1.0 for name, value in LAW.items()]
+    estimates = identify_flow(points).parameters
+    return [estimates[name].value / value - 1.0 for name, value in LAW.items()]
 
 
 @pytest.mark.parametrize("number", [0, 1])
@@ -31,5 +31,5 @@ def test_error_is_first_order_in_the_noise(number):
     assert np.all(np.abs(slopes - 1.0) < 0.05)
 
 
-def test_no_noise_no_error():
+def test_exact_readings_give_no_error():
     assert np.max(np.abs(fit_errors(0.0, 0))) < 1e-9

@@ -1,4 +1,4 @@
-"""Flow bench files: what they mean, and every mistake with its line."""
+"""Tests of flow bench files: units, uncertainties, and the line of each error."""
 
 from __future__ import annotations
 
@@ -27,17 +27,17 @@ POINTS = "q;p1;p2 [bar]\n1200,0;9,0;0,5\n1200,0;9,0;1,013\n1200,0;9,0;2,0\n1000,
 
 
 @pytest.fixture
-def file(tmp_path):
-    def written(text=TEXT, points=POINTS):
+def write_file(tmp_path):
+    def write(text=TEXT, points=POINTS):
         (tmp_path / "points.csv").write_text(points, encoding="utf-8")
         (tmp_path / "flow.toml").write_text(text, encoding="utf-8")
         return tmp_path / "flow.toml"
 
-    return written
+    return write
 
 
-def test_units_references_and_uncertainties(file):
-    points, options = read_flow_file(file())
+def test_file_gives_points_in_si_units_with_uncertainties(write_file):
+    points, options = read_flow_file(write_file())
     assert points.mass_flow_rate[0] == pytest.approx(1.2 * 1.185 / 60.0)
     assert points.pressure_1 == pytest.approx([10.013e5] * 5)
     assert points.pressure_2[:2] == pytest.approx([0.5e5, 1.013e5])
@@ -54,8 +54,8 @@ def test_units_references_and_uncertainties(file):
     }
 
 
-def test_its_content_is_what_identify_flow_takes(file):
-    points, options = read_flow_file(file(TEXT.replace("= 0.5\n", '= "free"\n').replace('"0 Pa"', '"free"')))
+def test_options_of_a_file_are_arguments_of_identify_flow(write_file):
+    points, options = read_flow_file(write_file(TEXT.replace("= 0.5\n", '= "free"\n').replace('"0 Pa"', '"free"')))
     assert options["subsonic_index"] == options["cracking_pressure"] == "free"
     result = identify_flow(points, **{**options, "cracking_pressure": 0.0})
     assert result.title == "valve A"
@@ -63,40 +63,40 @@ def test_its_content_is_what_identify_flow_takes(file):
     assert set(notes_of(options["notes"])) <= set(result.remarks)
 
 
-def test_a_path_is_taken_as_its_points_are_and_keywords_go_before_it(file):
-    points, options = read_flow_file(path := file())
+def test_path_gives_the_result_of_its_points_and_keywords_override_it(write_file):
+    points, options = read_flow_file(path := write_file())
     assert points.lines == [2, 3, 4, 5, 6]
     assert identify_flow(path).content() == identify_flow(points, **options).content()
     assert identify_flow(points=str(path), title="another").title == "another"
 
 
-def test_barometer_moves_the_gauge_pressures_only(file):
+def test_barometer_affects_only_gauge_pressures(write_file):
     text = TEXT + 'ambient_pressure_uncertainty = "0.5 kPa"\n'
-    points, _ = read_flow_file(file(text))
+    points, _ = read_flow_file(write_file(text))
     assert points.u_ambient_pressure == 0.0
     assert points.u_pressure_1.offset == pytest.approx((1e6 + 0.25e6) ** 0.5)
-    both = text.replace('column = "p2"', 'column = "p2", unit = "bar g"')
-    points, _ = read_flow_file(file(both))
+    two_gauge_pressures = text.replace('column = "p2"', 'column = "p2", unit = "bar g"')
+    points, _ = read_flow_file(write_file(two_gauge_pressures))
     assert points.u_ambient_pressure == 500.0
     assert points.u_pressure_1.offset == 1e3
 
 
-def test_an_assumed_atmosphere_is_said(file):
-    _, options = read_flow_file(file(TEXT.replace('ambient_pressure = "1.013 bar"\n', "")))
+def test_assumed_ambient_pressure_is_noted(write_file):
+    _, options = read_flow_file(write_file(TEXT.replace('ambient_pressure = "1.013 bar"\n', "")))
     assert options["notes"][-1] == Note("flow.ambient_assumed", "ambient_pressure")
-    _, options = read_flow_file(file())
+    _, options = read_flow_file(write_file())
     assert "flow.ambient_assumed" not in [note.code for note in notes_of(options["notes"])]
 
 
 @pytest.mark.parametrize(
     ("unit", "read"), [("l/min", "l/min ANR"), ("slpm", "l/min N"), ("Nl/min", None), ("l/min ANR", None)]
 )
-def test_what_a_flow_meter_leaves_open_is_said(file, unit, read):
-    points, options = read_flow_file(file(TEXT.replace('unit = "l/min ANR"', f'unit = "{unit}"')))
-    like, _ = read_flow_file(file(TEXT.replace('unit = "l/min ANR"', f'unit = "{read or unit}"')))
-    assert points.mass_flow_rate.tolist() == like.mass_flow_rate.tolist()
-    said = [note for note in notes_of(options["notes"]) if note.code == "doubt.read_as"]
-    assert said == ([Note("doubt.read_as", "mass_flow_rate", unit=unit, read=read)] if read else [])
+def test_ambiguous_flow_unit_is_noted(write_file, unit, read):
+    points, options = read_flow_file(write_file(TEXT.replace('unit = "l/min ANR"', f'unit = "{unit}"')))
+    reference, _ = read_flow_file(write_file(TEXT.replace('unit = "l/min ANR"', f'unit = "{read or unit}"')))
+    assert points.mass_flow_rate.tolist() == reference.mass_flow_rate.tolist()
+    notes = [note for note in notes_of(options["notes"]) if note.code == "doubt.read_as"]
+    assert notes == ([Note("doubt.read_as", "mass_flow_rate", unit=unit, read=read)] if read else [])
 
 
 @pytest.mark.parametrize(
@@ -121,18 +121,18 @@ def test_what_a_flow_meter_leaves_open_is_said(file, unit, read):
         ('"1 kPa"', '"1 K"', 5, "quantity.other_quantity"),
     ],
 )
-def test_mistakes_with_their_lines(file, old, new, line, message):
+def test_each_error_has_its_line(write_file, old, new, line, message):
     assert old in TEXT
     with refused(message) as caught:
-        read_flow_file(file(TEXT.replace(old, new)))
+        read_flow_file(write_file(TEXT.replace(old, new)))
     assert caught.value.line == line
     assert caught.value.file.endswith("flow.toml")
 
 
-def test_several_mistakes_at_once(file):
+def test_all_errors_of_a_file_are_raised_together(write_file):
     with pytest.raises(InputErrors) as caught:
-        read_flow_file(file("titel = 1\nmass_flow_rate = 3\n"))
-    assert {(each.code, each.address) for each in caught.value.problems} >= {
+        read_flow_file(write_file("titel = 1\nmass_flow_rate = 3\n"))
+    assert {(problem.code, problem.address) for problem in caught.value.problems} >= {
         ("fields.unknown", "titel"),
         ("fields.missing", "file"),
         ("fields.missing", "pressure_1"),
@@ -140,11 +140,11 @@ def test_several_mistakes_at_once(file):
     }
 
 
-def test_a_unit_is_needed(file):
+def test_missing_unit_is_rejected(write_file):
     with refused("flow.no_unit", "pressure_2"):
-        read_flow_file(file(points=POINTS.replace(" [bar]", "")))
+        read_flow_file(write_file(points=POINTS.replace(" [bar]", "")))
 
 
-def test_no_toml(file):
+def test_invalid_toml_is_rejected(write_file):
     with refused("toml.invalid"):
-        read_flow_file(file("file = "))
+        read_flow_file(write_file("file = "))

@@ -1,7 +1,7 @@
-"""`identify friction`: known laws found again, what data leave open, correlated residuals, what is refused.
+"""Tests of `identify friction`: known laws, parameters that are not determined, correlated residuals, invalid input.
 
-The truth of recordings is an integrator of the LuGre model of this file's own, with SciPy: a body whose motion is
-prescribed, and the force that moves it.
+The synthetic recordings use an independent integration of the LuGre model with SciPy. The motion of the body is
+prescribed, and the result is the force that moves it.
 """
 
 from __future__ import annotations
@@ -29,24 +29,26 @@ TRUTH = {COULOMB: 20.0, STATIC: 32.0, STRIBECK: 0.02, VISCOUS: 60.0}
 SPEEDS = np.geomspace(0.001, 0.5, 24)
 
 
-def level(speed: np.ndarray, truth: dict[str, float], pressure: np.ndarray | float = 0.0) -> np.ndarray:
-    """Friction of steady sliding, written out here."""
+def sliding_friction(speed: np.ndarray, truth: dict[str, float], pressure: np.ndarray | float = 0.0) -> np.ndarray:
+    """Return the friction of steady sliding [N]."""
     fc, fs, vs = truth[COULOMB], truth.get(STATIC, truth[COULOMB]), truth.get(STRIBECK, 1.0)
     dry = fc + (fs - fc) * np.exp(-((speed / vs) ** 2)) + truth.get(SEAL, 0.0) * pressure
     return dry * np.sign(speed) + truth.get(VISCOUS, 0.0) * speed
 
 
-def steady(truth: dict[str, float], noise: float = 0.0, seed: int = 0, both: bool = True) -> FrictionRecord:
-    speed = np.concatenate([SPEEDS, -SPEEDS] if both else [SPEEDS])
-    force = level(speed, truth) + noise * np.random.default_rng(seed).standard_normal(speed.size)
+def steady_table(
+    truth: dict[str, float], noise: float = 0.0, seed: int = 0, has_both_directions: bool = True
+) -> FrictionRecord:
+    speed = np.concatenate([SPEEDS, -SPEEDS] if has_both_directions else [SPEEDS])
+    force = sliding_friction(speed, truth) + noise * np.random.default_rng(seed).standard_normal(speed.size)
     return FrictionRecord(force=force, velocity=speed)
 
 
-def facts(result: Result, code: str) -> list[dict[str, Any]]:
+def note_facts(result: Result, code: str) -> list[dict[str, Any]]:
     return [dict(n.facts) | {"address": n.address} for n in result.remarks if n.code == code]
 
 
-def held(result: Result, truth: dict[str, float]) -> list[bool]:
+def cover_truth(result: Result, truth: dict[str, float]) -> list[bool]:
     return [e.low <= truth[name] <= e.high for name, e in result.parameters.items() if name in truth]
 
 
@@ -54,60 +56,65 @@ def held(result: Result, truth: dict[str, float]) -> list[bool]:
 
 
 @pytest.mark.parametrize("law", ["coulomb", "coulomb_viscous", "stribeck", "stribeck_viscous"])
-def test_the_law_that_made_a_table_is_found_with_its_numbers(law):
+def test_law_of_a_table_is_selected_with_its_parameters(law):
     names = [COULOMB, *[STATIC, STRIBECK] * ("stribeck" in law), *[VISCOUS] * ("viscous" in law)]
     truth = {name: TRUTH[name] for name in names}
-    result = identify_friction(steady(truth))
+    result = identify_friction(steady_table(truth))
     assert result.comparison["law"] == law
     assert {name: e.value for name, e in result.parameters.items()} == pytest.approx(truth, rel=1e-4)
     assert {e.verdict for e in result.parameters.values()} == {"determined"}
-    assert facts(result, "friction.no_reversals")  # a table tells nothing of bristles
+    assert note_facts(result, "friction.no_reversals")  # a table has no reversals
     assert BRISTLES not in result.parameters
 
 
-def test_noise_does_not_buy_a_richer_law():
+def test_noise_does_not_select_a_richer_law():
     truth = {COULOMB: 20.0}
-    found = [identify_friction(steady(truth, 1.0, seed)).comparison["law"] for seed in range(5)]
-    assert found.count("coulomb") >= 4
-    bounds = {each["address"]: each for each in facts(identify_friction(steady(truth, 1.0)), "friction.bounded")}
-    assert bounds[VISCOUS]["high"] < 5.0  # of 0.5 m/s and 1 N of noise
+    laws = [identify_friction(steady_table(truth, 1.0, seed)).comparison["law"] for seed in range(5)]
+    assert laws.count("coulomb") >= 4
+    bounds = {
+        bound["address"]: bound for bound in note_facts(identify_friction(steady_table(truth, 1.0)), "friction.bounded")
+    }
+    assert bounds[VISCOUS]["high"] < 5.0  # for speeds up to 0.5 m/s and a noise of 1 N
 
 
-def test_a_viscous_part_that_few_fast_speeds_do_not_deny_widens_the_coulomb_force():
+def test_possible_viscous_part_widens_the_interval_of_the_coulomb_force():
     speed = np.repeat([0.001, 0.003, 0.006, 0.01, 0.07, 0.09], 10)
     for seed in (0, 15):
         noise = np.random.default_rng(seed).standard_normal((2, 2 * speed.size))
-        both = np.concatenate([speed, -speed]) * (1.0 + 0.002 * noise[0])
-        found = identify_friction(FrictionRecord(force=level(both, TRUTH) + 0.8 * noise[1], velocity=both))
-        estimate = found.parameters[COULOMB]
+        velocity = np.concatenate([speed, -speed]) * (1.0 + 0.002 * noise[0])
+        result = identify_friction(
+            FrictionRecord(force=sliding_friction(velocity, TRUTH) + 0.8 * noise[1], velocity=velocity)
+        )
+        estimate = result.parameters[COULOMB]
         assert estimate.low <= 21.0
         assert estimate.high >= 20.0
-        assert estimate.verdict != "determined" or found.comparison["law"] == "stribeck_viscous"
+        assert estimate.verdict != "determined" or result.comparison["law"] == "stribeck_viscous"
 
 
 @pytest.mark.parametrize("count", [3, pytest.param(120, marks=pytest.mark.slow)])
-def test_intervals_of_tables_hold_the_truth_as_often_as_they_say(count):
-    share = np.mean([
-        held(identify_friction(steady(TRUTH, 0.8, seed), law="stribeck_viscous"), TRUTH) for seed in range(count)
-    ])  # fmt: skip
-    assert share > (0.7 if count < 50 else 0.92)
+def test_intervals_of_tables_have_their_stated_coverage(count):
+    tables = [steady_table(TRUTH, 0.8, seed) for seed in range(count)]
+    coverage = np.mean([cover_truth(identify_friction(table, law="stribeck_viscous"), TRUTH) for table in tables])
+    assert coverage > (0.7 if count < 50 else 0.92)
 
 
-def test_pressure_in_a_table():
+def test_pressure_in_a_table_gives_the_seal_friction():
     pressure = np.tile([1e5, 3e5, 6e5], 24)
     speed = np.repeat(np.geomspace(0.005, 0.3, 24), 3)
     truth = {COULOMB: 5.0, VISCOUS: 30.0, SEAL: 7e-6}
-    force = level(speed, truth, pressure) + 0.02 * np.random.default_rng(1).standard_normal(speed.size)
-    found = identify_friction(FrictionRecord(force=force, velocity=speed, pressure=pressure))
-    assert found.comparison["law"] == "coulomb_viscous"
-    assert {name: e.value for name, e in found.parameters.items()} == pytest.approx(truth, rel=0.02)
-    assert all(held(found, truth))
+    force = sliding_friction(speed, truth, pressure) + 0.02 * np.random.default_rng(1).standard_normal(speed.size)
+    result = identify_friction(FrictionRecord(force=force, velocity=speed, pressure=pressure))
+    assert result.comparison["law"] == "coulomb_viscous"
+    assert {name: e.value for name, e in result.parameters.items()} == pytest.approx(truth, rel=0.02)
+    assert all(cover_truth(result, truth))
 
 
-def test_numbers_fit_body_and_cylinder_of_a_circuit():
+def test_estimates_set_body_and_cylinder_of_a_circuit():
     pressure = np.tile([1e5, 6e5], 24)
     speed = np.repeat(SPEEDS, 2)
-    record = FrictionRecord(force=level(speed, TRUTH | {SEAL: 7e-6}, pressure), velocity=speed, pressure=pressure)
+    record = FrictionRecord(
+        force=sliding_friction(speed, TRUTH | {SEAL: 7e-6}, pressure), velocity=speed, pressure=pressure
+    )
     result = identify_friction(record, part="slide", cylinder="drive")
     slide = Mass(mass="1 kg", friction={"kind": "lugre", "coulomb_force": "1 N", "static_force": "1 N"})
     side = {"dead_volume": "5 cm^3"}
@@ -125,10 +132,12 @@ TURNS = {COULOMB: 0.4, STATIC: 0.7, STRIBECK: 0.2, VISCOUS: 0.05}
 JOINT = {name.replace("_force", "_torque"): value for name, value in TURNS.items()}
 
 
-def turned(folder: Path, **noise: float) -> Path:
-    """A table of torques over speeds in the units of a bench, and the file that names it."""
-    speed = np.concatenate([way * np.geomspace(0.01, 8.0, 24) for way in (1.0, -1.0)])
-    torque = level(speed, TURNS) + noise.get("torque", 0.0) * np.random.default_rng(3).standard_normal(speed.size)
+def joint_file(folder: Path, **noise: float) -> Path:
+    """Write a table of torques versus speeds in bench units, and return the file that refers to it."""
+    speed = np.concatenate([direction * np.geomspace(0.01, 8.0, 24) for direction in (1.0, -1.0)])
+    torque = sliding_friction(speed, TURNS) + noise.get("torque", 0.0) * np.random.default_rng(3).standard_normal(
+        speed.size
+    )
     rows = [f"{math.degrees(v):.6f},{1e3 * m:.4f}\n" for v, m in zip(speed, torque, strict=True)]
     (folder / "turns.csv").write_text("w [deg/s],M [mNm]\n" + "".join(rows))
     file = folder / "joint.toml"
@@ -136,11 +145,11 @@ def turned(folder: Path, **noise: float) -> Path:
     return file
 
 
-def test_torques_over_speeds_give_the_friction_of_a_joint(tmp_path):
-    result = identify_friction(turned(tmp_path))
-    found = {name: (e.value, e.unit) for name, e in result.parameters.items()}
+def test_torques_versus_speeds_give_the_friction_of_a_joint(tmp_path):
+    result = identify_friction(joint_file(tmp_path))
+    estimates = {name: (e.value, e.unit) for name, e in result.parameters.items()}
     units = dict(zip(JOINT, ("N m", "N m", "rad/s", "N m s/rad"), strict=True))
-    assert found == {f"elbow.{n}": (pytest.approx(value, rel=1e-3), units[n]) for n, value in JOINT.items()}
+    assert estimates == {f"elbow.{n}": (pytest.approx(value, rel=1e-3), units[n]) for n, value in JOINT.items()}
     assert {note.facts.get("effort_unit", "N m") for note in result.remarks} == {"N m"}
     page = identification_page(result)
     assert "N m s/rad" in page
@@ -148,15 +157,15 @@ def test_torques_over_speeds_give_the_friction_of_a_joint(tmp_path):
     assert "/m" not in result.comparison["ready"]
 
 
-def test_a_page_says_the_unit_of_the_inertia(tmp_path):
-    file = turned(tmp_path)
+def test_report_has_the_unit_of_the_inertia(tmp_path):
+    file = joint_file(tmp_path)
     file.write_text(file.read_text() + 'inertia = "0.004 kg m^2"\n')
     assert "0.004 kg m²" in identification_page(identify_friction(file))
 
 
-def test_a_joint_takes_the_numbers_and_the_lines(tmp_path):
-    """Turned at a steady torque, the joint of a circuit rubs as the truth says, by the result and by its lines."""
-    result = identify_friction(turned(tmp_path))
+def test_joint_simulates_with_estimates_and_with_lines(tmp_path):
+    """At a constant torque, the simulated friction equals the true friction."""
+    result = identify_friction(joint_file(tmp_path))
     text = """\
 [parts.elbow]
 kind = "joint"
@@ -188,36 +197,41 @@ duration = "4 s"
     (tmp_path / "lines.toml").write_text(text.replace("FRICTION", result.comparison["ready"]))
     assumed = 'friction = { kind = "lugre", coulomb_torque = 1, static_torque = 1 }'
     (tmp_path / "with.toml").write_text(text.replace("FRICTION", assumed))
-    lines, given = load(tmp_path / "lines.toml"), load(tmp_path / "with.toml").with_values(result.values())
-    for circuit in (lines, given):
+    from_lines, from_estimates = (
+        load(tmp_path / "lines.toml"),
+        load(tmp_path / "with.toml").with_values(result.values()),
+    )
+    for circuit in (from_lines, from_estimates):
         run = circuit.simulate()
         speed = run["elbow.velocity"][-1]
         assert 0.5 < speed < 3.0
-        assert run["elbow.friction_torque"][-1] == pytest.approx(level(speed, TURNS), rel=1e-3)
+        assert run["elbow.friction_torque"][-1] == pytest.approx(sliding_friction(speed, TURNS), rel=1e-3)
 
 
-def test_a_recorded_joint_tells_levels_and_bristles():
+def test_recording_of_a_joint_gives_levels_and_bristles():
     truth = TURNS | {BRISTLES: 40.0}
-    record = pulled(truth, (0.05, 0.1, 0.2, 0.4, 0.8, 1.5) * 2, stroke=0.5, noise=(2e-4, 0.002))
+    record = reversed_pulls(truth, (0.05, 0.1, 0.2, 0.4, 0.8, 1.5) * 2, stroke=0.5, noise=(2e-4, 0.002))
     on_line = {"pressure": None, "pressure_force": None}
     result = identify_friction(replace(record, **on_line, body="joint"))
     assert (result.comparison["law"], result.comparison["levels"]) == ("lugre", "stribeck_viscous")
-    wanted = JOINT | {BRISTLES: 40.0}
-    assert {name: e.value for name, e in result.parameters.items()} == pytest.approx(wanted, rel=0.1)
-    shown = identification_page(result)
-    assert "mm/s" not in shown
-    assert " mm<" not in shown
+    expected = JOINT | {BRISTLES: 40.0}
+    assert {name: e.value for name, e in result.parameters.items()} == pytest.approx(expected, rel=0.1)
+    page = identification_page(result)
+    assert "mm/s" not in page
+    assert " mm<" not in page
     assert result.parameters[BRISTLES].unit == "N m/rad"
 
 
-def test_seals_of_a_joint_rub_over_its_pulley():
+def test_seal_friction_of_a_joint_acts_at_its_pulley():
     pressure, radius = np.tile([1e5, 3e5, 6e5], 24), 0.025
     speed = np.repeat(np.geomspace(0.05, 3.0, 24), 3)
     truth = {COULOMB: 0.2, VISCOUS: 0.1, SEAL: 7e-6 * radius}
-    table = FrictionRecord(force=level(speed, truth, pressure), velocity=speed, pressure=pressure, body="joint")
-    found = identify_friction(table, pulley_radius=radius)
-    assert found.parameters[SEAL].value == pytest.approx(7e-6, rel=1e-6)
-    assert 'seal_friction = "0.7 N/bar"' in found.comparison["ready"]
+    table = FrictionRecord(
+        force=sliding_friction(speed, truth, pressure), velocity=speed, pressure=pressure, body="joint"
+    )
+    result = identify_friction(table, pulley_radius=radius)
+    assert result.parameters[SEAL].value == pytest.approx(7e-6, rel=1e-6)
+    assert 'seal_friction = "0.7 N/bar"' in result.comparison["ready"]
     with refused("friction.no_radius", "pulley_radius"):
         identify_friction(table)
 
@@ -230,7 +244,7 @@ torque = { column = "M", unit = "mNm" }
 
 
 @pytest.mark.parametrize(
-    ("more", "codes"),
+    ("change", "codes"),
     [
         ('force = { column = "M", unit = "N" }', {("friction.force_and_torque", "torque")}),
         ('mass = "2 kg"', {("friction.of_other_body", "mass")}),
@@ -246,18 +260,18 @@ torque = { column = "M", unit = "mNm" }
         ((', unit = "deg/s"', ""), {("friction.mixture", "velocity")}),
     ],
 )  # fmt: skip
-def test_a_mixture_of_mass_and_joint_is_refused_all_at_once(tmp_path, more, codes):
+def test_all_fields_of_the_wrong_body_are_rejected(tmp_path, change, codes):
     (tmp_path / "turns.csv").write_text("w [mm/s],M\n1,2\n2,3\n4,5\n")
-    text = TURNED_FILE.replace(*more) if isinstance(more, tuple) else f"{TURNED_FILE}{more}\n"
+    text = TURNED_FILE.replace(*change) if isinstance(change, tuple) else f"{TURNED_FILE}{change}\n"
     (tmp_path / "joint.toml").write_text(text)
     with pytest.raises(ValueError) as caught:
         read_friction_file(tmp_path / "joint.toml")
     problems = getattr(caught.value, "problems", (caught.value,))
-    assert {(each.code, each.address) for each in problems} == codes
+    assert {(problem.code, problem.address) for problem in problems} == codes
 
 
-def test_a_mass_and_a_joint_are_not_identified_together():
-    table = steady(TRUTH)
+def test_mass_and_joint_together_are_rejected():
+    table = steady_table(TRUTH)
     with refused("friction.bodies"):
         identify_friction([table, replace(table, force=1.1 * table.force, body="joint")])
     with refused("friction.of_other_body", "inertia"):
@@ -266,45 +280,47 @@ def test_a_mass_and_a_joint_are_not_identified_together():
         replace(table, body="wheel")
 
 
-def test_a_static_force_below_the_slowest_speed_is_not_determined():
-    """All speeds lie above the Stribeck velocity: its flank is not in the data, and says so where it is asked for."""
+def test_static_force_is_not_determined_by_fast_speeds():
+    """All speeds are above the Stribeck velocity."""
     speed = np.linspace(0.1, 0.6, 40)
     noise = 0.2 * np.random.default_rng(2).standard_normal(40)
-    result = identify_friction(FrictionRecord(force=level(speed, TRUTH) + noise, velocity=speed))
+    result = identify_friction(FrictionRecord(force=sliding_friction(speed, TRUTH) + noise, velocity=speed))
     assert result.comparison["law"] == "coulomb_viscous"
-    asked = identify_friction(FrictionRecord(force=level(speed, TRUTH) + noise, velocity=speed), law="stribeck_viscous")
-    assert asked.parameters[STATIC].verdict == "not determined"
-    assert asked.parameters[STATIC].high == math.inf
-    assert asked.parameters[STRIBECK].verdict == "not determined"
+    requested = identify_friction(
+        FrictionRecord(force=sliding_friction(speed, TRUTH) + noise, velocity=speed), law="stribeck_viscous"
+    )
+    assert requested.parameters[STATIC].verdict == "not determined"
+    assert requested.parameters[STATIC].high == math.inf
+    assert requested.parameters[STRIBECK].verdict == "not determined"
 
 
-def test_stribeck_velocity_against_viscous_coefficient():
-    """Falling friction over a short range of speeds: what one number does the others undo, and no interval hides it."""
+def test_narrow_speeds_do_not_separate_stribeck_and_viscous_parameters():
+    """In a narrow range of speeds, the effects of the parameters on the friction are similar."""
     speed = np.linspace(0.004, 0.012, 40)
-    force = level(speed, TRUTH) + 0.3 * np.random.default_rng(4).standard_normal(40)
+    force = sliding_friction(speed, TRUTH) + 0.3 * np.random.default_rng(4).standard_normal(40)
     result = identify_friction(FrictionRecord(force=force, velocity=speed), law="stribeck_viscous")
-    assert all(held(result, TRUTH))
+    assert all(cover_truth(result, TRUTH))
     assert result.parameters[VISCOUS].verdict in ("not determined", "at bound")
     assert result.parameters[COULOMB].verdict in ("not determined", "at bound")
 
 
-def test_a_difference_between_directions_is_told_where_the_zero_is_known():
-    record = steady({COULOMB: 20.0}, 0.1)
+def test_difference_between_directions_is_reported_for_a_known_offset():
+    record = steady_table({COULOMB: 20.0}, 0.1)
     lopsided = FrictionRecord(force=record.force + 1.5, velocity=record.velocity)
-    (said,) = facts(identify_friction(lopsided), "friction.lopsided")
-    assert said["value"] == pytest.approx(1.5, abs=0.1)
-    assert facts(identify_friction(record), "friction.even")
+    (facts,) = note_facts(identify_friction(lopsided), "friction.lopsided")
+    assert facts["value"] == pytest.approx(1.5, abs=0.1)
+    assert note_facts(identify_friction(record), "friction.even")
     free = identify_friction(lopsided, offset="free")
-    assert facts(free, "friction.sides_open")
-    known = identify_friction(lopsided, offset=1.5)
-    assert known.parameters[COULOMB].value == pytest.approx(20.0, abs=0.1)
+    assert note_facts(free, "friction.sides_open")
+    corrected = identify_friction(lopsided, offset=1.5)
+    assert corrected.parameters[COULOMB].value == pytest.approx(20.0, abs=0.1)
 
 
-def test_a_stated_uncertainty_that_is_too_small_is_said():
-    record = steady({COULOMB: 20.0}, 1.0)
-    told = FrictionRecord(force=record.force, velocity=record.velocity, uncertainty=0.1)
-    (said,) = facts(identify_friction(told), "friction.misfit")
-    assert said["factor"] == pytest.approx(10.0, rel=0.3)
+def test_too_small_stated_uncertainty_is_reported():
+    record = steady_table({COULOMB: 20.0}, 1.0)
+    with_uncertainty = FrictionRecord(force=record.force, velocity=record.velocity, uncertainty=0.1)
+    (facts,) = note_facts(identify_friction(with_uncertainty), "friction.misfit")
+    assert facts["factor"] == pytest.approx(10.0, rel=0.3)
 
 
 # Recordings -------------------------------------------------------------------------------------------------------
@@ -312,7 +328,7 @@ def test_a_stated_uncertainty_that_is_too_small_is_said():
 AREA = 0.25 * math.pi * 0.025**2
 
 
-def pulled(
+def reversed_pulls(
     truth: dict[str, float],
     speeds: tuple[float, ...],
     *,
@@ -324,92 +340,102 @@ def pulled(
     extra: float = 0.0,
     name: str = "run",
 ) -> FrictionRecord:
-    """A body pulled to and fro at some speeds, one stroke each way; noise of position and force, a 12 bit position."""
-    rate, turn = 100.0, 0.02  # samples a second, and how long it takes to turn round
-    ways = [s * v for v in speeds for s in (1.0, -1.0)]
-    ends = np.cumsum([stroke / abs(v) for v in ways])
+    """Return a recording of a body that moves forward and backward once at each speed.
+
+    `noise` is that of position and force. The position has 12 bits. `extra` is an additional Coulomb force.
+    """
+    rate, turn = 100.0, 0.02  # samples per second, and duration of a reversal [s]
+    velocities = [s * v for v in speeds for s in (1.0, -1.0)]
+    ends = np.cumsum([stroke / abs(v) for v in velocities])
     time = np.arange(0.0, ends[-1], 1.0 / rate)
 
     knots = [0.0, turn, *np.ravel([[end, end + turn] for end in ends[:-1]]), ends[-1]]
-    reached = [0.0, *np.repeat(ways, 2)]
+    knot_velocities = [0.0, *np.repeat(velocities, 2)]
 
     def velocity(t: np.ndarray) -> np.ndarray:
-        return np.interp(t, knots, reached)
+        return np.interp(t, knots, knot_velocities)
 
     stiffness = truth[BRISTLES]
 
     def rate_of(t: float, z: np.ndarray) -> np.ndarray:
         v = velocity(t)
-        return v - stiffness * np.abs(v) * z / (abs(level(1e-12 + np.abs(v), truth | {VISCOUS: 0.0}, pressure)))
+        return v - stiffness * np.abs(v) * z / (
+            abs(sliding_friction(1e-12 + np.abs(v), truth | {VISCOUS: 0.0}, pressure))
+        )
 
     z = solve_ivp(rate_of, (0.0, time[-1]), [0.0], "LSODA", time, rtol=1e-8, atol=1e-12, max_step=0.5 * turn).y[0]
     v = velocity(time)
     fine = np.linspace(0.0, time[-1], 20 * time.size)
     steps = 0.5 * np.diff(fine) * (velocity(fine)[1:] + velocity(fine)[:-1])
     position = np.interp(time, fine, np.concatenate([[0.0], np.cumsum(steps)]))
-    random = np.random.default_rng(seed)
-    moving = stiffness * z + truth.get(VISCOUS, 0.0) * v + extra * np.sign(v)
-    gauge = pressure + 200.0 * random.standard_normal(time.size)
-    force = moving + offset + pressure * AREA + noise[1] * random.standard_normal(time.size)
+    generator = np.random.default_rng(seed)
+    friction = stiffness * z + truth.get(VISCOUS, 0.0) * v + extra * np.sign(v)
+    measured_pressure = pressure + 200.0 * generator.standard_normal(time.size)
+    force = friction + offset + pressure * AREA + noise[1] * generator.standard_normal(time.size)
     step = 0.1 / 4096.0
-    seen = np.round((position + noise[0] * random.standard_normal(time.size)) / step) * step
+    measured_position = np.round((position + noise[0] * generator.standard_normal(time.size)) / step) * step
     return FrictionRecord(
-        time=time, position=seen, force=force, name=name, pressure=gauge, pressure_force=-gauge * AREA
-    )  # fmt: skip
+        time=time,
+        position=measured_position,
+        force=force,
+        name=name,
+        pressure=measured_pressure,
+        pressure_force=-measured_pressure * AREA,
+    )
 
 
 PULLED = {COULOMB: 8.0, STATIC: 12.0, STRIBECK: 0.01, VISCOUS: 25.0, BRISTLES: 4e4}
 
 
-def test_a_recording_tells_levels_and_bristles():
+def test_recording_gives_levels_and_bristles():
     speeds = (0.002, 0.004, 0.008, 0.016, 0.03, 0.06, 0.1) * 2
-    result = identify_friction(pulled(PULLED, speeds, offset=3.0))
+    result = identify_friction(reversed_pulls(PULLED, speeds, offset=3.0))
     assert (result.comparison["law"], result.comparison["levels"]) == ("lugre", "stribeck_viscous")
-    found = {name: e.value for name, e in result.parameters.items()}
-    assert found == pytest.approx(PULLED, rel=0.1)
-    assert all(held(result, {name: value for name, value in PULLED.items() if name != BRISTLES}))
+    estimates = {name: e.value for name, e in result.parameters.items()}
+    assert estimates == pytest.approx(PULLED, rel=0.1)
+    assert all(cover_truth(result, {name: value for name, value in PULLED.items() if name != BRISTLES}))
     assert result.comparison["recordings"][0]["offset"] == pytest.approx(3.0, abs=0.05)
     assert result.comparison["held_out_by"] == "stroke"
     assert result.conditions["velocity_noise"][0] < 0.001
 
 
-def test_slow_pulls_at_one_speed_leave_the_rest_open():
-    result = identify_friction(pulled({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 8))
+def test_one_slow_speed_determines_only_the_coulomb_force():
+    result = identify_friction(reversed_pulls({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 8))
     assert result.comparison["levels"] == "coulomb"
     assert result.parameters[COULOMB].value == pytest.approx(8.0, rel=0.01)
-    assert facts(result, "friction.narrow")
-    assert facts(result, "friction.not_told")[0]["laws"] == ["coulomb_viscous", "stribeck", "stribeck_viscous"]
+    assert note_facts(result, "friction.narrow")
+    assert note_facts(result, "friction.not_told")[0]["laws"] == ["coulomb_viscous", "stribeck", "stribeck_viscous"]
 
 
-def sliding(speeds, *, zero=0.0, seed=0, noise=(1e-6, 0.3)):
-    """Force and position of a body that slides at some speeds, 3 s each at 1 kHz, under 20 N and 50 N s/m."""
-    random, speed = np.random.default_rng(seed), np.repeat(speeds, 3000)
-    force = 20.0 * np.sign(speed) + 50.0 * speed + zero + noise[1] * random.standard_normal(speed.size)
-    position = np.cumsum(speed) * 1e-3 + noise[0] * random.standard_normal(speed.size)
+def slide_at_speeds(speeds, *, offset=0.0, seed=0, noise=(1e-6, 0.3)):
+    """Return a recording of a body that slides 3 s at each speed, with friction of 20 N and 50 N s/m."""
+    generator, speed = np.random.default_rng(seed), np.repeat(speeds, 3000)
+    force = 20.0 * np.sign(speed) + 50.0 * speed + offset + noise[1] * generator.standard_normal(speed.size)
+    position = np.cumsum(speed) * 1e-3 + noise[0] * generator.standard_normal(speed.size)
     return FrictionRecord(time=1e-3 * np.arange(speed.size), position=position, force=force)
 
 
-def test_at_one_speed_a_viscous_part_is_not_told_from_the_coulomb_force():
-    """Speeds that differ by their noise alone would say 22.5 N within 5 mN, and a viscous part below 17 N s/m."""
-    result = identify_friction(sliding([0.05, -0.05, 0.05, -0.05]))
-    found = result.parameters[COULOMB]
-    assert found.value == pytest.approx(22.5, abs=0.1)
-    assert found.verdict == "not determined"
-    assert found.low < 20.0 < found.high
-    assert not facts(result, "friction.bounded")
+def test_one_speed_does_not_separate_viscous_and_coulomb_friction():
+    """The speeds differ only by their noise."""
+    result = identify_friction(slide_at_speeds([0.05, -0.05, 0.05, -0.05]))
+    estimate = result.parameters[COULOMB]
+    assert estimate.value == pytest.approx(22.5, abs=0.1)
+    assert estimate.verdict == "not determined"
+    assert estimate.low < 20.0 < estimate.high
+    assert not note_facts(result, "friction.bounded")
 
 
-def test_at_two_speeds_that_are_near_the_interval_holds_the_viscous_part():
-    result = identify_friction(sliding([0.05, -0.05, 0.1, -0.1]))
-    found = {name: e.value for name, e in result.parameters.items()}
-    assert found == pytest.approx({COULOMB: 20.0, VISCOUS: 50.0}, rel=0.01)
+def test_two_similar_speeds_give_the_viscous_part():
+    result = identify_friction(slide_at_speeds([0.05, -0.05, 0.1, -0.1]))
+    estimates = {name: e.value for name, e in result.parameters.items()}
+    assert estimates == pytest.approx({COULOMB: 20.0, VISCOUS: 50.0}, rel=0.01)
 
 
-def test_two_speeds_leave_a_law_that_falls_open():
-    """Four numbers from two speeds would be made of noise: 0 N, 1,900 N s/m and 4 mm/s, each called determined."""
-    result = identify_friction(presliding(speeds=(0.002, 0.004) * 2))
+def test_two_speeds_do_not_determine_a_stribeck_law():
+    """Two speeds cannot determine four parameters."""
+    result = identify_friction(presliding_stage(speeds=(0.002, 0.004) * 2))
     assert result.comparison["levels"] == "coulomb"
-    assert facts(result, "friction.not_told")[0]["laws"] == ["stribeck", "stribeck_viscous"]
+    assert note_facts(result, "friction.not_told")[0]["laws"] == ["stribeck", "stribeck_viscous"]
     assert result.parameters[COULOMB].verdict == "not determined"
     assert result.parameters[COULOMB].low < PRESLID[COULOMB] < result.parameters[COULOMB].high
 
@@ -419,30 +445,30 @@ def test_two_speeds_leave_a_law_that_falls_open():
 PRESLID = {COULOMB: 8.0, STATIC: 12.0, STRIBECK: 0.01, VISCOUS: 30.0, BRISTLES: 5e4, DAMPING: 400.0}
 
 
-def presliding(
+def presliding_stage(
     truth: dict[str, float] = PRESLID,
     *,
     speeds: tuple[float, ...] = (0.002, 0.004, 0.01, 0.03, 0.06),
     rate: float = 1000.0,
     noise: tuple[float, float] = (1e-6, 0.05),
-    late: float = 0.0,
+    delay: float = 0.0,
     seed: int = 0,
 ) -> FrictionRecord:
-    """A stage that moves a body to and fro at some speeds, and then by 0.3 mm, over which nothing slides.
+    """Return a recording of a body that moves forward and backward at each speed, and then oscillates by 0.3 mm.
 
-    Canudas de Wit et al. 1995, with the damping of Olsson 1996: z' = v - sigma0 |v| z/g, F = sigma0 z + sigma1(v) z' +
-    sigma2 v, integrated by LSODA.
+    During the oscillation, the bristles deflect without sliding. The model is that of Canudas de Wit et al. 1995 with
+    the damping of Olsson 1996: z' = v - sigma0 |v| z/g, F = sigma0 z + sigma1(v) z' + sigma2 v.
     """
     fc, fs, vs, viscous, stiffness, damping = truth.values()
     turn, stroke, swings, amplitude = 0.01, 0.006, 4, 1.5e-4
-    ways = [sign * speed for speed in speeds for sign in (1.0, -1.0)]
-    knots = np.cumsum([0.0, *np.ravel([[turn, stroke / abs(v)] for v in ways]), turn])
-    reached = [0.0, *np.repeat(ways, 2), 0.0]
+    velocities = [sign * speed for speed in speeds for sign in (1.0, -1.0)]
+    knots = np.cumsum([0.0, *np.ravel([[turn, stroke / abs(v)] for v in velocities]), turn])
+    knot_velocities = [0.0, *np.repeat(velocities, 2), 0.0]
     time = np.arange(0.0, knots[-1] + swings, 1.0 / rate)
 
     def velocity(t: Any) -> Any:
         swing = -amplitude * 2.0 * np.pi * np.sin(2.0 * np.pi * (t - knots[-1]))
-        return np.where(t < knots[-1], np.interp(t, knots, reached), swing)
+        return np.where(t < knots[-1], np.interp(t, knots, knot_velocities), swing)
 
     def bend(t: float, z: Any) -> Any:
         v = velocity(t)
@@ -454,18 +480,18 @@ def presliding(
     fine = np.linspace(0.0, time[-1], 10 * time.size)
     steps = 0.5 * np.diff(fine) * (velocity(fine)[1:] + velocity(fine)[:-1])
     position = np.interp(time, fine, np.concatenate([[0.0], np.cumsum(steps)]))
-    record = FrictionRecord(time=time, position=position, force=np.interp(time - late, time, force))
-    return noisy(record, noise, seed)
+    record = FrictionRecord(time=time, position=position, force=np.interp(time - delay, time, force))
+    return add_noise(record, noise, seed)
 
 
-def noisy(record: FrictionRecord, noise: tuple[float, float], seed: int) -> FrictionRecord:
-    random = np.random.default_rng(seed)
+def add_noise(record: FrictionRecord, noise: tuple[float, float], seed: int) -> FrictionRecord:
+    generator = np.random.default_rng(seed)
     position, force = record.position, record.force
     assert position is not None
     return replace(
         record,
-        position=position + noise[0] * random.standard_normal(len(record)),
-        force=force + noise[1] * random.standard_normal(len(record)),
+        position=position + noise[0] * generator.standard_normal(len(record)),
+        force=force + noise[1] * generator.standard_normal(len(record)),
     )
 
 
@@ -477,94 +503,96 @@ def noisy(record: FrictionRecord, noise: tuple[float, float], seed: int) -> Fric
         pytest.param(30, (3e-6, 0.3), marks=pytest.mark.slow),
     ],
 )
-def test_intervals_of_stiffness_and_damping_hold_the_truth(count, noise):
-    clean, inside = presliding(noise=(0.0, 0.0)), []
+def test_intervals_of_stiffness_and_damping_cover_the_truth(count, noise):
+    clean, coverage = presliding_stage(noise=(0.0, 0.0)), []
     for seed in range(count):
-        result = identify_friction(noisy(clean, noise, seed))
+        result = identify_friction(add_noise(clean, noise, seed))
         assert {*PRESLID} - {DAMPING} <= result.parameters.keys()
-        found = result.parameters.get(DAMPING)
+        estimate = result.parameters.get(DAMPING)
         bounds = [n.facts["high"] for n in result.remarks if n.code.startswith("friction.damping_")]
-        is_held = found.low < PRESLID[DAMPING] < found.high if found else bounds[0] > PRESLID[DAMPING]
-        inside.append([*held(result, PRESLID | {DAMPING: math.nan})[:5], is_held])
+        is_covered = estimate.low < PRESLID[DAMPING] < estimate.high if estimate else bounds[0] > PRESLID[DAMPING]
+        coverage.append([*cover_truth(result, PRESLID | {DAMPING: math.nan})[:5], is_covered])
         if noise[1] < 0.1:
-            assert found
-            assert (found.unit, found.verdict) == ("N s/m", "weak")
-            assert found.high < 2.0 * PRESLID[DAMPING]
-    assert np.mean(inside) > (0.8 if count == 1 else 0.92)
-    assert np.mean(inside, axis=0).min() > (-1.0 if count == 1 else 0.85)
+            assert estimate
+            assert (estimate.unit, estimate.verdict) == ("N s/m", "weak")
+            assert estimate.high < 2.0 * PRESLID[DAMPING]
+    assert np.mean(coverage) > (0.8 if count == 1 else 0.92)
+    assert np.mean(coverage, axis=0).min() > (-1.0 if count == 1 else 0.85)
 
 
-def test_samples_that_are_far_apart_do_not_tell_the_damping():
-    result = identify_friction(presliding(rate=80.0))
+def test_low_sample_rate_does_not_determine_the_damping():
+    result = identify_friction(presliding_stage(rate=80.0))
     assert DAMPING not in result.parameters
-    (said,) = facts(result, "friction.damping_coarse")
-    assert said["step"] == pytest.approx(0.0125)
-    assert said["high"] > PRESLID[DAMPING]
-    assert facts(identify_friction(pulled({COULOMB: 8.0, BRISTLES: 4e6}, (0.01,) * 4)), "friction.no_reversals")
+    (facts,) = note_facts(result, "friction.damping_coarse")
+    assert facts["step"] == pytest.approx(0.0125)
+    assert facts["high"] > PRESLID[DAMPING]
+    assert note_facts(
+        identify_friction(reversed_pulls({COULOMB: 8.0, BRISTLES: 4e6}, (0.01,) * 4)), "friction.no_reversals"
+    )
 
 
-def test_a_damping_that_is_lost_in_the_scatter_is_bounded():
-    result = identify_friction(presliding(PRESLID | {DAMPING: 0.0}))
+def test_damping_within_the_scatter_has_an_upper_bound():
+    result = identify_friction(presliding_stage(PRESLID | {DAMPING: 0.0}))
     assert DAMPING not in result.parameters
-    (said,) = [*facts(result, "friction.damping_open"), *facts(result, "friction.damping_coarse")]
-    assert 0.0 < said["high"] < 0.5 * PRESLID[DAMPING]
+    (facts,) = [*note_facts(result, "friction.damping_open"), *note_facts(result, "friction.damping_coarse")]
+    assert 0.0 < facts["high"] < 0.5 * PRESLID[DAMPING]
 
 
-def test_a_force_that_comes_a_sample_late_stays_in_the_interval():
-    """A delay of the force looks like less damping, by the stiffness times it."""
-    found = identify_friction(presliding(late=1e-3)).parameters[DAMPING]
-    assert found.low < PRESLID[DAMPING] < found.high
+def test_interval_of_the_damping_includes_a_delay_of_one_sample():
+    """A delay of the force reduces the apparent damping by the delay times the stiffness."""
+    estimate = identify_friction(presliding_stage(delay=1e-3)).parameters[DAMPING]
+    assert estimate.low < PRESLID[DAMPING] < estimate.high
 
 
-def test_a_force_that_follows_the_position_is_said_and_leaves_the_stiffness():
-    """Behind a filter of 20 ms no damping is told, and none is bounded; the truth is 400 N s/m, a lead of 8 ms."""
-    result = identify_friction(presliding(late=0.02))
+def test_delayed_force_is_reported_and_leaves_the_stiffness():
+    """A delay of 20 ms exceeds the lead of 8 ms that the damping of 400 N s/m causes."""
+    result = identify_friction(presliding_stage(delay=0.02))
     assert DAMPING not in result.parameters
-    (said,) = facts(result, "friction.force_late")
-    assert said["lag"] == pytest.approx(0.012, rel=0.3)
-    assert held(result, {BRISTLES: PRESLID[BRISTLES]}) == [True]
+    (facts,) = note_facts(result, "friction.force_late")
+    assert facts["lag"] == pytest.approx(0.012, rel=0.3)
+    assert cover_truth(result, {BRISTLES: PRESLID[BRISTLES]}) == [True]
 
 
-def test_stiffness_and_damping_of_a_joint_go_into_its_circuit():
-    result = identify_friction(replace(presliding(), body="joint"), part="elbow")
+def test_stiffness_and_damping_of_a_joint_are_lines_of_its_circuit():
+    result = identify_friction(replace(presliding_stage(), body="joint"), part="elbow")
     assert result.parameters[f"elbow.{DAMPING}"].unit == "N m s/rad"
     assert "bristle_damping" in result.comparison["ready"]
 
 
-def test_pulls_one_way_leave_the_zero_of_the_force_in_the_friction():
+def test_one_direction_does_not_separate_offset_and_friction():
     speed = np.geomspace(0.002, 0.5, 15)
-    record = FrictionRecord(force=28.0 + 50.0 * speed, velocity=speed)  # 20 N, and 8 N that the gauge shows at rest
+    record = FrictionRecord(force=28.0 + 50.0 * speed, velocity=speed)  # 20 N, and a sensor offset of 8 N
     result = identify_friction(record)
     assert result.parameters[COULOMB].verdict == "weak"
-    assert facts(result, "friction.one_side")[0]["assumed"]
-    known = identify_friction(record, offset=8.0)
-    assert known.parameters[COULOMB].value == pytest.approx(20.0, rel=1e-3)
-    assert known.parameters[COULOMB].verdict == "determined"
+    assert note_facts(result, "friction.one_side")[0]["assumed"]
+    corrected = identify_friction(record, offset=8.0)
+    assert corrected.parameters[COULOMB].value == pytest.approx(20.0, rel=1e-3)
+    assert corrected.parameters[COULOMB].verdict == "determined"
 
 
-def test_a_force_that_never_changes_and_a_recording_that_counts_twice_are_refused():
-    moved = sliding([0.05, -0.05, 0.1, -0.1])
+def test_constant_force_and_repeated_recording_are_rejected():
+    record = slide_at_speeds([0.05, -0.05, 0.1, -0.1])
     with refused("friction.still", "force", value=5.0):
-        identify_friction(replace(moved, force=np.full(len(moved), 5.0)))
+        identify_friction(replace(record, force=np.full(len(record), 5.0)))
     with refused("friction.same_twice", "file"):
-        identify_friction([moved, moved])
+        identify_friction([record, record])
 
 
-def test_bristles_finer_than_the_position_are_not_determined():
-    result = identify_friction(pulled({COULOMB: 8.0, BRISTLES: 4e6}, (0.01,) * 4, noise=(5e-5, 0.05)))
+def test_bristles_below_the_resolution_are_not_determined():
+    result = identify_friction(reversed_pulls({COULOMB: 8.0, BRISTLES: 4e6}, (0.01,) * 4, noise=(5e-5, 0.05)))
     assert BRISTLES not in result.parameters
     assert result.comparison["law"] == "coulomb"
-    assert facts(result, "friction.no_reversals")
+    assert note_facts(result, "friction.no_reversals")
     with refused("friction.no_bristles", "law"):
-        identify_friction(pulled({COULOMB: 8.0, BRISTLES: 4e6}, (0.01,) * 4, noise=(5e-5, 0.05)), law="lugre")
+        identify_friction(reversed_pulls({COULOMB: 8.0, BRISTLES: 4e6}, (0.01,) * 4, noise=(5e-5, 0.05)), law="lugre")
 
 
-def cylinder(seed: int, scatter: float, truth: dict[str, float]) -> list[FrictionRecord]:
-    """Pulls at four pressures; the seals rub a little differently each time."""
-    random = np.random.default_rng(100 + seed)
+def sealed_pulls(seed: int, scatter: float, truth: dict[str, float]) -> list[FrictionRecord]:
+    """Return recordings at four pressures, with a random additional friction of standard deviation `scatter`."""
+    generator = np.random.default_rng(100 + seed)
     return [
-        pulled(truth, (0.01,) * 3, pressure=p, seed=seed + k, offset=random.normal(), name=f"p{k}",
-               extra=scatter * random.standard_normal())
+        reversed_pulls(truth, (0.01,) * 3, pressure=p, seed=seed + k, offset=generator.normal(), name=f"p{k}",
+               extra=scatter * generator.standard_normal())
         for k, p in enumerate((1e5, 3e5, 5e5, 7e5))
     ]  # fmt: skip
 
@@ -572,117 +600,119 @@ def cylinder(seed: int, scatter: float, truth: dict[str, float]) -> list[Frictio
 SEALED = {COULOMB: 3.5, SEAL: 7e-6, BRISTLES: 4e4}
 
 
-def test_files_at_several_pressures_tell_the_seals():
-    result = identify_friction(cylinder(0, 0.0, SEALED), part="slide", cylinder="drive")
+def test_recordings_at_several_pressures_give_the_seal_friction():
+    result = identify_friction(sealed_pulls(0, 0.0, SEALED), part="slide", cylinder="drive")
     assert result.parameters["drive.seal_friction"].value == pytest.approx(7e-6, rel=0.02)
     assert result.parameters["slide.friction.coulomb_force"].value == pytest.approx(3.5, rel=0.03)
     assert result.comparison["held_out_by"] == "recording"
-    assert facts(result, "friction.between")[0]["count"] == 4
+    assert note_facts(result, "friction.between")[0]["count"] == 4
 
 
 @pytest.mark.parametrize("count", [2, pytest.param(100, marks=pytest.mark.slow)])
-def test_intervals_hold_what_scatters_from_file_to_file(count):
-    """A scatter of 0.3 N from file to file; a thousand samples of each do not hide it."""
-    results = [identify_friction(cylinder(9 * seed, 0.3, SEALED), law="coulomb") for seed in range(count)]
-    share = np.mean([held(r, {COULOMB: 3.5, SEAL: 7e-6}) for r in results])
-    assert share > (0.4 if count < 50 else 0.91)
+def test_intervals_include_the_scatter_between_recordings(count):
+    """The friction scatters by 0.3 N between recordings of a thousand samples."""
+    results = [identify_friction(sealed_pulls(9 * seed, 0.3, SEALED), law="coulomb") for seed in range(count)]
+    coverage = np.mean([cover_truth(r, {COULOMB: 3.5, SEAL: 7e-6}) for r in results])
+    assert coverage > (0.4 if count < 50 else 0.91)
     assert [r.comparison["supported"] for r in results].count("coulomb") >= 0.9 * count
     halves = [0.5 * (r.parameters[COULOMB].high - r.parameters[COULOMB].low) for r in results]
     assert np.median(halves) > 0.4
 
 
-def test_two_pressures_make_a_line_whatever_they_scatter():
-    pair = cylinder(0, 0.0, SEALED)[::3]
+def test_two_pressures_are_reported_as_an_exact_line():
+    pair = sealed_pulls(0, 0.0, SEALED)[::3]
     result = identify_friction(pair)
-    assert facts(result, "friction.two_pressures")
+    assert note_facts(result, "friction.two_pressures")
     assert result.comparison["held_out_by"] == "stroke"
 
 
 def test_bristles_within_the_noise_of_the_position_are_not_determined():
-    record = pulled({COULOMB: 8.0, BRISTLES: 1.2e5}, (0.002,) * 3, stroke=0.01, noise=(1e-4, 0.02))
-    (said,) = facts(identify_friction(record), "friction.bristles_unresolved")
-    assert said["low"] < 1.2e5
+    record = reversed_pulls({COULOMB: 8.0, BRISTLES: 1.2e5}, (0.002,) * 3, stroke=0.01, noise=(1e-4, 0.02))
+    (facts,) = note_facts(identify_friction(record), "friction.bristles_unresolved")
+    assert facts["low"] < 1.2e5
 
 
-def test_a_motion_faster_than_its_smoothing_is_said():
-    """Stick-slip at 5 Hz on a slow pull, smoothed over half a second."""
+def test_motion_faster_than_the_smoothing_is_reported():
+    """A window of 0.5 s smooths stick-slip at 5 Hz."""
     time = np.arange(0.0, 20.0, 0.01)
-    way = np.where(time < 10.0, 1.0, -1.0)
+    direction = np.where(time < 10.0, 1.0, -1.0)
     position = 0.01 * np.minimum(time, 20.0 - time) + 4e-4 * np.sin(2.0 * np.pi * 5.0 * time)
     position += 1e-5 * np.random.default_rng(0).standard_normal(time.size)
-    record = FrictionRecord(time=time, position=position, force=5.0 * way)
-    (said,) = facts(identify_friction(record, smoothing=0.5), "friction.smeared")
-    assert said["factor"] > 3.0
+    record = FrictionRecord(time=time, position=position, force=5.0 * direction)
+    (facts,) = note_facts(identify_friction(record, smoothing=0.5), "friction.smeared")
+    assert facts["factor"] > 3.0
 
 
-def test_a_number_that_would_be_negative_ends_at_zero_and_is_said():
-    record = steady({COULOMB: 20.0})
+def test_negative_estimate_is_set_to_zero_and_reported():
+    record = steady_table({COULOMB: 20.0})
     falling = FrictionRecord(force=record.force - 8.0 * record.velocity, velocity=record.velocity)
     result = identify_friction(falling, law="coulomb_viscous")
     assert (result.parameters[VISCOUS].value, result.parameters[VISCOUS].verdict) == (0.0, "at bound")
-    assert facts(result, "friction.at_zero")[0]["names"] == [VISCOUS]
+    assert note_facts(result, "friction.at_zero")[0]["names"] == [VISCOUS]
 
 
-def test_the_page_shows_laws_recordings_and_lines_for_a_circuit():
-    page = identification_page(identify_friction(cylinder(0, 0.0, SEALED), part="slide", cylinder="drive"))
-    for shown in ("Friction laws", "seal_friction = &quot;0.", "pressure.friction", "p3", "supported"):
-        assert shown in page
+def test_report_shows_laws_recordings_and_circuit_lines():
+    page = identification_page(identify_friction(sealed_pulls(0, 0.0, SEALED), part="slide", cylinder="drive"))
+    for text in ("Friction laws", "seal_friction = &quot;0.", "pressure.friction", "p3", "supported"):
+        assert text in page
 
 
 @pytest.mark.parametrize("count", [1, pytest.param(60, marks=pytest.mark.slow)])
-def test_intervals_hold_where_residuals_follow_each_other(count):
-    """Friction that wanders by 0.3 N over a second: a thousand samples, and hardly a hundred that are independent."""
-    inside, speeds = [], (0.003, 0.008, 0.02, 0.05, 0.1) * 2
-    record = pulled(PULLED, speeds)
-    given = {name: getattr(record, name) for name in ("time", "position", "pressure", "pressure_force")}
+def test_intervals_include_correlated_residuals(count):
+    """The friction has random changes of 0.3 N with a correlation time of about 1 s."""
+    coverage, speeds = [], (0.003, 0.008, 0.02, 0.05, 0.1) * 2
+    record = reversed_pulls(PULLED, speeds)
+    channels = {name: getattr(record, name) for name in ("time", "position", "pressure", "pressure_force")}
     for seed in range(count):
-        random = np.random.default_rng(seed)
-        wander = lfilter([0.3 * math.sqrt(1.0 - 0.99**2)], [1.0, -0.99], random.standard_normal(record.time.size + 500))
-        wandering = FrictionRecord(force=record.force + wander[500:], **given)
+        generator = np.random.default_rng(seed)
+        wander = lfilter(
+            [0.3 * math.sqrt(1.0 - 0.99**2)], [1.0, -0.99], generator.standard_normal(record.time.size + 500)
+        )
+        wandering = FrictionRecord(force=record.force + wander[500:], **channels)
         result = identify_friction(wandering, law="stribeck_viscous")
-        inside.append(held(result, {name: value for name, value in PULLED.items() if name != BRISTLES}))
-    assert np.mean(inside) > (0.7 if count == 1 else 0.9)
+        coverage.append(cover_truth(result, {name: value for name, value in PULLED.items() if name != BRISTLES}))
+    assert np.mean(coverage) > (0.7 if count == 1 else 0.9)
 
 
-def test_friction_that_depends_on_the_position_is_said():
-    record = pulled({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 6)
-    more = np.where(record.position > 0.025, 2.0, 0.0) * np.sign(np.gradient(record.position, 0.5))
-    given = {name: getattr(record, name) for name in ("time", "position", "pressure", "pressure_force")}
-    uneven = FrictionRecord(force=record.force + more, **given)
-    (said,) = facts(identify_friction(uneven), "friction.places")
-    assert said["off"] > 0.5
-    assert said["place"][1] > 0.025
-    assert not facts(identify_friction(uneven, within=(0.002, 0.024)), "friction.places")
+def test_friction_that_depends_on_the_position_is_reported():
+    record = reversed_pulls({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 6)
+    additional_force = np.where(record.position > 0.025, 2.0, 0.0) * np.sign(np.gradient(record.position, 0.5))
+    channels = {name: getattr(record, name) for name in ("time", "position", "pressure", "pressure_force")}
+    uneven = FrictionRecord(force=record.force + additional_force, **channels)
+    (facts,) = note_facts(identify_friction(uneven), "friction.places")
+    assert facts["off"] > 0.5
+    assert facts["place"][1] > 0.025
+    assert not note_facts(identify_friction(uneven, within=(0.002, 0.024)), "friction.places")
 
 
-def test_what_the_pressure_moves_is_no_friction():
-    """A regulator lets the pressure rise when the piston comes in: half the difference of the forces is too much."""
-    record = pulled({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 6, pressure=3e5)
-    more = 4e3 * np.sign(np.gradient(record.position, 0.5))
-    gauge = record.pressure + more
-    moved = FrictionRecord(time=record.time, position=record.position, force=record.force + more * AREA,
-                           pressure=gauge, pressure_force=-gauge * AREA)  # fmt: skip
-    result = identify_friction(moved)
+def test_force_of_a_changing_pressure_is_not_friction():
+    """The pressure is higher in one direction, so half the force difference exceeds the friction."""
+    record = reversed_pulls({COULOMB: 8.0, BRISTLES: 4e4}, (0.01,) * 6, pressure=3e5)
+    pressure_change = 4e3 * np.sign(np.gradient(record.position, 0.5))
+    pressure = record.pressure + pressure_change
+    changing = FrictionRecord(time=record.time, position=record.position, force=record.force + pressure_change * AREA,
+                           pressure=pressure, pressure_force=-pressure * AREA)  # fmt: skip
+    result = identify_friction(changing)
     assert result.parameters[COULOMB].value == pytest.approx(8.0, rel=0.02)
-    (said,) = facts(result, "friction.pressure_moves")
-    assert said["crude"][0] == pytest.approx(8.0 + 4e3 * AREA, rel=0.03)
-    assert facts(result, "friction.one_pressure")
+    (facts,) = note_facts(result, "friction.pressure_moves")
+    assert facts["crude"][0] == pytest.approx(8.0 + 4e3 * AREA, rel=0.03)
+    assert note_facts(result, "friction.one_pressure")
 
 
-def test_inertia_is_taken_off():
-    time, random = np.arange(0.0, 6.0, 0.002), np.random.default_rng(7)
+def test_inertia_force_is_subtracted():
+    time, generator = np.arange(0.0, 6.0, 0.002), np.random.default_rng(7)
     position = 0.02 * np.sin(2.0 * np.pi * 1.5 * time)
     velocity = 0.02 * 2.0 * np.pi * 1.5 * np.cos(2.0 * np.pi * 1.5 * time)
     force = 5.0 * np.sign(velocity) + 20.0 * velocity - 3.0 * (2.0 * np.pi * 1.5) ** 2 * position
-    force += 0.1 * random.standard_normal(time.size)
-    position = position + 1e-6 * random.standard_normal(time.size)
+    force += 0.1 * generator.standard_normal(time.size)
+    position = position + 1e-6 * generator.standard_normal(time.size)
     result = identify_friction(FrictionRecord(time=time, position=position, force=force), mass=3.0)
     assert result.comparison["levels"] == "coulomb_viscous"
     assert result.parameters[COULOMB].value == pytest.approx(5.0, rel=0.02)
     assert result.parameters[VISCOUS].value == pytest.approx(20.0, rel=0.05)
 
 
-# What is refused --------------------------------------------------------------------------------------------------
+# Invalid input ----------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -697,23 +727,23 @@ def test_inertia_is_taken_off():
         ({"force": [1.0, 2.0, 3.0], "position": [0.1, 0.1, 0.1], "time": [0, 1, 2]}, "friction.at_rest"),
     ],
 )
-def test_records_that_cannot_be_are_refused(columns, code):
+def test_invalid_records_are_rejected(columns, code):
     with refused(code):
         FrictionRecord(**columns)
 
 
-def test_one_direction_with_a_free_zero_is_refused():
+def test_unsuitable_tables_are_rejected():
     with refused("friction.one_way", "offset"):
-        identify_friction(steady({COULOMB: 20.0}, both=False), offset="free")
+        identify_friction(steady_table({COULOMB: 20.0}, has_both_directions=False), offset="free")
     with refused("fields.not_an_option", "law"):
-        identify_friction(steady({COULOMB: 20.0}), law="karnopp")
+        identify_friction(steady_table({COULOMB: 20.0}), law="karnopp")
     with refused("friction.no_law", "force"):
         identify_friction(FrictionRecord(force=[1.0, 2.0, 3.0], velocity=[0.1, 0.2, 0.3], pressure=[1e5, 1e5, 2e5]))
     with refused("friction.at_rest", "velocity"):
         identify_friction(FrictionRecord(force=np.ones(5), velocity=np.zeros(5)))
     with refused("friction.helps", "force"):
         identify_friction(
-            FrictionRecord(force=-steady({COULOMB: 20.0}).force, velocity=steady({COULOMB: 20.0}).velocity)
+            FrictionRecord(force=-steady_table({COULOMB: 20.0}).force, velocity=steady_table({COULOMB: 20.0}).velocity)
         )
     at_one_speed = FrictionRecord(force=[1.0, 1.1, 1.0, 0.9], velocity=[0.1, 0.1, 0.1, 0.1])
     assert identify_friction(at_one_speed).comparison["law"] == "coulomb"
@@ -733,12 +763,22 @@ skip = "15 ms"
 """
 
 
-def test_a_file_names_its_columns(tmp_path):
+@pytest.fixture
+def write_file(tmp_path):
+    """Return a function that writes a friction file beside its two recordings."""
     for name in "ab":
         (tmp_path / f"{name}.csv").write_text("0\t0.0\t5\n10\t0.1\t6\n20\t0.2\t6\n30\t0.3\t6\n40\t0.4\t7\n")
-    (tmp_path / "rig.toml").write_text(FILE)
-    records, options = read_friction_file(tmp_path / "rig.toml")
-    assert [each.name for each in records] == ["a", "b"]
+
+    def write(text: str) -> Path:
+        (tmp_path / "rig.toml").write_text(text)
+        return tmp_path / "rig.toml"
+
+    return write
+
+
+def test_file_gives_records_in_si_units(write_file):
+    records, options = read_friction_file(write_file(FILE))
+    assert [record.name for record in records] == ["a", "b"]
     assert records[1].time == pytest.approx([0.02, 0.03, 0.04])
     assert records[1].pressure == pytest.approx(3e5)
     assert records[1].pressure_force == pytest.approx(-3e5 * 0.25 * math.pi * 0.02**2)
@@ -763,20 +803,18 @@ def test_a_file_names_its_columns(tmp_path):
         (('unit = "mm"', 'unit = "bar"'), None, "position"),
     ],
 )
-def test_mistakes_of_a_file(tmp_path, change, code, address):
-    for name in "ab":
-        (tmp_path / f"{name}.csv").write_text("0\t0.0\t5\n10\t0.1\t6\n20\t0.2\t6\n30\t0.3\t6\n40\t0.4\t7\n")
-    (tmp_path / "rig.toml").write_text(FILE.replace(*change))
+def test_each_error_of_a_file_has_its_address(write_file, change, code, address):
+    file = write_file(FILE.replace(*change))
     if code is None:
         with pytest.raises(ValueError) as caught:
-            read_friction_file(tmp_path / "rig.toml")
+            read_friction_file(file)
         assert caught.value.address.startswith(address)
     else:
         with refused(code, address):
-            read_friction_file(tmp_path / "rig.toml")
+            read_friction_file(file)
 
 
-def test_both_chambers_push(tmp_path):
+def test_pressure_force_uses_both_chambers(tmp_path):
     (tmp_path / "run.csv").write_text("v,F,cap,rod\n10,5,2,1\n20,6,2,1\n40,7,2,1\n")
     (tmp_path / "rig.toml").write_text("""\
 file = "run.csv"
@@ -794,12 +832,9 @@ rod_diameter = "8 mm"
     assert record.uncertainty == pytest.approx(0.1)
 
 
-def test_all_mistakes_of_a_file_at_once(tmp_path):
-    (tmp_path / "rig.toml").write_text(
-        FILE.replace("direction = -1", "direction = 2\nareaa = 1")
-        .replace("15 ms", "15 N")
-        .replace("column = 2", "columm = 2")
-    )
+def test_all_errors_of_a_file_are_raised_together(write_file):
+    text = FILE.replace("direction = -1", "direction = 2\nareaa = 1").replace("15 ms", "15 N")
     with pytest.raises(ValueError) as caught:
-        read_friction_file(tmp_path / "rig.toml")
-    assert {each.address for each in caught.value.problems} >= {"direction", "areaa", "skip", "force.columm"}
+        read_friction_file(write_file(text.replace("column = 2", "columm = 2")))
+    addresses = {problem.address for problem in caught.value.problems}
+    assert addresses >= {"direction", "areaa", "skip", "force.columm"}

@@ -90,60 +90,56 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
     """
     file = TomlFile.read(path, "mass_flow_rate")
     with file.errors():
-        return _read(file)
-
-
-def _read(file: TomlFile) -> tuple[FlowPoints, dict[str, Any]]:
-    with ErrorCollector() as errors:
-        fields = read_fields(errors, file.content, TOP_LEVEL, table="flow bench file")
-    ambient_pressure = read_ambient(fields)
-    table = open_table(file.folder, fields["file"], fields)
-    notes = [*table.notes]
-    columns: dict[str, Any] = {}
-    instruments: dict[str, Any] = {}
-    with ErrorCollector() as errors:
-        for channel, unit in CHANNELS.items():
-            kind, difference = KINDS[channel]
-            declared = {
-                "column": Field(),
-                "unit": Field(),
-                "value": Field(unit=unit, kind=kind),
-                **dict.fromkeys(("uncertainty", "offset"), Field(unit=unit, kind=difference)),
-                **dict.fromkeys(("relative_uncertainty", "calibration"), Field(unit="1")),
-            }
-            if ("column" in fields[channel]) == ("value" in fields[channel]):
-                errors.add("flow.column_or_value", channel)
-            values = read_fields(
-                errors, fields[channel], declared, channel, table="channel", ambient_pressure=ambient_pressure
-            )
-            columns[channel] = values.get("value")  # one value for all points, None if it is invalid
-            with errors.collecting():
-                if "column" in values:
-                    reading = read_column(channel, values, table, unit, kind, ambient_pressure)
-                    columns[channel] = reading.values
-                    if reading.unit != reading.written_unit:
-                        notes.append(Note("doubt.read_as", channel, unit=reading.written_unit, read=reading.unit))
-            with errors.collecting(channel):
-                instruments[channel] = Instrument(
-                    **{parameter: values[key] for key, parameter in UNCERTAINTIES.items() if key in values}
+        with ErrorCollector() as errors:
+            fields = read_fields(errors, file.content, TOP_LEVEL, table="flow bench file")
+        ambient_pressure = read_ambient(fields)
+        table = open_table(file.folder, fields["file"], fields)
+        notes = [*table.notes]
+        columns: dict[str, Any] = {}
+        instruments: dict[str, Any] = {}
+        with ErrorCollector() as errors:
+            for channel, unit in CHANNELS.items():
+                kind, difference = KINDS[channel]
+                declared = {
+                    "column": Field(),
+                    "unit": Field(),
+                    "value": Field(unit=unit, kind=kind),
+                    **dict.fromkeys(("uncertainty", "offset"), Field(unit=unit, kind=difference)),
+                    **dict.fromkeys(("relative_uncertainty", "calibration"), Field(unit="1")),
+                }
+                if ("column" in fields[channel]) == ("value" in fields[channel]):
+                    errors.add("flow.column_or_value", channel)
+                values = read_fields(
+                    errors, fields[channel], declared, channel, table="channel", ambient_pressure=ambient_pressure
                 )
-    gauge = []
-    for channel in ("pressure_1", "pressure_2"):
-        raw = fields[channel]
-        text = raw.get("value") or f"1 {raw.get('unit', '') or table.units[table.index(raw['column'])]}"
-        if quantity(text, "Pa", kind="pressure").reference == "gauge":
-            gauge.append(channel)
-    barometer = fields["ambient_pressure_uncertainty"]
-    if len(gauge) == 1:  # with two gauge pressures, the error of the barometer is common to both
-        instrument = instruments[gauge[0]]
-        instruments[gauge[0]] = replace(instrument, offset=math.hypot(instrument.offset, barometer))
-    points = FlowPoints(
-        **columns,
-        **{f"u_{channel}": instrument for channel, instrument in instruments.items()},
-        u_ambient_pressure=barometer if len(gauge) == 2 else 0.0,
-        lines=table.lines,
-    )
-    if gauge and "ambient_pressure" not in fields:
-        notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
-    options = {name: fields[name] for name in (*LAW_FIELDS, "part") if name in fields}
-    return points, options | {"title": fields.get("title", Path(file.name).stem), "notes": tuple(notes)}
+                columns[channel] = values.get("value")  # one value for all points, None if it is invalid
+                with errors.collecting():
+                    if "column" in values:
+                        reading = read_column(channel, values, table, unit, kind, ambient_pressure)
+                        columns[channel] = reading.values
+                        if reading.unit != reading.written_unit:
+                            notes.append(Note("doubt.read_as", channel, unit=reading.written_unit, read=reading.unit))
+                with errors.collecting(channel):
+                    instruments[channel] = Instrument(
+                        **{parameter: values[key] for key, parameter in UNCERTAINTIES.items() if key in values}
+                    )
+        gauge = []
+        for channel in ("pressure_1", "pressure_2"):
+            raw = fields[channel]
+            text = raw.get("value") or f"1 {raw.get('unit', '') or table.units[table.index(raw['column'])]}"
+            if quantity(text, "Pa", kind="pressure").reference == "gauge":
+                gauge.append(channel)
+        barometer = fields["ambient_pressure_uncertainty"]
+        if len(gauge) == 1:  # with two gauge pressures, the error of the barometer is common to both
+            instrument = instruments[gauge[0]]
+            instruments[gauge[0]] = replace(instrument, offset=math.hypot(instrument.offset, barometer))
+        points = FlowPoints(
+            **columns,
+            **{f"u_{channel}": instrument for channel, instrument in instruments.items()},
+            u_ambient_pressure=barometer if len(gauge) == 2 else 0.0,
+            lines=table.lines,
+        )
+        if gauge and "ambient_pressure" not in fields:
+            notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
+        options = {name: fields[name] for name in (*LAW_FIELDS, "part") if name in fields}
+        return points, options | {"title": fields.get("title", Path(file.name).stem), "notes": tuple(notes)}

@@ -11,7 +11,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -109,7 +109,7 @@ class FlowModel:
         for size, effect in self.common_errors(x):
             for channel in shifted.keys() & effect.channels:
                 reading = getattr(self.points, channel)
-                shifted[channel] = shifted[channel] - size * (effect.offset + effect.calibration * reading)
+                shifted[channel] = shifted[channel] - size * effect.shift(reading)
         return shifted
 
     def flow(self, x: FloatArray, **shifts: FloatArray) -> FloatArray:
@@ -130,15 +130,19 @@ class FlowModel:
         reading = flow
         for size, effect in self.common_errors(x):
             if "mass_flow_rate" in effect.channels:
-                reading = reading + size * (effect.offset + effect.calibration * flow)
+                reading = reading + size * effect.shift(flow)
         return np.asarray(reading)
 
-    def variances(self, x: FloatArray) -> dict[str, FloatArray]:
-        """Return the variance of the flow residual of each point that each instrument causes [kg^2/s^2]."""
+    def variances(self, x: FloatArray, extra: float = 0.0, inflation: float = 1.0) -> dict[str, FloatArray]:
+        """Return the variance of the flow residual of each point that each instrument causes [kg^2/s^2].
+
+        `extra` is a variance that is added to each point, and `inflation` a factor on the stated standard deviations.
+        """
         meter = self.points.u_mass_flow_rate
         largest = float(np.max(self.points.mass_flow_rate))
         reading = np.maximum(self.flow(x), LEAST_READING * largest)
-        variances = {"mass_flow_rate": meter.absolute**2 + (meter.relative * reading) ** 2}
+        flow_variance = inflation**2 * (meter.absolute**2 + (meter.relative * reading) ** 2) + extra
+        variances = {"mass_flow_rate": flow_variance}
         for channel in CHANNELS:
             instrument = self.points.instrument(channel)
             if channel == "mass_flow_rate" or not instrument.is_noisy:
@@ -147,7 +151,7 @@ class FlowModel:
             sigma = np.sqrt(instrument.absolute**2 + (instrument.relative * reading) ** 2)
             # Secant over two standard deviations: near p2/p1 = 1 the slope of the law is infinite.
             difference = self.flow(x, **{channel: sigma}) - self.flow(x, **{channel: -sigma})
-            variances[channel] = (0.5 * difference) ** 2
+            variances[channel] = inflation**2 * (0.5 * difference) ** 2
         return variances
 
     def residuals(self, x: FloatArray, sigma: FloatArray) -> FloatArray:
@@ -195,6 +199,11 @@ class FlowFit:
         return self.model.flow(self.x)
 
     @cached_property
+    def misfit(self) -> float:
+        """Norm of the residuals, modelled minus measured flow [kg/s]."""
+        return float(np.linalg.norm(self.modelled - self.model.points.mass_flow_rate))
+
+    @cached_property
     def residuals(self) -> FloatArray:
         """Weighted residuals: model minus measurement over `sigma`, then those of the common errors."""
         return self.model.residuals(self.x, self.sigma)
@@ -238,6 +247,26 @@ class FlowFit:
         """
         return gain(self.jacobian)
 
+    @cached_property
+    def budgets(self) -> dict[str, dict[str, Any]]:
+        """Uncertainty budget of each free parameter by name: scatter is type A, common errors are type B."""
+        n, budgets = len(self.model.points), {}
+        for name, row, scale in zip(self.model.free, self.gain[0], self.model.scales.tolist(), strict=False):
+            parts = {f"scatter of {source}": part / self.sigma**2 for source, part in self.scatter.items()}
+            scatter = {source: scale * math.sqrt(float(np.sum(row[:n] ** 2 * part))) for source, part in parts.items()}
+            effects = zip(self.model.effects, row[n:].tolist(), strict=True)
+            common = {effect.source: scale * abs(u) for effect, u in effects}
+            type_a, type_b = math.hypot(*scatter.values()), math.hypot(*common.values())
+            freedom = effective_degrees_of_freedom([(type_a, self.scatter_freedom), (type_b, math.inf)])
+            budgets[name] = {
+                "type_a": type_a,
+                "type_b": type_b,
+                "degrees_of_freedom": freedom,
+                "coverage_factor": coverage_factor(freedom),
+                "sources": scatter | common,
+            }
+        return budgets
+
 
 def fit_flow(model: FlowModel) -> FlowFit:
     """Fit the flow law to the points, with the weights adapted to the fit.
@@ -251,74 +280,55 @@ def fit_flow(model: FlowModel) -> FlowFit:
     x = start_point(model)
     if not model.points.u_mass_flow_rate.is_noisy:
         misfit = model.flow(x) - model.points.mass_flow_rate
-        return _iterate_weights(
-            model, x, _Weights(max(float(np.mean(misfit**2)), _smallest(model)), 1.0), adapt="extra"
-        )
-    fit = _iterate_weights(model, x, _Weights(0.0, 1.0), adapt="")
+        return _iterate_weights(model, x, adapt="extra", extra=float(np.mean(misfit**2)))
+    fit = _iterate_weights(model, x)
     stated = chi_square_probability(fit.chi_square, fit.degrees_of_freedom)
     if not stated < DOUBT:  # NaN: there are no degrees of freedom
         return replace(fit, stated=stated)
     birge = math.sqrt(fit.chi_square / fit.degrees_of_freedom)
-    return replace(_iterate_weights(model, fit.x, _Weights(0.0, birge), adapt="inflation"), stated=stated)
+    return replace(_iterate_weights(model, fit.x, adapt="inflation", inflation=birge), stated=stated)
 
 
-@dataclass(frozen=True)
-class _Weights:
-    """Changes of the stated variances so that they agree with the residuals."""
+def _iterate_weights(
+    model: FlowModel, x: FloatArray, *, adapt: str = "", extra: float = 0.0, inflation: float = 1.0
+) -> FlowFit:
+    """Return the fit after alternating updates of weights and parameters until both converge.
 
-    extra: float  # variance added to every point [kg^2/s^2]
-    inflation: float  # factor on the stated standard deviations
-
-    def parts(self, model: FlowModel, x: FloatArray) -> dict[str, FloatArray]:
-        """Return the variance of the residual of each point that each instrument causes."""
-        variances = {name: self.inflation**2 * v for name, v in model.variances(x).items()}
-        if self.extra:
-            variances["mass_flow_rate"] = variances["mass_flow_rate"] + self.extra
-        return variances
-
-
-def _smallest(model: FlowModel) -> float:
-    """Return a variance smaller than that of any real flow meter, for exact data [kg^2/s^2]."""
-    return (1e-6 * float(np.max(model.points.mass_flow_rate))) ** 2
-
-
-def _iterate_weights(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> FlowFit:
-    """Return the fit after alternating updates of weights and parameters until both converge."""
-    # Without it, points without residuals would have a sigma of zero.
-    floor = (1e-7 * float(np.max(model.points.mass_flow_rate))) ** 2
-    for _ in range(30):
-        sigma = np.sqrt(sum(weights.parts(model, x).values()) + floor)
-        solution = _least_squares(model, x, sigma)
-        renewed = _adapt_weights(model, solution, weights, adapt)
-        change = float(np.max(np.abs(solution - x)))
-        steady = math.isclose(renewed.extra, weights.extra, rel_tol=1e-3, abs_tol=1e-3 * floor)
-        x, weights = solution, renewed
-        if change < 1e-6 and steady and math.isclose(renewed.inflation, weights.inflation, rel_tol=1e-3):
-            break
-    parts = weights.parts(model, x)
-    sigma = np.sqrt(sum(parts.values()) + floor)
-    return FlowFit(model, x, sigma, parts, adapt == "", weights.inflation, math.nan)
-
-
-def _adapt_weights(model: FlowModel, x: FloatArray, weights: _Weights, adapt: str) -> _Weights:
-    """Return weights for which chi-square equals its degrees of freedom.
-
-    `adapt` selects the changed weight: a factor (`inflation`), or an added variance. If it is empty, the weights stay
-    unchanged.
+    `adapt` names the argument of `FlowModel.variances` that is adapted until chi-square equals its degrees of freedom.
+    If it is empty, the variances stay as stated.
     """
-    common, smallest = x[len(model.free) :], _smallest(model)
-    freedom = len(model.points) - len(model.free) - float(common @ common)
-    if not adapt or freedom <= 0.0:
-        return weights
-    misfit = (model.flow(x) - model.points.mass_flow_rate) ** 2
-    stated = np.asarray(sum(model.variances(x).values())) + (smallest if adapt == "inflation" else 0.0)
-    if adapt == "inflation":
-        return _Weights(0.0, max(1.0, math.sqrt(float(np.sum(misfit / stated)) / freedom)))
-    low, high = smallest, max(float(np.sum(misfit)) / freedom, smallest)
-    for _ in range(50):  # chi-square falls with the added variance
-        middle = math.sqrt(low * high)  # logarithmic: the ends differ by decades
-        low, high = (middle, high) if np.sum(misfit / (stated + middle)) > freedom else (low, middle)
-    return _Weights(high, 1.0)
+    from scipy.optimize import least_squares
+
+    # A variance smaller than that of any real flow meter, for exact data.
+    smallest = (1e-6 * float(np.max(model.points.mass_flow_rate))) ** 2
+    # Without it, points without residuals would have a sigma of zero.
+    floor = 0.01 * smallest
+    extra = max(extra, smallest) if adapt == "extra" else extra
+    low, high = model.bounds
+    for _ in range(30):
+        sigma = np.sqrt(sum(model.variances(x, extra, inflation).values()) + floor)
+        start = np.clip(x, low + 1e-9, high - 1e-9)  # the search must start within the bounds
+        options = {"xtol": 1e-10, "ftol": 1e-10, "gtol": 1e-10}
+        solution = least_squares(model.residuals, start, model.jacobian, (low, high), args=(sigma,), **options).x
+        change, previous = float(np.max(np.abs(solution - x))), (extra, inflation)
+        x, common = solution, solution[len(model.free) :]
+        freedom = len(model.points) - len(model.free) - float(common @ common)
+        if adapt and freedom > 0.0:
+            misfit = (model.flow(x) - model.points.mass_flow_rate) ** 2
+            stated = sum(model.variances(x).values())
+            if adapt == "inflation":
+                inflation = max(1.0, math.sqrt(float(np.sum(misfit / (stated + smallest))) / freedom))
+            else:
+                extra, lower = max(float(np.sum(misfit)) / freedom, smallest), smallest
+                for _ in range(50):  # chi-square falls with the added variance
+                    middle = math.sqrt(lower * extra)  # logarithmic: the ends differ by decades
+                    is_low = np.sum(misfit / (stated + middle)) > freedom
+                    lower, extra = (middle, extra) if is_low else (lower, middle)
+        is_steady = math.isclose(extra, previous[0], rel_tol=1e-3, abs_tol=1e-3 * floor)
+        if change < 1e-6 and is_steady and math.isclose(inflation, previous[1], rel_tol=1e-3):
+            break
+    variances = model.variances(x, extra, inflation)
+    return FlowFit(model, x, np.sqrt(sum(variances.values()) + floor), variances, not adapt, inflation, math.nan)
 
 
 def start_point(model: FlowModel) -> FloatArray:
@@ -364,23 +374,6 @@ def _unit_flow(points: FlowPoints, **law: Any) -> FloatArray:
     return np.asarray(mass_flow_rate(*readings, sonic_conductance=1.0, **law))
 
 
-def _least_squares(model: FlowModel, x: FloatArray, sigma: FloatArray) -> FloatArray:
-    """Return the parameters that minimise chi-square for given standard deviations."""
-    from scipy.optimize import least_squares
-
-    low, high = model.bounds
-    solution = least_squares(
-        lambda trial: model.residuals(trial, sigma),
-        np.clip(x, low + 1e-9, high - 1e-9),  # the search must start within the bounds
-        lambda trial: model.jacobian(trial, sigma),
-        bounds=(low, high),
-        xtol=1e-10,
-        ftol=1e-10,
-        gtol=1e-10,
-    )
-    return np.asarray(solution.x)
-
-
 def fit_all_choked(fit: FlowFit) -> FlowFit | None:
     """Return a fit in which all points are choked.
 
@@ -407,9 +400,9 @@ def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
         bounds = float(low[k]) * scale, float(high[k]) * scale
         at_bound = min(fit.x[k] - low[k], high[k] - fit.x[k]) < 1e-4
         value = min(bounds, key=lambda end: abs(end - fit.x[k] * scale)) if at_bound else float(fit.x[k]) * scale
-        budget = _budget(fit, k)
-        error = math.sqrt(math.fsum(u * u for u in budget.sources.values())) * scale if fit.gain[1][k] else math.inf
-        half = budget.coverage * error
+        budget = fit.budgets[name]
+        error = math.hypot(*budget["sources"].values()) if fit.gain[1][k] else math.inf
+        half = budget["coverage_factor"] * error
         estimates[name] = Estimate(
             value,
             UNITS[name],
@@ -468,31 +461,22 @@ def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
     The result is None if no fixed parameter improves the fit clearly when it is free.
     """
     alternatives = []
-    for name in ("subsonic_index", "cracking_pressure"):
+    for name in [name for name in ("subsonic_index", "cracking_pressure") if name in fit.model.fixed]:
         fixed = {key: value for key, value in fit.model.fixed.items() if key != name}
         richer = FlowModel(fit.model.points, fixed)
-        if (
-            name in fit.model.fixed
-            and len(richer.points) > len(richer.free)
-            and _predict_gain(fit, richer, name) > BETTER
-        ):
+        if len(richer.points) <= len(richer.free):
+            continue
+        # Decrease of -2 ln L if the parameter becomes free, predicted from the derivatives at the optimum.
+        index = richer.free.index(name)
+        x = np.insert(fit.x, index, fit.model.fixed[name] / richer.scales[index])
+        jacobian = richer.jacobian(x, fit.sigma)
+        basis = np.linalg.qr(np.delete(jacobian, index, axis=1))[0]
+        column = jacobian[:, index] - basis @ (basis.T @ jacobian[:, index])
+        fraction = float(column @ fit.residuals) ** 2 / max(float(column @ column) * fit.chi_square, 1e-300)
+        if -len(fit.model.points) * math.log1p(-min(fraction, 1.0 - 1e-12)) > BETTER:
             alternatives.append((name, fit_flow(richer)))
     best = min(alternatives, key=lambda pair: pair[1].aicc, default=None)
     return best if best and fit.aicc - best[1].aicc > BETTER else None
-
-
-def _predict_gain(fit: FlowFit, richer: FlowModel, name: str) -> float:
-    """Return the predicted decrease of -2 ln L if the parameter `name` becomes free.
-
-    The prediction is linear in the derivatives at the optimum. L is the likelihood.
-    """
-    index = richer.free.index(name)
-    x = np.insert(fit.x, index, fit.model.fixed[name] / richer.scales[index])
-    jacobian = richer.jacobian(x, fit.sigma)
-    basis = np.linalg.qr(np.delete(jacobian, index, axis=1))[0]
-    column = jacobian[:, index] - basis @ (basis.T @ jacobian[:, index])
-    fraction = float(column @ fit.residuals) ** 2 / max(float(column @ column) * fit.chi_square, 1e-300)
-    return -len(fit.model.points) * math.log1p(-min(fraction, 1.0 - 1e-12))
 
 
 def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[str, Estimate]) -> dict[str, Estimate]:
@@ -503,42 +487,3 @@ def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[
         verdict = _verdict(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
         widened[name] = replace(e, low=low, high=high, verdict=max(verdict, e.verdict, key=VERDICTS.index))
     return widened
-
-
-class _Budget(NamedTuple):
-    """Uncertainty budget of a scaled parameter: contributions of scatter (type A) and common errors (type B)."""
-
-    sources: dict[str, float]
-    type_a: float
-    type_b: float
-    freedom: float
-    coverage: float
-
-
-def _budget(fit: FlowFit, k: int) -> _Budget:
-    """Return the uncertainty budget of the free parameter with index `k`."""
-    row, n = fit.gain[0][k], len(fit.model.points)
-    variance = fit.sigma**2
-    scatter = {
-        f"scatter of {channel}": math.sqrt(float(np.sum(row[:n] ** 2 * part / variance)))
-        for channel, part in fit.scatter.items()
-    }
-    common = {effect.source: abs(float(u)) for effect, u in zip(fit.model.effects, row[n:], strict=True)}
-    type_a, type_b = math.hypot(*scatter.values()), math.hypot(*common.values())
-    freedom = effective_degrees_of_freedom([(type_a, fit.scatter_freedom), (type_b, math.inf)])
-    return _Budget(scatter | common, type_a, type_b, freedom, coverage_factor(freedom))
-
-
-def budgets(fit: FlowFit) -> dict[str, dict[str, Any]]:
-    """Return the uncertainty budget of each free parameter, by name."""
-    rows = {}
-    for k, name in enumerate(fit.model.free):
-        budget, scale = _budget(fit, k), float(fit.model.scales[k])
-        rows[name] = {
-            "type_a": scale * budget.type_a,
-            "type_b": scale * budget.type_b,
-            "degrees_of_freedom": budget.freedom,
-            "coverage_factor": budget.coverage,
-            "sources": {source: scale * u for source, u in budget.sources.items()},
-        }
-    return rows

@@ -18,7 +18,6 @@ from poppet.identify.flow.flow_fit import (
     UNITS,
     FlowFit,
     FlowModel,
-    budgets,
     choked_estimates,
     find_other_law,
     fit_all_choked,
@@ -107,7 +106,13 @@ def identify_flow(
     """
     assert isinstance(points, FlowPoints)  # `or_file` has read a file
     law = {"subsonic_index": subsonic_index, "cracking_pressure": cracking_pressure}
-    fixed = _read_fixed(law)
+    with ErrorCollector() as errors:
+        for name, value in law.items():
+            if isinstance(value, str) and value != "free":
+                errors.add("flow.number_or_free", name, value=value)
+            elif value != "free" and (error := problem(name, float(value), DOMAINS[name])):
+                errors.extend([error])
+    fixed = {name: float(value) for name, value in law.items() if value != "free"}
     model = FlowModel(points, fixed)
     count, free = len(points), len(model.free)
     if count <= free:
@@ -117,13 +122,18 @@ def identify_flow(
     choked = fit_all_choked(fit)
     estimates = choked_estimates(fit, choked) if choked else law_estimates(fit)
     accepted = choked or fit
+    tests, influence = _tests(accepted), _influence(accepted)
     alternative = None if choked else find_other_law(fit)
     if alternative:
-        estimates = widen_estimates(estimates, law_estimates(alternative[1]))
-    tests, influence = _tests(accepted), _influence(accepted)
-    doubts = suspicions(fit, estimates, tests, alternative)
-    remarks = doubts + findings(accepted, estimates, tests, influence, choked is not None)
-    remarks = replace_uncertain_findings(remarks, estimates) + notes_of(notes)
+        name, better = alternative
+        other_estimates = law_estimates(better)
+        estimates = widen_estimates(estimates, other_estimates)
+        row = {key: {"value": e.value, "low": e.low, "high": e.high} for key, e in other_estimates.items()}
+        tests["alternatives"] = {name: {"aicc_difference": better.aicc - fit.aicc, "free": row}}
+    doubts = tuple(suspicions(fit, estimates, tests, alternative))
+    remarks = replace_uncertain_findings(
+        [*doubts, *findings(accepted, estimates, tests, influence, choked is not None)], estimates
+    )
     if doubts:  # independent of the width of the intervals
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
@@ -135,30 +145,16 @@ def identify_flow(
         residuals={"points.mass_flow_rate": ResidualSummary.of(accepted.modelled, points.mass_flow_rate, "kg/s")},
         correlation=correlations([f"{prefix}{name}" for name in accepted.model.free], rows @ rows.T),
         comparison=tests
-        | (_alternative(fit, *alternative) if alternative else {})
         | {
             "standard_formulas": _evaluate_standard(fit, subsonic_index, cracking_pressure),
-            "uncertainty": {f"{prefix}{name}": row for name, row in budgets(accepted).items()},
+            "uncertainty": {f"{prefix}{name}": row for name, row in accepted.budgets.items()},
             "common_errors": {effect.source: size for size, effect in accepted.model.common_errors(accepted.x)},
             "influence": influence,
         },
-        remarks=remarks,
+        remarks=remarks + notes_of(notes),
         conditions=_conditions(accepted, fixed),
         series=_series(accepted),
     )
-
-
-def _read_fixed(law: Mapping[str, float | Free]) -> dict[str, float]:
-    fixed = {}
-    with ErrorCollector() as errors:
-        for name, value in law.items():
-            if not isinstance(value, str):
-                fixed[name] = float(value)
-                error = problem(name, float(value), DOMAINS[name])
-                errors.extend([error] if error else [])
-            elif value != "free":
-                errors.add("flow.number_or_free", name, value=value)
-    return fixed
 
 
 def _tests(fit: FlowFit) -> dict[str, Any]:
@@ -176,12 +172,6 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),
         "aicc": fit.aicc,
     }
-
-
-def _alternative(fit: FlowFit, name: str, better: FlowFit) -> dict[str, Any]:
-    """Return the estimates of a better flow law, in the table format of `identify tank`."""
-    row = {key: {"value": e.value, "low": e.low, "high": e.high} for key, e in law_estimates(better).items()}
-    return {"alternatives": {name: {"aicc_difference": better.aicc - fit.aicc, "free": row}}}
 
 
 def _influence(fit: FlowFit) -> dict[str, list[float]]:

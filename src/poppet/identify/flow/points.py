@@ -71,6 +71,10 @@ class Effect:
     offset: float  # shift of the readings, in the SI unit of the channel
     calibration: float  # shift as a fraction of the reading
 
+    def shift(self, reading: FloatArray) -> FloatArray:
+        """Return the shift of the readings of a channel."""
+        return self.offset + self.calibration * reading
+
 
 @dataclass(frozen=True, eq=False)
 class FlowPoints:
@@ -135,9 +139,36 @@ class FlowPoints:
                     errors.add("flow.shape", name, shape=str(array.shape), points=size)
         for name, array in arrays.items():
             object.__setattr__(self, name, np.broadcast_to(array, size).copy())
-        # Values first: the direction of an invalid value has no meaning.
-        collect(_value_errors(self))
-        collect(_direction_errors(self))
+        low, high = TEMPERATURES
+        flow, p_1, p_2, temperature = (getattr(self, name) for name in CHANNELS)
+        is_implausible = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
+        with ErrorCollector() as errors:
+            for name, unit in CHANNELS.items():
+                values, largest = getattr(self, name), sizes_of(unit)[1]
+                is_large = np.isfinite(values) & (np.abs(values) > largest)
+                self._add_error(errors, "flow.not_finite", name, ~np.isfinite(values))
+                self._add_error(errors, "flow.too_large", name, is_large, largest=largest)
+            self._add_error(errors, "flow.upstream", "pressure_1", p_1 <= 0.0)
+            self._add_error(errors, "flow.downstream", "pressure_2", p_2 < 0.0)
+            self._add_error(errors, "flow.temperature", "temperature_1", is_implausible, low=low, high=high)
+            if np.isfinite(flow).all() and not (flow > 0.0).any():
+                errors.add("flow.no_flow", "mass_flow_rate")
+        # Values first: the direction of an invalid value has no meaning. A flow within the noise can be negative.
+        noise = 3.0 * (self.u_mass_flow_rate.absolute + self.u_mass_flow_rate.offset)
+        least = max(noise, 0.01 * float(np.max(flow)))
+        noise = 3.0 * sum(sensor.absolute + sensor.offset for sensor in (self.u_pressure_1, self.u_pressure_2))
+        with ErrorCollector() as errors:
+            self._add_error(errors, "flow.backwards", "mass_flow_rate", flow < -least)
+            self._add_error(errors, "flow.against", "pressure_2", (flow > least) & (p_1 - p_2 < -noise - 1e-3 * p_1))
+
+    def _add_error(
+        self, errors: ErrorCollector, code: str, name: str, is_invalid: NDArray[np.bool_], **facts: Any
+    ) -> None:
+        """Add an error for the first invalid point, with the number of all invalid points."""
+        if is_invalid.any():
+            k, count = int(np.argmax(is_invalid)), int(np.sum(is_invalid))
+            facts |= {"value": float(getattr(self, name)[k]), "unit": CHANNELS[name], "place": k}
+            errors.extend([OutOfRangeError(code, name, several=count if count > 1 else None, **facts)])
 
     @classmethod
     def from_recording(
@@ -229,52 +260,6 @@ def conductance_of(flow: FloatArray, pressure_1: FloatArray, temperature_1: Floa
     """
     choked = mass_flow_rate(pressure_1, 0.0, temperature_1, sonic_conductance=1.0, critical_ratio=0.0)
     return np.asarray(flow / choked)
-
-
-def _value_errors(points: FlowPoints) -> list[InputError]:
-    """Return one error for each channel with invalid readings."""
-    low, high = TEMPERATURES
-    flow, p_1, p_2, temperature = (getattr(points, name) for name in CHANNELS)
-    is_implausible = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
-    errors: list[InputError] = []
-    for name in CHANNELS:
-        values, largest = getattr(points, name), sizes_of(CHANNELS[name])[1]
-        errors += _first_error("flow.not_finite", points, name, ~np.isfinite(values))
-        errors += _first_error(
-            "flow.too_large", points, name, np.isfinite(values) & (np.abs(values) > largest), largest=largest
-        )
-    errors += _first_error("flow.upstream", points, "pressure_1", p_1 <= 0.0)
-    errors += _first_error("flow.downstream", points, "pressure_2", p_2 < 0.0)
-    errors += _first_error("flow.temperature", points, "temperature_1", is_implausible, low=low, high=high)
-    if np.isfinite(flow).all() and not (flow > 0.0).any():
-        errors.append(InputError("flow.no_flow", "mass_flow_rate"))
-    return errors
-
-
-def _direction_errors(points: FlowPoints) -> list[InputError]:
-    """Return an error if a flow against the pressure drop exceeds the noise."""
-    noise = 3.0 * (points.u_mass_flow_rate.absolute + points.u_mass_flow_rate.offset)
-    least = np.maximum(noise, 0.01 * np.max(points.mass_flow_rate))
-    is_negative = points.mass_flow_rate < -least
-    drop, transducers = points.pressure_1 - points.pressure_2, (points.u_pressure_1, points.u_pressure_2)
-    is_reversed = points.mass_flow_rate > least
-    is_reversed &= (
-        drop
-        < -3.0 * sum(instrument.absolute + instrument.offset for instrument in transducers) - 1e-3 * points.pressure_1
-    )
-    backward = _first_error("flow.backwards", points, "mass_flow_rate", is_negative)
-    return [*backward, *_first_error("flow.against", points, "pressure_2", is_reversed)]
-
-
-def _first_error(
-    code: str, points: FlowPoints, name: str, is_invalid: NDArray[np.bool_], **facts: Any
-) -> list[InputError]:
-    """Return an error for the first invalid point, with the number of all invalid points."""
-    if not is_invalid.any():
-        return []
-    k, count = int(np.argmax(is_invalid)), int(np.sum(is_invalid))
-    facts |= {"value": float(getattr(points, name)[k]), "unit": CHANNELS[name], "place": k}
-    return [OutOfRangeError(code, name, several=count if count > 1 else None, **facts)]
 
 
 def reject_rising_flow(points: FlowPoints) -> None:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from itertools import chain
+from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import NDArray
 
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of
 from poppet.timeseries.checks import FloatArray
@@ -114,15 +114,21 @@ def evaluate_by_standard(
     >>> found.saturated, round(found.sonic_conductance * 1e8, 4), round(found.critical_ratio, 3)
     ((0, 1), 2.0, 0.3)
     """
-    saturated = _plateau(points)
+    order = np.argsort(points.pressure_ratio, kind="stable")
+    conductance = points.effective_conductance[order]
+    meter = points.u_mass_flow_rate
+    scatter = math.hypot(meter.relative, meter.absolute / float(np.max(points.mass_flow_rate)))
+    tolerance, count = max(PLATEAU, 3.0 * scatter), 1
+    while count < order.size and conductance[count] > np.mean(conductance[:count]) * (1.0 - tolerance):
+        count += 1
+    saturated = order[:count]
     flow_ratio = points.effective_conductance / float(np.mean(points.effective_conductance[saturated]))
-    tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
     is_subsonic = (
         ~np.isin(np.arange(len(points)), saturated) & (flow_ratio > tolerance) & (flow_ratio < 1.0 - tolerance)
     )
     subsonic = np.flatnonzero(is_subsonic & (points.pressure_ratio < 1.0))
     sets = tuple(saturated.tolist()), tuple(subsonic.tolist())
-    return _evaluate(_shift_readings(points, {}), *sets, subsonic_index, cracking_pressure)
+    return _evaluate(points, {}, *sets, subsonic_index, cracking_pressure)
 
 
 def standard_uncertainties(
@@ -143,101 +149,60 @@ def standard_uncertainties(
     """
     sets = evaluation.saturated, evaluation.subsonic
     warm = (evaluation.critical_ratio, evaluation.subsonic_index, evaluation.cracking_pressure)
-    total = np.zeros(4)
-    for readings in _perturb_readings(points, evaluation):
-        shifted = _evaluate(readings, *sets, subsonic_index, cracking_pressure, warm)
-        total += (shifted.numbers - evaluation.numbers) ** 2
-    return np.sqrt(total)
-
-
-class StandardReadings(NamedTuple):
-    """Quantities of all points that the formulas of the standard use."""
-
-    conductance: FloatArray  # effective conductance
-    ratio: FloatArray
-    pressure_1: FloatArray
-
-
-def _shift_readings(points: FlowPoints, shifts: Mapping[str, FloatArray]) -> StandardReadings:
-    """Return the quantities for shifted readings.
-
-    The readings are not checked, because a shift can make them slightly invalid.
-    """
-    flow, p_1, p_2, temperature = (getattr(points, c) + shifts.get(c, 0.0) for c in CHANNELS)
-    return StandardReadings(conductance_of(flow, p_1, temperature), p_2 / p_1, p_1)
-
-
-def _perturb_readings(points: FlowPoints, evaluation: StandardEvaluation) -> Iterator[StandardReadings]:
-    """Yield the quantities for one error of one standard deviation at a time.
-
-    The errors are first those of each single reading, then those that all points share.
-    """
-    indices = (*evaluation.saturated, *evaluation.subsonic)
+    sigmas = {}
     for channel in CHANNELS:
-        reading = getattr(points, channel)
-        instrument = points.instrument(channel)
+        reading, instrument = getattr(points, channel), points.instrument(channel)
         sigma = np.hypot(instrument.absolute, instrument.relative * reading)
         if channel == "mass_flow_rate" and not instrument.is_noisy and len(evaluation.saturated) > 1:
             plateau = points.effective_conductance[list(evaluation.saturated)]
             sigma = np.full(len(points), np.std(plateau, ddof=1) / np.mean(plateau) * np.max(reading))
-        for k in indices if sigma.any() else ():
-            yield _shift_readings(points, {channel: np.where(np.arange(len(points)) == k, sigma, 0.0)})
-    for effect in points.effects():
-        yield _shift_readings(
-            points, {c: effect.offset + effect.calibration * getattr(points, c) for c in effect.channels}
-        )
-
-
-def _relative_scatter(points: FlowPoints) -> float:
-    meter = points.u_mass_flow_rate
-    return math.hypot(meter.relative, meter.absolute / float(np.max(points.mass_flow_rate)))
-
-
-def _plateau(points: FlowPoints) -> NDArray[np.int64]:
-    """Return the indices of the saturated points, in ascending order of p2/p1.
-
-    They end at the first point whose effective conductance is clearly below the mean of those before it.
-    """
-    order = np.argsort(points.pressure_ratio, kind="stable")
-    conductance = points.effective_conductance[order]
-    tolerance = max(PLATEAU, 3.0 * _relative_scatter(points))
-    count = 1
-    while count < order.size and conductance[count] > np.mean(conductance[:count]) * (1.0 - tolerance):
-        count += 1
-    return np.asarray(order[:count])
+        if sigma.any():
+            sigmas[channel] = sigma
+    # First the errors of each single reading, then those that all points share.
+    indices, row = [*evaluation.saturated, *evaluation.subsonic], np.arange(len(points))
+    errors = ({channel: np.where(row == k, sigma, 0.0)} for channel, sigma in sigmas.items() for k in indices)
+    common = ({c: effect.shift(getattr(points, c)) for c in effect.channels} for effect in points.effects())
+    total = np.zeros(4)
+    for shifts in chain(errors, common):
+        shifted = _evaluate(points, shifts, *sets, subsonic_index, cracking_pressure, warm)
+        total += (shifted.numbers - evaluation.numbers) ** 2
+    return np.sqrt(total)
 
 
 def _evaluate(
-    readings: StandardReadings,
+    points: FlowPoints,
+    shifts: Mapping[str, FloatArray],
     saturated: tuple[int, ...],
     subsonic: tuple[int, ...],
     subsonic_index: float | Free,
     cracking_pressure: float | Free,
     warm: tuple[float, float, float] = (0.3, 0.5, 0.0),
 ) -> StandardEvaluation:
-    conductance = float(np.mean(readings.conductance[list(saturated)]))
-    conductances, ratio, pressure = (series[list(subsonic)] for series in readings)
+    """Return the results for readings that are shifted by `shifts`.
+
+    The readings are not checked, because a shift can make them slightly invalid.
+    """
+    flow, p_1, p_2, temperature = (getattr(points, channel) + shifts.get(channel, 0.0) for channel in CHANNELS)
+    effective, indices = conductance_of(flow, p_1, temperature), list(subsonic)
+    conductance = float(np.mean(effective[list(saturated)]))
+    conductances, ratio, pressure = effective[indices], (p_2 / p_1)[indices], p_1[indices]
     flow_ratio = conductances / conductance
-    free = {"subsonic_index": subsonic_index == "free", "cracking_pressure": cracking_pressure == "free"}
+    is_free = [True, subsonic_index == "free", cracking_pressure == "free"]
     index = warm[1] if subsonic_index == "free" else subsonic_index
     cracking = warm[2] if cracking_pressure == "free" else cracking_pressure
-    if len(subsonic) < 1 + sum(free.values()):
+    if len(subsonic) < sum(is_free):
         return StandardEvaluation(conductance, math.nan, index, cracking, saturated, subsonic)
-    if any(free.values()):
-        numbers = _fit_ratio(ratio, flow_ratio, pressure, (warm[0], index, cracking), free)
+    if any(is_free[1:]):
+        numbers = _fit_ratio(ratio, flow_ratio, pressure, (warm[0], index, cracking), is_free)
     else:
-        numbers = (_mean_critical_ratio(ratio, flow_ratio, index, cracking / pressure), index, cracking)
+        phi = np.minimum(flow_ratio, 1.0 - 1e-12)
+        # If m is very small, the points do not determine b, and the result is NaN.
+        with np.errstate(all="ignore"):
+            s = np.sqrt(1.0 - phi ** (1.0 / index))
+            ratios = (ratio - s * (1.0 - cracking / pressure)) / (1.0 - s)
+            weight = critical_ratio_uncertainty(ratio, phi, 1e-3 * ratio, 1e-3, index) ** -2.0
+            numbers = float(np.sum(weight * ratios) / np.sum(weight)), index, cracking
     return StandardEvaluation(conductance, *numbers, saturated, subsonic)
-
-
-def _mean_critical_ratio(ratio: FloatArray, flow_ratio: FloatArray, index: float, cracking: FloatArray) -> float:
-    phi = np.minimum(flow_ratio, 1.0 - 1e-12)
-    # If m is very small, the points do not determine b, and the result is NaN.
-    with np.errstate(all="ignore"):
-        s = np.sqrt(1.0 - phi ** (1.0 / index))
-        single = (ratio - s * (1.0 - cracking)) / (1.0 - s)
-        weight = critical_ratio_uncertainty(ratio, phi, 1e-3 * ratio, 1e-3, index) ** -2.0
-        return float(np.sum(weight * single) / np.sum(weight))
 
 
 def _fit_ratio(
@@ -245,13 +210,12 @@ def _fit_ratio(
     flow_ratio: FloatArray,
     pressure: FloatArray,
     warm: tuple[float, float, float],
-    free: dict[str, bool],
+    is_free: list[bool],
 ) -> tuple[float, float, float]:
     """Fit b, and m or the cracking pressure or both, to the flow ratios of the subsonic points."""
     from scipy.optimize import least_squares
 
     size = float(np.mean(pressure))
-    is_free = [True, free["subsonic_index"], free["cracking_pressure"]]
     start = np.array([warm[0], warm[1], warm[2] / size])
     highest = 0.99 * float(np.min((1.0 - ratio) * pressure)) / size
     low, high = np.array([-1.0, 0.05, 0.0]), np.array([0.99, 3.0, max(highest, 1e-6)])
@@ -267,8 +231,6 @@ def _fit_ratio(
         position = np.clip((1.0 - ratio - cracking * size / pressure) / (opens - b), 0.0, 1.0)
         return np.asarray((position * (2.0 - position)) ** m - flow_ratio)
 
-    start_point = np.clip(start, low + 1e-9, high - 1e-9)[is_free]
-    solution = numbers(
-        least_squares(misfit, start_point, bounds=(low[is_free], high[is_free]), xtol=1e-12, ftol=1e-12).x
-    )
+    start_point, bounds = np.clip(start, low + 1e-9, high - 1e-9)[is_free], (low[is_free], high[is_free])
+    solution = numbers(least_squares(misfit, start_point, bounds=bounds, xtol=1e-12, ftol=1e-12).x)
     return float(solution[0]), float(solution[1]), float(solution[2] * size)

@@ -15,17 +15,19 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from poppet.identify.friction.friction_fit import LawSolution
 from poppet.identify.friction.motion import BENT, WAYS, RecordedMotion, Reversal
 from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import WEAK
 from poppet.laws.physics.friction import sliding_level
 from poppet.timeseries.checks import FloatArray
+
+if TYPE_CHECKING:
+    from poppet.identify.friction.friction_fit import LawSolution
 
 FEWEST, STEPS = 3, 48
 """Minimum number of reversals, and number of stiffnesses on the grid."""
@@ -91,25 +93,27 @@ def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distanc
     level = float(np.mean([turn.level[-1] for turn in turns]))
     resolution = max(motion.resolution for motion in motions)
     distances = np.geomspace(distance, max(resolution / FINE, 1e-3 * distance), STEPS)
-    sums = _sums(turns, level / distances, resolution * SHIFTS)
-    group_of_turn = [turn.record for turn in turns]
-    group_of_turn = group_of_turn if len(set(group_of_turn)) >= FEWEST else [*range(len(turns))]
-    groups, logarithms = sorted(set(group_of_turn)), np.log(level / distances)
-    best, unshifted = (
-        _find_minimum(logarithms, sums),
-        _find_minimum(logarithms, sums[:, SHIFTS.size // 2 : SHIFTS.size // 2 + 1]),
-    )
-    jackknife = np.array([_find_minimum(logarithms, sums[:, :, np.array(group_of_turn) != k])[:2] for k in groups])
+    sums_of_turns, force = [], np.zeros((SHIFTS.size, STEPS))
+    for turn in turns:
+        sums_of_turn, force = turn.squares(level / distances, resolution * SHIFTS, force)
+        sums_of_turns.append(sums_of_turn)
+    sums = np.stack(sums_of_turns, axis=2)  # (3, n_shifts, n_turns, n_stiffnesses)
+    group_of_turn = np.array([turn.reversal.record for turn in turns])
+    group_of_turn = group_of_turn if np.unique(group_of_turn).size >= FEWEST else np.arange(len(turns))
+    groups, logarithms = np.unique(group_of_turn), np.log(level / distances)
+    best = _find_minimum(logarithms, sums)
+    unshifted = _find_minimum(logarithms, sums[:, SHIFTS == 0.0])
+    jackknife = np.array([_find_minimum(logarithms, sums[:, :, group_of_turn != k])[:2] for k in groups])
     scatter = np.sqrt((len(groups) - 1) / len(groups) * np.sum((jackknife - jackknife.mean(axis=0)) ** 2, axis=0))
     cover = coverage_factor(len(groups) - 1.0)
     stiffness = math.exp(best[0])
     # The scatter does not show the rounding of the corner: half of it is an uncertainty.
-    rounded = 0.5 * float(np.mean([turn.rounding for turn in turns])) / (level / stiffness)
+    rounded = 0.5 * float(np.mean([turn.reversal.rounding for turn in turns])) / (level / stiffness)
     # The interval is logarithmic and includes the estimate without a shift, because the start is uncertain.
     half = math.hypot(cover * scatter[0], rounded)
-    apparent_damping = stiffness * max(turn.step for turn in turns)
+    apparent_damping = stiffness * max(turn.reversal.step for turn in turns)
     bending = level / stiffness / max(float(np.median([turn.speed for turn in turns])), 1e-300)
-    window = float(np.median([turn.window for turn in turns]))
+    window = float(np.median([turn.reversal.window for turn in turns]))
     # The window smooths the velocity while the bristles deflect.
     half_damping = math.hypot(cover * scatter[1], apparent_damping, window / bending * best[1])
     is_end = best[0] >= logarithms[-1] - 1e-9
@@ -157,17 +161,14 @@ def usable_reversals(motions: Sequence[RecordedMotion], levels: LawSolution, dis
 class ReversalData:
     """Samples after one reversal for the fit of the bristle model, arrays of shape (n,)."""
 
+    reversal: Reversal
     distance: FloatArray  # [m]
     level: FloatArray  # g at the speed of each sample [N]
     measured: FloatArray  # measured bristle force along the motion [N]
     rate: FloatArray  # speed along the motion, times the decay of the damping with speed [m/s]
     lead_steps: FloatArray  # distances between samples before the reversal [m]
     lead_level: FloatArray  # g before the reversal [N]
-    record: int
-    rounding: float  # rounding of the corner [m]
-    step: float  # time between samples [s]
     speed: float  # median speed [m/s]
-    window: float  # window of the velocity [s]
     is_chained: bool  # True if the bristles start at the deflection of the previous reversal
 
     @classmethod
@@ -180,21 +181,18 @@ class ReversalData:
         assert last is not None
         # After a small stroke, the bristles start at its final deflection, otherwise at sliding.
         is_lead = last.distance > (distance if is_chained else turn.previous_length - distance)
-        speed = turn.velocity[is_within]
-        offset_and_viscous = levels.offsets.get(turn.record, 0.0) + values.get(VISCOUS, 0.0) * speed
-        fading = np.exp(-((speed / values[STRIBECK]) ** 2)) if STRIBECK in values else np.ones(speed.size)
+        velocity = turn.velocity[is_within]
+        offset_and_viscous = levels.offsets.get(turn.record, 0.0) + values.get(VISCOUS, 0.0) * velocity
+        fading = np.exp(-((velocity / values[STRIBECK]) ** 2)) if STRIBECK in values else 1.0
         return cls(
+            turn,
             turn.distance[is_within],
             _dry_friction(turn, is_within, values),
             turn.sign * (turn.friction[is_within] - offset_and_viscous),
-            fading * np.maximum(turn.sign * speed, 0.0),
+            fading * np.maximum(turn.sign * velocity, 0.0),
             np.maximum(np.diff(last.distance[is_lead], prepend=distance if is_chained else 0.0), 0.0),
             _dry_friction(last, is_lead, values),
-            turn.record,
-            turn.rounding,
-            turn.step,
-            float(np.median(np.abs(speed))),
-            turn.window,
+            float(np.median(np.abs(velocity))),
             is_chained,
         )
 
@@ -235,15 +233,6 @@ def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) ->
     return np.asarray(np.maximum(sliding_level(turn.velocity[selected], *dry) + seal_friction, 1e-9))
 
 
-def _sums(turns: Sequence[ReversalData], stiffness: FloatArray, shifts: FloatArray) -> FloatArray:
-    """Return the sums of `ReversalData.squares` of all reversals, (3, n_shifts, n_turns, n_stiffnesses)."""
-    sums_of_turns, force = [], np.zeros((shifts.size, stiffness.size))
-    for turn in turns:
-        sums, force = turn.squares(stiffness, shifts, force)
-        sums_of_turns.append(sums)
-    return np.stack(sums_of_turns, axis=2)
-
-
 def _find_minimum(grid: FloatArray, sums: FloatArray) -> tuple[float, float, float]:
     """Return the logarithm of the stiffness, the damping and the cost at the least cost.
 
@@ -253,16 +242,11 @@ def _find_minimum(grid: FloatArray, sums: FloatArray) -> tuple[float, float, flo
     damping = product / np.maximum(rates, 1e-300)  # negative if the force is delayed
     costs = square - damping * (2.0 * product - damping * rates)
     shift, lowest_costs = np.argmin(costs, axis=0), costs.min(axis=0)
-    optimum = _parabola_minimum(grid, lowest_costs)
+    k = int(np.argmin(lowest_costs))
+    optimum = float(grid[k])
+    if 0 < k < grid.size - 1:
+        # Minimum of a parabola through the lowest point and its neighbours.
+        a, b, c = lowest_costs[k - 1 : k + 2].tolist()
+        bend = a - 2.0 * b + c
+        optimum += 0.5 * float(grid[k + 1] - grid[k]) * (a - c) / bend if bend > 0.0 else 0.0
     return optimum, float(np.interp(optimum, grid, damping[shift, np.arange(grid.size)])), float(lowest_costs.min())
-
-
-def _parabola_minimum(grid: FloatArray, costs: FloatArray) -> float:
-    """Return the minimum of a parabola through the lowest grid point and its neighbours."""
-    k = int(np.argmin(costs))
-    if k in (0, costs.size - 1):
-        return float(grid[k])
-    a, b, c = costs[k - 1 : k + 2]
-    bend = a - 2.0 * b + c
-    step = float(grid[k + 1] - grid[k])
-    return float(grid[k]) + (0.5 * step * float(a - c) / float(bend) if bend > 0.0 else 0.0)

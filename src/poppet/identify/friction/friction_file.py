@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from contextlib import suppress
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +12,7 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError
-from poppet.core.tables import Field, missing_field, read_fields
+from poppet.core.tables import Field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind, quantity
 from poppet.identify.columns import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
@@ -40,11 +39,13 @@ TOP_LEVEL = {
     "until": Field(unit="s", default=math.inf),
 }
 _FORCE = Field(
+    type="table",
+    is_required=True,
     meaning="force or torque",
     example='force = { column = "F", unit = "N" }, or torque = { column = "M", unit = "N m" }',
 )
 CHANNEL_FIELDS = ("column", "value", "unit", "uncertainty")
-OPTIONS = ("smoothing", "mass", "inertia", "pulley_radius", "offset", "cylinder", "law", "part")
+OPTIONS = ("title", "within", "smoothing", "mass", "inertia", "pulley_radius", "offset", "cylinder", "law", "part")
 
 
 def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str, Any]]:
@@ -95,96 +96,68 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
     """
     file = TomlFile.read(path, "force")
     with file.errors():
-        return _read(file)
+        coordinate = TURNING if "torque" in file.content else ON_LINE
+        fields = _read_fields(file.content, coordinate)
+        records, notes = [], list[Note]()
+        with ErrorCollector() as errors:
+            for index, name in enumerate(fields["file"]):
+                with errors.collecting():
+                    table = open_table(file.folder, name, fields)
+                    notes += table.notes
+                    records.append(_read_record(table, index, fields, coordinate, Path(str(name)).stem))
+    options = {name: fields[name] for name in OPTIONS if name in fields}
+    return records, {"title": Path(file.name).stem, "within": None} | options | {"notes": tuple(notes)}
 
 
-def _read(file: TomlFile) -> tuple[list[FrictionRecord], dict[str, Any]]:
-    content = file.content
-    coordinate = TURNING if "torque" in content else ON_LINE
+def _read_fields(content: Mapping[str, Any], coordinate: Coordinate) -> dict[str, Any]:
+    """Return the fields of a file in SI units, with a list of its tables.
+
+    A `value` of a pressure becomes a list of gauge pressures, one for each table.
+    """
+    opposite = coordinate.opposite
     with ErrorCollector() as errors:
         offset = {"offset": Field(unit=coordinate.effort_unit, choices=("free",))}
-        fields = read_fields(errors, content, TOP_LEVEL | offset, table="friction file")
-        _check_body(errors, content, coordinate)
+        force = {} if coordinate is TURNING else {"force": _FORCE}
+        fields = read_fields(errors, content, TOP_LEVEL | offset | force, table="friction file")
+        if "force" in content and "torque" in content:
+            errors.add("friction.force_and_torque", "torque")
+        for name in (opposite.inertia, *["pulley_radius"] * (coordinate is ON_LINE)):
+            if name in content:
+                facts = {"body": opposite.body, "effort": coordinate.effort, "other": coordinate.body}
+                errors.add("friction.of_other_body", name, **facts)
+        if coordinate is TURNING and "pressure" in content and "pulley_radius" not in content:
+            errors.add("friction.no_radius", "pulley_radius")
         if "velocity" not in fields and not {"position", "time"} <= fields.keys():
             errors.add("friction.no_velocity", "velocity")
         if "bore" in fields and "area" in fields:
             errors.add("friction.bore_or_area", "area")
         if abs(fields.get("direction", 1.0)) != 1.0:
             errors.add("bodies.direction", "direction", value=fields["direction"])
-        within = None
         if "within" in fields:
             with errors.collecting():
-                within = _read_range(fields["within"], coordinate)
-        names = fields["file"] if isinstance(fields.get("file"), list) else [fields.get("file", "")]
+                is_pair = isinstance(fields["within"], list) and len(fields["within"]) == 2
+                ends = fields["within"] if is_pair else (0.0, 0.0)
+                low, high = (quantity(end, coordinate.length, name="within").value for end in ends)
+                if not low < high:
+                    raise InputError("friction.within", "within", value=fields["within"])
+                fields["within"] = low, high
+        file = fields.get("file", "")
+        fields |= {"file": file if isinstance(file, list) else [file]}
         ambient_pressure = 0.0
         with errors.collecting():
             ambient_pressure = read_ambient(fields)
-        channels = {
-            channel: _read_channel(errors, channel, fields[channel], len(names), ambient_pressure, coordinate)
-            for channel in COLUMNS
-            if channel in fields
+        fields["ambient_pressure"] = ambient_pressure
+        fields |= {
+            channel: _read_channel(errors, channel, fields, coordinate) for channel in COLUMNS if channel in fields
         }
-    records, notes = [], list[Note]()
-    with ErrorCollector() as errors:
-        for index, name in enumerate(names):
-            with errors.collecting():
-                table = open_table(file.folder, name, fields)
-                notes += table.notes
-                columns = _read_columns(channels, table, index, ambient_pressure, coordinate)
-                records.append(_make_record(fields, columns, channels, coordinate, Path(str(name)).stem))
-    options = {name: fields[name] for name in OPTIONS if name in fields}
-    return records, options | {
-        "title": fields.get("title", Path(file.name).stem),
-        "within": within,
-        "notes": tuple(notes),
-    }
-
-
-def _check_body(errors: ErrorCollector, content: Mapping[str, Any], coordinate: Coordinate) -> None:
-    """Check that all fields of a file belong to the same kind of body."""
-    if "force" in content and "torque" in content:
-        errors.add("friction.force_and_torque", "torque")
-    unknown = [name for name in content if name not in TOP_LEVEL]
-    if coordinate.effort not in content and not get_close_matches("force", unknown, n=1):
-        errors.extend([missing_field("force", _FORCE)])
-    opposite = ON_LINE if coordinate is TURNING else TURNING
-    for name in (opposite.inertia, *["pulley_radius"] * (coordinate is ON_LINE)):
-        if name in content:
-            errors.add(
-                "friction.of_other_body", name, body=opposite.body, effort=coordinate.effort, other=coordinate.body
-            )
-    if coordinate is TURNING and "pressure" in content and "pulley_radius" not in content:
-        errors.add("friction.no_radius", "pulley_radius")
-
-
-def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate: Coordinate) -> bool:
-    """Return True if a unit fits the kind of body; otherwise add an error and return False."""
-    opposite = ON_LINE if coordinate is TURNING else TURNING
-    with suppress(InputError):  # `read_column` reports an unknown unit
-        if channel in ("position", "velocity", coordinate.effort) and opposite.is_of(
-            unit, opposite.effort if channel == coordinate.effort else channel
-        ):
-            errors.add("friction.mixture", channel, unit=unit, effort=coordinate.effort)
-            return False
-    return True
-
-
-def _read_range(raw: Any, coordinate: Coordinate) -> tuple[float, float]:
-    """Return the range of positions to which the identification is limited."""
-    is_pair = isinstance(raw, list) and len(raw) == 2
-    low, high = [quantity(end, coordinate.length, name="within").value for end in raw] if is_pair else [0.0, 0.0]
-    if not low < high:
-        raise InputError("friction.within", "within", value=raw)
-    return low, high
+    return fields
 
 
 def _read_channel(
-    errors: ErrorCollector, channel: str, raw: Any, n_files: int, ambient_pressure: float, coordinate: Coordinate
+    errors: ErrorCollector, channel: str, file_fields: Mapping[str, Any], coordinate: Coordinate
 ) -> dict[str, Any]:
-    """Return the table of a channel as read from the file.
-
-    A `value` of a pressure becomes a list of gauge pressures.
-    """
+    """Return the table of a channel in SI units."""
+    raw, n_files = file_fields[channel], len(file_fields["file"])
     declared = dict.fromkeys(("column", "unit"), Field())
     if channel in PRESSURES:
         declared["value"] = Field()
@@ -201,54 +174,55 @@ def _read_channel(
             errors.add("friction.values", f"{channel}.value", count=len(values), files=n_files)
         with errors.collecting():
             pressures = [quantity(value, "Pa", kind="pressure", name=f"{channel}.value") for value in values]
+            ambient_pressure = file_fields["ambient_pressure"]
             fields["value"] = [p.value - (0.0 if p.reference == "gauge" else ambient_pressure) for p in pressures]
     return fields
 
 
-def _read_columns(
-    channels: Mapping[str, Mapping[str, Any]], table: Table, index: int, ambient_pressure: float, coordinate: Coordinate
-) -> dict[str, Any]:
-    """Return the channels of a table in SI units, with gauge pressures."""
-    columns: dict[str, Any] = {}
+def _has_valid_unit(errors: ErrorCollector, channel: str, unit: str, coordinate: Coordinate) -> bool:
+    """Return True if a unit fits the kind of body; otherwise add an error and return False."""
+    opposite = coordinate.opposite
+    with suppress(InputError):  # `read_column` reports an unknown unit
+        if channel in ("position", "velocity", coordinate.effort) and opposite.is_of(
+            unit, opposite.effort if channel == coordinate.effort else channel
+        ):
+            errors.add("friction.mixture", channel, unit=unit, effort=coordinate.effort)
+            return False
+    return True
+
+
+def _read_record(
+    table: Table, index: int, fields: Mapping[str, Any], coordinate: Coordinate, name: str
+) -> FrictionRecord:
+    """Return the friction record of a table in SI units, without the samples before `skip` and after `until`."""
     units = {"time": "s", "position": coordinate.length, "velocity": coordinate.speed}
-    units |= dict.fromkeys(PRESSURES, "Pa")
+    units |= {coordinate.effort: coordinate.effort_unit} | dict.fromkeys(PRESSURES, "Pa")
+    columns, ambient_pressure = dict[str, Any](), fields["ambient_pressure"]
     with ErrorCollector() as errors:
-        for channel, fields in channels.items():
-            if "value" in fields:
-                columns[channel] = np.full(table.columns[0].size, fields["value"][index])
+        for channel in filter(fields.__contains__, COLUMNS):
+            if "value" in fields[channel]:
+                columns[channel] = np.full(table.columns[0].size, fields[channel]["value"][index])
                 continue
             with errors.collecting():
                 kind: Kind = "pressure" if channel in PRESSURES else "plain"
-                heading_unit = "" if "unit" in fields else table.units[table.index(fields["column"])]
+                heading_unit = "" if "unit" in fields[channel] else table.units[table.index(fields[channel]["column"])]
                 if _has_valid_unit(errors, channel, heading_unit, coordinate):
-                    unit = units.get(channel, coordinate.effort_unit)
-                    values = read_column(channel, fields, table, unit, kind, ambient_pressure).values
-                    columns[channel] = values - ambient_pressure if kind == "pressure" else values
-    return columns
-
-
-def _make_record(
-    fields: Mapping[str, Any],
-    columns: Mapping[str, Any],
-    channels: Mapping[str, Mapping[str, Any]],
-    coordinate: Coordinate,
-    name: str,
-) -> FrictionRecord:
-    """Return the friction record of a table, without the samples before `skip` and after `until`."""
-    arrays = dict(columns)
-    if "time" in arrays:
-        elapsed = arrays["time"] - arrays["time"][0]
+                    reading = read_column(channel, fields[channel], table, units[channel], kind, ambient_pressure)
+                    columns[channel] = reading.values - (ambient_pressure if kind == "pressure" else 0.0)
+    if "time" in columns:
+        elapsed = columns["time"] - columns["time"][0]
         is_selected = (elapsed >= fields["skip"]) & (elapsed <= fields["until"])
-        arrays = {channel: values[is_selected] for channel, values in arrays.items()}
-    gauge, counter = (arrays.pop(channel, None) for channel in PRESSURES)
+        columns = {channel: values[is_selected] for channel, values in columns.items()}
+    gauge, counter = (columns.pop(channel, None) for channel in PRESSURES)
     if gauge is not None:
         counter = np.zeros(gauge.shape) if counter is None else counter
-        arrays["pressure"] = gauge - counter
+        columns["pressure"] = gauge - counter
         area = fields.get("area", 0.25 * math.pi * fields.get("bore", 0.0) ** 2)
         annulus = area - 0.25 * math.pi * fields.get("rod_diameter", 0.0) ** 2
         if area > 0.0:
             lever = fields.get("pulley_radius", 1.0) * fields["direction"]
-            arrays["pressure_force"] = lever * (area * gauge - annulus * counter)
-    if "uncertainty" in channels[coordinate.effort]:
-        arrays["uncertainty"] = channels[coordinate.effort]["uncertainty"]
-    return FrictionRecord(force=arrays.pop(coordinate.effort), **arrays, body=coordinate.body, name=name)
+            columns["pressure_force"] = lever * (area * gauge - annulus * counter)
+    uncertainty, body = fields[coordinate.effort].get("uncertainty"), coordinate.body
+    return FrictionRecord(
+        force=columns.pop(coordinate.effort), **columns, uncertainty=uncertainty, body=body, name=name
+    )

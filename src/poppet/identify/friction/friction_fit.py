@@ -1,24 +1,37 @@
 """Least-squares fits of dry friction laws to rows of steady sliding, with cross-validation by groups.
 
-All parameters of a law except the Stribeck velocity are linear. A scalar search finds the Stribeck velocity, from below
-the slowest row to above the fastest; the intervals include all equivalent values. The refits without one group give the
-validation error. The intervals use the sum of the residuals of each group (`poppet.identify.gum`). Therefore
-common errors of one recording or stroke do not make them too narrow.
+The rows are selected from friction records. All parameters of a law except the Stribeck velocity are linear. A scalar
+search finds the Stribeck velocity, from below the slowest row to above the fastest; the intervals include all
+equivalent values. The refits without one group give the validation error. The intervals use the sum of the residuals
+of each group (`poppet.identify.gum`). Therefore common errors of one recording or stroke do not make them too narrow.
 """
 
 from __future__ import annotations
 
+import itertools
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.core.errors import ErrorCollector, InputError
 from poppet.identify.fit.residuals import correlation_time
-from poppet.identify.friction.motion import STEADY, SlidingRows
-from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.bristles import Bristles, fit_bristles
+from poppet.identify.friction.motion import (
+    STEADY,
+    RecordedMotion,
+    SlidingRows,
+    bending_distances,
+    is_steady,
+    rows_of_recording,
+    rows_of_table,
+    stack_rows,
+)
+from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS, Coordinate, FrictionRecord
 from poppet.identify.gum import ClusterCovariance, clustered, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
@@ -34,19 +47,26 @@ MIN_FRACTION = 0.01
 CHANCE = 0.01
 """Probability below which the gain of a richer law within one recording is significant."""
 FEWEST_RECORDS, FEWEST_STROKES, MOST_STROKES, MOST_POINTS, BLOCKS = 3, 6, 20, 12, 10
+LUGRE = "lugre"
+NARROW = 5.0
+"""Ratio of speeds below which a viscous part and a Stribeck velocity are not identifiable."""
+LEVELS_DIFFER, LEAST_PRESSURE = 0.1, 2e3
+"""Minimum range of pressure differences for a fit of the seal friction: relative to the maximum, and absolute [Pa]."""
 
 
 @dataclass(frozen=True)
 class FrictionLaw:
-    """Friction law of a body, without the contribution of the seals."""
+    """Friction law of a body and of its seals."""
 
     name: str
     is_falling: bool = False  # True if friction falls from the static to the Coulomb force as speed rises
     is_viscous: bool = False
+    has_pressure: bool = False  # True if the friction of the seals rises with the pressure
 
-    def names(self, *, has_pressure: bool) -> list[str]:
-        """Return the names of the parameters in the order of the columns, the Stribeck velocity last."""
-        flags = (True, self.is_falling, self.is_viscous, has_pressure, self.is_falling)
+    @property
+    def names(self) -> list[str]:
+        """Names of the parameters in the order of the columns, the Stribeck velocity last."""
+        flags = (True, self.is_falling, self.is_viscous, self.has_pressure, self.is_falling)
         return [n for n, is_in in zip((COULOMB, STATIC, VISCOUS, SEAL, STRIBECK), flags, strict=True) if is_in]
 
 
@@ -67,23 +87,31 @@ class FrictionData:
     """Rows of steady sliding for a fit, with free force offsets and groups for validation."""
 
     rows: SlidingRows
-    has_pressure: bool
     free_offsets: tuple[int, ...]  # recordings with an unknown offset of the force
     axis: str
     group: NDArray[np.int_]  # group of each row
 
     @classmethod
-    def of(cls, rows: SlidingRows, free_offsets: Sequence[int], *, has_pressure: bool) -> FrictionData:
+    def of(cls, rows: SlidingRows, free_offsets: Sequence[int]) -> FrictionData:
         """Return the data of a fit, with each row assigned to a group for validation.
 
         The groups are recordings if there are at least three. Otherwise they are points of a table, strokes of a
         recording, or blocks in time.
         """
-        axis, group = _groups(rows)
-        if axis == "recording":  # equal weight of all recordings
-            count = np.bincount(rows.record, rows.weight)
-            rows = replace(rows, weight=rows.weight / count[rows.record] * np.mean(count[count > 0.0]))
-        return cls(rows, has_pressure, tuple(free_offsets), axis, group)
+        strokes, stroke = np.unique(rows.stroke, return_inverse=True)
+        if np.unique(rows.record).size >= FEWEST_RECORDS:
+            axis, group = "recording", rows.record
+            count = np.bincount(group, rows.weight)  # equal weight of all recordings
+            rows = replace(rows, weight=rows.weight / count[group] * np.mean(count[count > 0.0]))
+        elif (rows.stroke < 0).all():
+            # Alternate points: a contiguous range of a table would be an end of the law.
+            axis, group = "point", np.arange(len(rows)) % MOST_POINTS
+        elif strokes.size >= FEWEST_STROKES:
+            # Neighbouring strokes form a group if there are more.
+            axis, group = "stroke", np.asarray(stroke * min(strokes.size, MOST_STROKES) // strokes.size)
+        else:
+            axis, group = "block", np.arange(len(rows)) * BLOCKS // len(rows)
+        return cls(rows, tuple(free_offsets), axis, group)
 
     @property
     def groups(self) -> NDArray[np.int_]:
@@ -91,22 +119,7 @@ class FrictionData:
         return np.unique(self.group)
 
 
-def _groups(rows: SlidingRows) -> tuple[str, NDArray[np.int_]]:
-    if np.unique(rows.record).size >= FEWEST_RECORDS:
-        return "recording", rows.record
-    if (rows.stroke < 0).all():
-        # Alternate points: a contiguous range of a table would be an end of the law.
-        return "point", np.arange(len(rows)) % MOST_POINTS
-    strokes, stroke = np.unique(rows.stroke, return_inverse=True)
-    if strokes.size >= FEWEST_STROKES:
-        # Neighbouring strokes form a group if there are more.
-        return "stroke", np.asarray(stroke * min(strokes.size, MOST_STROKES) // strokes.size)
-    return "block", np.arange(len(rows)) * BLOCKS // len(rows)
-
-
-def design(
-    rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int], *, has_pressure: bool
-) -> FloatArray:
+def _design(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
     """Return the design matrix of the linear parameters, (n_rows, n_parameters).
 
     The friction is this matrix times the linear parameters. `velocity` is the Stribeck velocity. The columns of the
@@ -118,7 +131,7 @@ def design(
         columns.append(sign * np.exp(-((rows.velocity / velocity) ** 2)))
     if law.is_viscous:
         columns.append(rows.velocity)
-    if has_pressure:
+    if law.has_pressure:
         columns.append(sign * rows.pressure)
     return np.stack([*columns, *(np.where(rows.record == k, 1.0, 0.0) for k in offsets)], axis=1)
 
@@ -128,20 +141,20 @@ class LawSolution:
     """Parameters of a friction law that minimise the cost for a set of rows."""
 
     law: FrictionLaw
-    has_pressure: bool
     values: Mapping[str, float]
     offsets: Mapping[int, float]
     cost: float
 
+    def design(self, rows: SlidingRows, offsets: Sequence[int] = ()) -> FloatArray:
+        """Return the design matrix of the linear parameters at the fitted Stribeck velocity."""
+        return _design(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
+
     def friction(self, rows: SlidingRows) -> FloatArray:
         """Return the modelled friction of each row, without force offsets [N]."""
-        values = self.values
-        linear = [values[COULOMB]]
-        linear += [values[STATIC] - values[COULOMB]] if self.law.is_falling else []
-        linear += [values[VISCOUS]] if self.law.is_viscous else []
-        linear += [values[SEAL]] if self.has_pressure else []
-        columns = design(rows, self.law, values.get(STRIBECK, 1.0), (), has_pressure=self.has_pressure)
-        return np.asarray(columns @ np.array(linear))
+        linear = np.array([self.values[name] for name in self.law.names if name != STRIBECK])
+        if self.law.is_falling:
+            linear[1] -= linear[0]  # excess of the static force
+        return np.asarray(self.design(rows) @ linear)
 
     def zero(self, rows: SlidingRows) -> FloatArray:
         """Return the offset of the force sensor for each row [N]."""
@@ -161,14 +174,12 @@ class LawSolution:
         return np.asarray(errors)
 
 
-def _solve_linear(
-    rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int], *, has_pressure: bool
-) -> LawSolution | None:
+def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> LawSolution | None:
     """Fit the linear parameters for a given Stribeck velocity; no parameter is negative.
 
     The result is None if the rows do not determine the parameters.
     """
-    matrix = design(rows, law, velocity, offsets, has_pressure=has_pressure)
+    matrix = _design(rows, law, velocity, offsets)
     weighted = matrix * rows.weight[:, None]
     gram, right_side = matrix.T @ weighted, rows.friction @ weighted
     sizes = np.sqrt(np.maximum(np.diag(gram), 1e-300))
@@ -187,35 +198,40 @@ def _solve_linear(
     linear = np.where(is_positive, linear, 0.0) / sizes
     error = matrix @ linear - rows.friction
     cost = float(error @ (error * rows.weight))
-    names = law.names(has_pressure=has_pressure)
-    values = dict(zip(names, linear[:count].tolist(), strict=False))
+    values = dict(zip(law.names, linear[:count].tolist(), strict=False))
     if law.is_falling:
         values[STATIC] += values[COULOMB]
         values[STRIBECK] = velocity
     zeros = dict(zip(offsets, linear[count:].tolist(), strict=True))
-    return LawSolution(law, has_pressure, values, zeros, cost)
+    return LawSolution(law, values, zeros, cost)
 
 
-def find_minima(
-    rows: SlidingRows, law: FrictionLaw, free_offsets: Sequence[int], *, has_pressure: bool
-) -> list[LawSolution]:
+def find_minima(rows: SlidingRows, law: FrictionLaw, free_offsets: Sequence[int]) -> list[LawSolution]:
     """Return the local minima of the cost over the Stribeck velocity, the best first."""
+    from scipy.optimize import minimize_scalar
+
     offsets = [k for k in free_offsets if (rows.record == k).any()]
-
-    def at(logarithm: float) -> LawSolution | None:
-        return _solve_linear(rows, law, math.exp(logarithm), offsets, has_pressure=has_pressure)
-
-    if not law.is_falling:
-        return [solution] if (solution := at(0.0)) else []
-    grid = search_grid(rows)
-    solutions = [at(x) for x in grid]
     # Upper limit: the cost without friction.
     max_cost = 2.0 * float(rows.friction @ (rows.friction * rows.weight)) + 1e-300
-    costs = np.array([solution.cost if solution else max_cost for solution in solutions])
-    lower = np.diff(costs, prepend=math.inf) < 0.0
-    higher = np.diff(costs, append=math.inf) >= 0.0
-    minima = [_refine_minimum(at, grid, int(k), max_cost) for k in np.flatnonzero(lower & higher & (costs < max_cost))]
-    return sorted((solution for solution in minima if solution), key=lambda solution: solution.cost)
+
+    def solve(logarithm: float) -> LawSolution | None:
+        return _solve_linear(rows, law, math.exp(logarithm), offsets)
+
+    def cost(logarithm: float) -> float:
+        solution = solve(logarithm)
+        return solution.cost if solution else max_cost
+
+    if not law.is_falling:
+        return [solution] if (solution := solve(0.0)) else []
+    grid, minima = search_grid(rows), []
+    costs = np.array([cost(x) for x in grid])
+    is_lower, is_higher = np.diff(costs, prepend=math.inf) < 0.0, np.diff(costs, append=math.inf) >= 0.0
+    for k in np.flatnonzero(is_lower & is_higher & (costs < max_cost)).tolist():
+        ends = grid[max(k - 1, 0)], grid[min(k + 1, grid.size - 1)]
+        best = minimize_scalar(cost, bounds=ends, method="bounded", options={"xatol": 1e-4})
+        solutions = [solution for x in (best.x, grid[k]) if (solution := solve(x))]
+        minima.append(min(solutions, key=lambda solution: solution.cost))
+    return sorted(minima, key=lambda solution: solution.cost)
 
 
 def search_grid(rows: SlidingRows) -> FloatArray:
@@ -225,31 +241,13 @@ def search_grid(rows: SlidingRows) -> FloatArray:
     return np.linspace(math.log(low), math.log(high), _SEARCHED)
 
 
-def _refine_minimum(
-    solve: Callable[[float], LawSolution | None], grid: FloatArray, k: int, max_cost: float
-) -> LawSolution | None:
-    """Return the minimum of the cost between the two neighbours of a grid point."""
-    from scipy.optimize import minimize_scalar
-
-    ends = float(grid[max(k - 1, 0)]), float(grid[min(k + 1, grid.size - 1)])
-
-    def cost(x: float) -> float:
-        solution = solve(x)
-        return solution.cost if solution else max_cost
-
-    best = minimize_scalar(cost, bounds=ends, method="bounded", options={"xatol": 1e-4})
-    candidates = [solution for solution in (solve(float(best.x)), solve(float(grid[k]))) if solution]
-    return min(candidates, key=lambda solution: solution.cost, default=None)
-
-
 @dataclass(frozen=True, eq=False)
 class FrictionLawFit:
-    """Fit of a friction law to all rows, and refits that each omit one group."""
+    """Fit of a friction law to all rows, with the validation errors of refits that each omit one group."""
 
     data: FrictionData
     solution: LawSolution
     other_minima: tuple[LawSolution, ...]  # further minima over the Stribeck velocity
-    without: tuple[LawSolution, ...]
     held_out: FloatArray  # weighted mean square error of each group when it is withheld
     held_out_rms: float  # rms error of all withheld rows [N]
 
@@ -266,12 +264,17 @@ class FrictionLawFit:
     @cached_property
     def spread(self) -> ClusterCovariance:
         """Covariance and degrees of freedom of the parameters, from the scatter between groups."""
-        if self.solution.law.name == "coulomb" and self.data.axis == "recording":
-            return self._levels_spread()
         rows, values, law = self.data.rows, self.values, self.solution.law
-        columns = design(
-            rows, law, values.get(STRIBECK, 1.0), [*self.solution.offsets], has_pressure=self.data.has_pressure
-        )
+        if law.name == "coulomb" and self.data.axis == "recording":
+            # One mean level per recording; a line versus the pressure fits the levels.
+            masks = [rows.record == k for k in self.data.groups]
+            errors = np.array([np.mean((rows.sign * self.errors)[mask]) for mask in masks])
+            table = np.stack([np.ones(len(masks)), [np.mean(rows.pressure[mask]) for mask in masks]], axis=1)
+            table = table[:, : len(values)]
+            freedom = max(len(masks) - len(values), 1)
+            covariance = float(errors @ errors) / freedom * np.linalg.inv(table.T @ table)
+            return ClusterCovariance(covariance, np.full(len(values), float(freedom)))
+        columns = self.solution.design(rows, [*self.solution.offsets])
         if law.is_falling:
             # Parameters are the static force, not its excess, and the Stribeck velocity after the linear parameters.
             ratio, falling = rows.velocity / values[STRIBECK], columns[:, 1].copy()
@@ -280,20 +283,6 @@ class FrictionLawFit:
             columns = np.insert(columns, len(values) - 1, slope, axis=1)
         root = np.sqrt(rows.weight)
         return clustered(columns * root[:, None], self.errors * root, self.data.group, len(values))
-
-    def _levels_spread(self) -> ClusterCovariance:
-        """Return the covariance of the parameters from one mean friction level per recording.
-
-        For a law without speed, the levels are fitted by a line versus the pressure.
-        """
-        rows, groups = self.data.rows, np.unique(self.data.group)
-        masks = [rows.record == k for k in groups]
-        errors = np.array([np.mean((rows.sign * self.errors)[mask]) for mask in masks])
-        table = np.stack([np.ones(groups.size), [np.mean(rows.pressure[mask]) for mask in masks]], axis=1)
-        table = table[:, : len(self.values)]
-        freedom = max(groups.size - len(self.values), 1)
-        covariance = float(errors @ errors) / freedom * np.linalg.inv(table.T @ table)
-        return ClusterCovariance(covariance, np.full(len(self.values), float(freedom)))
 
     @cached_property
     def together(self) -> float:
@@ -307,16 +296,13 @@ class FrictionLawFit:
         A fit is equivalent if the increase of the cost is not significant. The effective number of rows is the
         number of rows divided by the correlation time of the residuals.
         """
-        data, law = self.data, self.solution.law
+        rows, law = self.data.rows, self.solution.law
         if not law.is_falling:
             return []
-        freedom = max(len(data.rows) / self.together - len(self.values), 1.0)
+        freedom = max(len(rows) / self.together - len(self.values), 1.0)
         limit = self.solution.cost * (1.0 + coverage_factor(freedom) ** 2 / freedom)
         offsets = [*self.solution.offsets]
-        solutions = [
-            _solve_linear(data.rows, law, math.exp(x), offsets, has_pressure=data.has_pressure)
-            for x in search_grid(data.rows)
-        ]
+        solutions = [_solve_linear(rows, law, math.exp(x), offsets) for x in search_grid(rows)]
         return [solution for solution in solutions if solution and solution.cost <= limit]
 
     def interval(self, name: str) -> tuple[float, float, float]:
@@ -363,26 +349,22 @@ def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | N
 
     The result is None if the rows, or the rows without one group, do not determine its parameters.
     """
-    rows, options = data.rows, {"has_pressure": data.has_pressure}
+    rows = data.rows
     if count_speeds(rows) < 1 + law.is_viscous + 2 * law.is_falling:
         return None
-    numbers = len(law.names(**options))
-    minima = find_minima(rows, law, data.free_offsets, **options)
-    if not minima or len(rows) <= numbers + len(data.free_offsets):
+    minima = find_minima(rows, law, data.free_offsets)
+    if not minima or len(rows) <= len(law.names) + len(data.free_offsets):
         return None
-    without, mean_squares, errors = [], [], []
+    mean_squares, errors = [], []
     for k in data.groups:
-        is_withheld = data.group == k
-        refits = find_minima(rows.of(~is_withheld), law, data.free_offsets, **options)
+        refits = find_minima(rows.of(data.group != k), law, data.free_offsets)
         if not refits:
             return None
-        without.append(refits[0])
-        withheld = rows.of(is_withheld)
-        residuals = refits[0].missed(withheld, data.free_offsets)
-        mean_squares.append(float(np.average(residuals**2, weights=withheld.weight)))
-        errors.append(residuals)
+        withheld = rows.of(data.group == k)
+        errors.append(refits[0].missed(withheld, data.free_offsets))
+        mean_squares.append(float(np.average(errors[-1] ** 2, weights=withheld.weight)))
     score = float(np.sqrt(np.mean(np.concatenate(errors) ** 2)))
-    return FrictionLawFit(data, minima[0], tuple(minima[1:]), tuple(without), np.array(mean_squares), score)
+    return FrictionLawFit(data, minima[0], tuple(minima[1:]), np.array(mean_squares), score)
 
 
 def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
@@ -412,11 +394,168 @@ def is_better(fit: FrictionLawFit, reference: FrictionLawFit) -> bool:
     )
 
 
-def select_law(fits: Mapping[str, FrictionLawFit]) -> tuple[str, list[str]]:
-    """Return the simplest acceptable law, and all laws that the best law does not improve significantly.
+@dataclass(frozen=True, eq=False)
+class FrictionFits:
+    """Fits of all friction laws, with the data that findings, figures and the result need."""
 
-    The best law has the smallest validation error. The simplest of the acceptable laws is selected.
-    """
-    best = min(fits, key=lambda name: fits[name].held_out_rms)
-    equivalent = [name for name in fits if name == best or not is_better(fits[best], fits[name])]
-    return equivalent[0], equivalent
+    records: tuple[FrictionRecord, ...]
+    motions: tuple[RecordedMotion, ...]
+    data: FrictionData
+    distance: float  # median distance after a reversal before steady sliding [m]
+    fits: Mapping[str, FrictionLawFit]
+    requested: str  # requested law, `best` or `lugre`
+    is_offset_known: bool  # True if the offset of the force is given or free
+
+    @property
+    def coordinate(self) -> Coordinate:
+        """Kind of motion of the body: translation or rotation."""
+        return self.records[0].coordinate
+
+    @property
+    def is_one_way(self) -> bool:
+        """True if all rows have the same direction of sliding."""
+        return bool(np.ptp(self.data.rows.sign) == 0.0)
+
+    @cached_property
+    def ranked(self) -> list[str]:
+        """Names of the laws, in the order of their validation errors."""
+        return sorted(self.fits, key=lambda name: self.fits[name].held_out_rms)
+
+    @cached_property
+    def equivalent(self) -> list[str]:
+        """Names of the laws that the best law does not improve significantly, the simplest first."""
+        best = self.ranked[0]
+        return [name for name, fit in self.fits.items() if name == best or not is_better(self.fits[best], fit)]
+
+    @property
+    def supported(self) -> str:
+        """Name of the simplest law that no other law improves significantly."""
+        return self.equivalent[0]
+
+    @property
+    def selected(self) -> str:
+        """Name of the law that the result uses."""
+        return self.supported if self.requested in ("best", LUGRE) else self.requested
+
+    @property
+    def fit(self) -> FrictionLawFit:
+        """Fit of the selected law."""
+        return self.fits[self.selected]
+
+    @cached_property
+    def speeds(self) -> tuple[float, float]:
+        """Speeds below which 2 % and 98 % of the rows are [m/s]."""
+        low, high = np.quantile(np.abs(self.data.rows.velocity), [0.02, 0.98]).tolist()
+        return low, high
+
+    @cached_property
+    def mean_friction(self) -> float:
+        """Mean magnitude of the modelled friction, above 0 [N]."""
+        return max(float(np.mean(np.abs(self.fit.solution.friction(self.data.rows)))), 1e-300)
+
+    @property
+    def is_narrow(self) -> bool:
+        """True if the range of speeds is too small to separate the terms of a friction law."""
+        return self.speeds[1] < NARROW * self.speeds[0]
+
+    @cached_property
+    def all_rows(self) -> SlidingRows:
+        """All rows of all records, including rows with deflecting bristles after a reversal."""
+        return stack_rows([motion.rows for motion in self.motions])
+
+    @cached_property
+    def bristles(self) -> Bristles | None:
+        """Estimates of bristle stiffness and damping; None if there are too few reversals."""
+        return fit_bristles(self.motions, self.fit.solution, self.distance)
+
+    @property
+    def reversals(self) -> int:
+        """Number of reversals in all recordings."""
+        return sum(len(motion.reversals) for motion in self.motions)
+
+
+def fit_records(
+    records: Sequence[FrictionRecord],
+    law: str,
+    offset: float | str | None,
+    smoothing: float | None,
+    within: tuple[float, float] | None,
+    mass: float,
+) -> FrictionFits:
+    """Select rows of steady sliding from records and fit all friction laws to them."""
+    records = tuple(records)
+    if isinstance(offset, float | int) and offset != 0.0:
+        records = tuple(replace(record, force=record.force - float(offset)) for record in records)
+    motions, strokes = [], 0
+    for index, record in enumerate(records):
+        if record.is_motion:
+            motion = rows_of_recording(record, index, strokes, smoothing, mass)
+        else:
+            motion = rows_of_table(record, index)
+        strokes = int(np.max(motion.rows.stroke, initial=strokes - 1)) + 1
+        motions.append(motion)
+    distances = bending_distances(motions)
+    distance = float(np.median(list(distances.values()))) if distances else 0.0
+    rows = stack_rows([motion.rows for motion in motions])
+    distance_of_row = np.array([distances[int(k)] for k in rows.stroke])
+    slides = (rows.distance > distance_of_row) & (rows.sign != 0.0) & is_steady(rows, distance_of_row)
+    if within is not None:
+        slides &= np.isnan(rows.position) | ((rows.position >= within[0]) & (rows.position <= within[1]))
+    rows = rows.of(slides)
+    free_offsets = [k for k, r in enumerate(records) if offset == "free" or (offset is None and r.is_motion)]
+    with ErrorCollector() as errors:
+        for first, second in itertools.combinations(records, 2):
+            # An absent channel is None, which equals only None.
+            if all(np.array_equal(getattr(first, n), getattr(second, n)) for n in ("force", "velocity", "position")):
+                errors.add("friction.same_twice", "file", name=first.name, other=second.name)
+        for k, record in enumerate(records):
+            if record.body != records[0].body:
+                errors.add("friction.bodies", record.name, body=record.body, other=records[0].body)
+            record_rows, unit = rows.of(rows.record == k), record.coordinate.effort_unit
+            levels = [np.mean(record_rows.friction[record_rows.sign == sign]) for sign in np.unique(record_rows.sign)]
+            zero = np.mean(levels) if levels and k in free_offsets else 0.0
+            along = record_rows.sign * (record_rows.friction - zero)
+            if not record_rows.velocity.any():
+                errors.add("friction.at_rest", "position" if record.is_motion else "velocity", name=record.name)
+            elif k in free_offsets and len(levels) < 2:
+                errors.add("friction.one_way", "offset", name=record.name, unit=unit)
+            elif len(levels) > 1 and not np.ptp(record.force):
+                force = float(record.force[0])
+                errors.add("friction.still", record.coordinate.effort, name=record.name, value=force, unit=unit)
+            elif np.mean(along) < -0.5 * np.sqrt(np.mean(along**2)):  # the friction acts along the motion
+                errors.add("friction.helps", record.coordinate.effort, name=record.name)
+    span = float(np.ptp(rows.pressure)) if len(rows) else 0.0
+    has_pressure = span > max(LEVELS_DIFFER * float(np.max(rows.pressure, initial=0.0)), LEAST_PRESSURE)
+    data = FrictionData.of(rows, free_offsets)
+    candidates = {name: replace(candidate, has_pressure=has_pressure) for name, candidate in LAWS.items()}
+    fits = {name: fit for name, candidate in candidates.items() if (fit := fit_friction_law(data, candidate))}
+    if not fits:
+        raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
+    if law not in ("best", LUGRE, *fits):
+        raise InputError("friction.law_not_told", "law", value=law)
+    is_offset_known = offset is not None or any(record.is_motion for record in records)
+    return FrictionFits(records, tuple(motions), data, distance, fits, law, is_offset_known)
+
+
+def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
+    """Return one table for each record, with measured and modelled mean friction."""
+    solution, levels = analysis.fit.solution, []
+    for k, record in enumerate(analysis.records):
+        rows = analysis.data.rows.of(analysis.data.rows.record == k)
+        line = float(np.mean(rows.sign * solution.friction(rows)))
+        directions = [rows.of(rows.sign == sign) for sign in (1.0, -1.0) if (rows.sign == sign).any()]
+        row = {
+            "name": record.name,
+            "pressure": float(np.mean(rows.pressure)),
+            "rows": len(rows),
+            "level": line - float(np.mean(rows.sign * solution.missed(rows))),
+            "line": line,
+            "offset": solution.offsets.get(k, 0.0),
+            "speeds": [float(np.mean(np.abs(one_way.velocity))) for one_way in directions],
+        }
+        if len(directions) == 2:
+            forward, backward = directions
+            row["half_of_force"] = 0.5 * float(np.mean(forward.force) - np.mean(backward.force))
+            row["moves"] = 0.5 * float(np.mean(forward.pressure) - np.mean(backward.pressure))
+        levels.append(row)
+    return levels

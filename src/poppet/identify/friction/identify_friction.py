@@ -9,17 +9,16 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note, notes_of
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.tables import Field
 from poppet.identify.file_argument import or_file
 from poppet.identify.friction.bristles import usable_reversals
 from poppet.identify.friction.friction_file import read_friction_file
 from poppet.identify.friction.friction_findings import findings
-from poppet.identify.friction.friction_fit import LAWS
-from poppet.identify.friction.friction_fits import LUGRE, FrictionFits, fit_records, levels_of
+from poppet.identify.friction.friction_fit import LAWS, LUGRE, FrictionFits, fit_records, levels_of
 from poppet.identify.friction.motion import HALF_POWER
 from poppet.identify.friction.records import (
     BRISTLES,
-    COORDINATES,
     COULOMB,
     DAMPING,
     SEAL,
@@ -32,6 +31,7 @@ from poppet.identify.friction.records import (
 from poppet.identify.gum import correlations, coverage_factor
 from poppet.identify.result import VERDICTS, Estimate, ResidualSummary, Result, judged
 from poppet.laws.physics.friction import sliding_level
+from poppet.timeseries.checks import FloatArray
 
 MOST = 1500
 """Maximum number of points of a curve."""
@@ -110,27 +110,17 @@ def identify_friction(
     >>> {name: round(found.value, 6) for name, found in result.parameters.items()}
     {'friction.coulomb_force': 20.0, 'friction.viscous_coefficient': 30.0}
     """
-    valid = ("best", *LAWS, LUGRE)
-    if law not in valid:
-        raise InputError("fields.not_an_option", "law", value=law, meaning="law", near=NameSuggestion(law, valid))
+    Field(choices=("best", *LAWS, LUGRE)).read(law, "law")
     assert not isinstance(records, str | Path)  # `or_file` has read a file
     record_list = [records] if isinstance(records, FrictionRecord) else [*records]
     coordinate = record_list[0].coordinate
     with ErrorCollector() as errors:
-        opposite = next(estimate for estimate in COORDINATES.values() if estimate is not coordinate)
+        opposite = coordinate.opposite
         if {"mass": mass, "inertia": inertia}[opposite.inertia]:
-            errors.add(
-                "friction.of_other_body",
-                opposite.inertia,
-                body=opposite.body,
-                effort=coordinate.effort,
-                other=coordinate.body,
-            )
-        if (
-            pulley_radius is None
-            and coordinate is TURNING
-            and any(record.pressure is not None for record in record_list)
-        ):
+            facts = {"body": opposite.body, "effort": coordinate.effort, "other": coordinate.body}
+            errors.add("friction.of_other_body", opposite.inertia, **facts)
+        has_pressure = any(record.pressure is not None for record in record_list)
+        if pulley_radius is None and coordinate is TURNING and has_pressure:
             errors.add("friction.no_radius", "pulley_radius")
     analysis = fit_records(record_list, law, offset, smoothing, within, mass or inertia)
     is_seen = analysis.bristles is not None and analysis.bristles.is_seen
@@ -145,14 +135,20 @@ def identify_friction(
     covariance, order = analysis.fit.spread.covariance, [addressed(name) for name in analysis.fit.values]
     is_finite = np.isfinite(np.diag(covariance))
     finite_names = [name for name, is_in in zip(order, is_finite, strict=True) if is_in]
+    rows, solution = analysis.data.rows, analysis.fit.solution
+    modelled = solution.friction(rows) + solution.zero(rows)
+    residuals = {}
+    for k, record in enumerate(record_list):
+        pair = modelled[rows.record == k], rows.friction[rows.record == k]
+        residuals[f"{record.name}.friction"] = ResidualSummary.of(*pair, coordinate.effort_unit)
     return Result(
         method="friction",
         title=title,
         parameters=estimates,
-        residuals=_residuals(analysis),
+        residuals=residuals,
         correlation=correlations(finite_names, covariance[np.ix_(is_finite, is_finite)]) if finite_names else {},
         comparison=_comparison(analysis, estimates),
-        remarks=(*findings(analysis, law), *notes_of(notes)),
+        remarks=(*findings(analysis), *notes_of(notes)),
         conditions=_conditions(analysis, mass or inertia),
         series=_curves(analysis),
     )
@@ -180,55 +176,20 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
         estimates[name] = Estimate(*sizes, verdict)
     bristles = analysis.bristles
     if bristles is not None and bristles.is_seen:
-        size = bristles.stiffness, analysis.coordinate.unit(BRISTLES), bristles.error, bristles.low, bristles.high
         # The interval is logarithmic.
-        estimates[BRISTLES] = Estimate(*size, judged((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0))
+        verdict = judged((bristles.high / bristles.low) ** 0.5 - 1.0, 1.0)
+        unit, ends = analysis.coordinate.unit(BRISTLES), (bristles.low, bristles.high)
+        estimates[BRISTLES] = Estimate(bristles.stiffness, unit, bristles.error, *ends, verdict)
     if bristles is not None and bristles.is_damped:
-        about = bristles.damping, analysis.coordinate.unit(DAMPING), bristles.damping_error
-        ends = bristles.damping_low, bristles.damping_high
+        unit, ends = analysis.coordinate.unit(DAMPING), (bristles.damping_low, bristles.damping_high)
         verdict = judged(0.5 * (ends[1] - ends[0]), bristles.damping)
-        estimates[DAMPING] = Estimate(*about, *ends, verdict)
+        estimates[DAMPING] = Estimate(bristles.damping, unit, bristles.damping_error, *ends, verdict)
     return estimates
-
-
-def _residuals(analysis: FrictionFits) -> dict[str, ResidualSummary]:
-    rows, model = analysis.data.rows, analysis.fit.solution
-    modelled, result = model.friction(rows) + model.zero(rows), {}
-    for k, record in enumerate(analysis.records):
-        is_record = rows.record == k
-        result[f"{record.name}.friction"] = ResidualSummary.of(
-            modelled[is_record], rows.friction[is_record], analysis.coordinate.effort_unit
-        )
-    return result
 
 
 def _comparison(analysis: FrictionFits, estimates: Mapping[str, Estimate]) -> dict[str, Any]:
     bristles = analysis.bristles
-    is_seen = bristles is not None and bristles.is_seen
-    laws = [
-        {
-            "law": name,
-            "held_out": fit.held_out_rms,
-            "rms": float(np.sqrt(np.mean(fit.errors**2))),
-            "numbers": len(fit.values),
-            "alike": name in analysis.equivalent,
-        }
-        for name, fit in sorted(analysis.fits.items(), key=lambda item: item[1].held_out_rms)
-    ]
-    comparison: dict[str, Any] = {"law": LUGRE if is_seen else analysis.selected, "levels": analysis.selected}
-    comparison |= {
-        "body": analysis.coordinate.body,
-        "supported": analysis.supported,
-        "held_out_by": analysis.data.axis,
-        "laws": laws,
-    }
-    if bristles is not None:
-        comparison["bristles"] = dict(vars(bristles)) | {"is_seen": bristles.is_seen, "is_damped": bristles.is_damped}
-    return comparison | {"recordings": levels_of(analysis), "ready": circuit_lines(estimates)}
-
-
-def circuit_lines(estimates: Mapping[str, Estimate]) -> str:
-    """Return the estimates as text lines for the body and the cylinder of a circuit file."""
+    flags = {name: getattr(bristles, name) for name in ("is_seen", "is_damped")} if bristles else {}
     friction_fields, lines = [], []
     for address, estimate in estimates.items():
         *owner, name = address.split(".")
@@ -236,122 +197,114 @@ def circuit_lines(estimates: Mapping[str, Estimate]) -> str:
             lines.append(f'{name} = "{1e5 * estimate.value:.4g} N/bar"')
         elif "friction" in owner:
             friction_fields.append(f'{name} = "{estimate.value:.4g} {estimate.unit}"')
-    return "\n".join([f'friction = {{ kind = "lugre", {", ".join(friction_fields)} }}', *lines])
+    return {
+        "law": LUGRE if flags.get("is_seen") else analysis.selected,
+        "levels": analysis.selected,
+        "body": analysis.coordinate.body,
+        "supported": analysis.supported,
+        "held_out_by": analysis.data.axis,
+        "laws": [
+            {
+                "law": name,
+                "held_out": fit.held_out_rms,
+                "rms": float(np.sqrt(np.mean(fit.errors**2))),
+                "numbers": len(fit.values),
+                "alike": name in analysis.equivalent,
+            }
+            for name, fit in ((name, analysis.fits[name]) for name in analysis.ranked)
+        ],
+        **({"bristles": vars(bristles) | flags} if bristles else {}),
+        "recordings": levels_of(analysis),
+        # Lines for the body and the cylinder of a circuit file.
+        "ready": "\n".join([f'friction = {{ kind = "lugre", {", ".join(friction_fields)} }}', *lines]),
+    }
 
 
 def _conditions(analysis: FrictionFits, inertia: float) -> dict[str, Any]:
     rows, timed = analysis.data.rows, [motion for motion in analysis.motions if motion.windows]
-    speed = np.abs(rows.velocity)
-    conditions: dict[str, Any] = {
+    windows = [window for motion in timed for window in motion.windows]
+    ranges = {
+        "speed": np.abs(rows.velocity),
+        "pressure_difference": rows.pressure if rows.pressure.any() else [],
+        "smoothing": windows,
+        "bandwidth": [HALF_POWER / window for window in windows],
+        "velocity_noise": [noise for motion in timed for noise in motion.velocity_noise],
+    }
+    return {
         "recordings": [record.name for record in analysis.records],
         "samples": sum(len(record) for record in analysis.records),
         "rows": len(rows),
         "groups": int(analysis.data.groups.size),
-        "speed": [float(speed.min()), float(speed.max())],
+        **{name: [float(np.min(values)), float(np.max(values))] for name, values in ranges.items() if len(values)},
+        **({"reversals": analysis.reversals, "bending_distance": analysis.distance} if timed else {}),
+        **({analysis.coordinate.inertia: inertia} if inertia else {}),
     }
-    if rows.pressure.any():
-        conditions["pressure_difference"] = [float(rows.pressure.min()), float(rows.pressure.max())]
-    if timed:
-        conditions |= {
-            "smoothing": _range([window for motion in timed for window in motion.windows]),
-            "bandwidth": _range([HALF_POWER / window for motion in timed for window in motion.windows]),
-            "velocity_noise": _range([window for motion in timed for window in motion.velocity_noise]),
-            "reversals": analysis.reversals,
-            "bending_distance": analysis.distance,
-        }
-    return conditions | ({analysis.coordinate.inertia: inertia} if inertia else {})
-
-
-def _range(values: Sequence[float]) -> list[float]:
-    return [min(values), max(values)]
 
 
 def _curves(analysis: FrictionFits) -> dict[str, Any]:
     """Return the curves that the report shows, by name."""
-    result, unit = {}, analysis.coordinate.effort_unit
-    rows, solution = analysis.data.rows, analysis.fit.solution
-    zero, model = solution.zero(rows), solution.friction(rows)
+    rows, solution, parameters = analysis.data.rows, analysis.fit.solution, analysis.fit.values
+    bristles, unit = analysis.bristles, analysis.coordinate.effort_unit
+    measured, model, curves = rows.friction - solution.zero(rows), solution.friction(rows), {}
     for k, record in enumerate(analysis.records):
         if record.is_motion:
-            is_record = rows.record == k
-            columns = {"time": rows.time, "measured": rows.friction - zero, "model": model}
-            result[f"{record.name}.friction"] = {n: values[is_record] for n, values in columns.items()} | {"unit": unit}
-    parameters = analysis.fit.values
-    friction_along_motion = rows.sign * (rows.friction - zero)
-    speed = np.abs(rows.velocity)
+            columns = {"time": rows.time, "measured": measured, "model": model}
+            curves[f"{record.name}.friction"] = {n: v[rows.record == k] for n, v in columns.items()} | {"unit": unit}
+    speed, selected = np.abs(rows.velocity), _select_points(len(rows))
     x = np.linspace(0.0, 1.02 * float(speed.max()), 120)
     dry = parameters[COULOMB], parameters.get(STATIC, parameters[COULOMB]), parameters.get(STRIBECK, 1.0)
-    selected = _select_points(len(rows))
-    result["speed.friction"] = {
+    curves["speed.friction"] = {
         "x": x,
         "y": sliding_level(x, *dry) + parameters.get(VISCOUS, 0.0) * x,
         "points_x": speed[selected],
-        "points_y": (friction_along_motion - parameters.get(SEAL, 0.0) * rows.pressure)[selected],
-        "unit": analysis.coordinate.effort_unit,
+        "points_y": (rows.sign * measured - parameters.get(SEAL, 0.0) * rows.pressure)[selected],
         "x_unit": analysis.coordinate.speed,
         "x_name": "speed",
     }
-    if analysis.data.has_pressure:
-        result["pressure.friction"] = _pressure_curve(analysis, friction_along_motion)
-    if analysis.bristles is not None:
-        result["reversal.friction"] = _reversal_curve(analysis)
-    return result
+    if SEAL in parameters:
+        curves["pressure.friction"] = _pressure_curve(analysis, rows.sign * (measured - model))
+    if bristles is not None:
+        turns = usable_reversals(analysis.motions, solution, analysis.distance)
+        turns = [turn for turn in turns if not turn.is_chained]
+        level = bristles.stiffness * bristles.way  # mean sliding level
+        distance = np.concatenate([turn.distance for turn in turns])
+        selected = _select_points(distance.size)
+        x = np.linspace(0.0, analysis.distance, 200)
+        curves["reversal.friction"] = {
+            "x": x,
+            "y": level * (1.0 - 2.0 * np.exp(-x / bristles.way)),
+            "points_x": distance[selected],
+            "points_y": level * np.concatenate([turn.measured / turn.level for turn in turns])[selected],
+            "x_unit": analysis.coordinate.length,
+            "x_name": "way behind a reversal",
+        }
+    return {name: curve | {"unit": unit} for name, curve in curves.items()}
 
 
-def _pressure_curve(analysis: FrictionFits, friction_along_motion: Any) -> dict[str, Any]:
+def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, Any]:
     """Return friction versus pressure.
 
-    The curve has one point for each recording, or all rows if there is only one recording.
+    The curve has one point for each recording, or all rows if there is only one recording. `residual` is measured minus
+    modelled friction along the motion.
     """
-    rows, parameters = analysis.data.rows, analysis.fit.values
-    residual = friction_along_motion - (
-        analysis.fit.solution.friction(rows) * rows.sign - parameters[COULOMB] - parameters[SEAL] * rows.pressure
-    )
+    rows, parameters, spread = analysis.data.rows, analysis.fit.values, analysis.fit.spread
     groups = [np.flatnonzero(rows.record == k) for k in np.unique(rows.record)]
     if len(groups) < 2:
         groups = [np.array([k]) for k in _select_points(len(rows))]
     x = np.linspace(0.0, 1.05 * float(rows.pressure.max()), 80)
-    covariance, order = analysis.fit.spread.covariance, list(analysis.fit.values)
-    pair = np.ix_(*[[order.index(COULOMB), order.index(SEAL)]] * 2)
-    base = np.stack([np.ones_like(x), x], axis=1)
-    line = parameters[COULOMB] + parameters[SEAL] * x
-    freedom = float(min(analysis.fit.spread.freedom[pair[0][:, 0]]))
-    half = coverage_factor(freedom) * np.sqrt(np.einsum("ij,jk,ik->i", base, covariance[pair], base))
-    is_known = bool(np.isfinite(half).all())
+    pair = [list(parameters).index(name) for name in (COULOMB, SEAL)]
+    base, line = np.stack([np.ones_like(x), x], axis=1), parameters[COULOMB] + parameters[SEAL] * x
+    variance = np.einsum("ij,jk,ik->i", base, spread.covariance[np.ix_(pair, pair)], base)
+    half = coverage_factor(float(min(spread.freedom[pair]))) * np.sqrt(variance)
+    friction = residual + parameters[COULOMB] + parameters[SEAL] * rows.pressure
     return {
         "x": x,
         "y": line,
-        **({"low": line - half, "high": line + half} if is_known else {}),
+        **({"low": line - half, "high": line + half} if np.isfinite(half).all() else {}),
         "points_x": np.array([float(np.mean(rows.pressure[indices])) for indices in groups]),
-        "points_y": np.array([float(np.mean(residual[indices])) for indices in groups]),
-        "unit": analysis.coordinate.effort_unit,
+        "points_y": np.array([float(np.mean(friction[indices])) for indices in groups]),
         "x_unit": "Pa",
         "x_name": "pressure difference",
-    }
-
-
-def _reversal_curve(analysis: FrictionFits) -> dict[str, Any]:
-    """Return friction versus the distance after a reversal, scaled to the mean sliding level."""
-    bristles = analysis.bristles
-    assert bristles is not None
-    turns = [
-        turn
-        for turn in usable_reversals(analysis.motions, analysis.fit.solution, analysis.distance)
-        if not turn.is_chained
-    ]
-    level = bristles.stiffness * bristles.way
-    distance = np.concatenate([turn.distance for turn in turns])
-    friction_along_motion = level * np.concatenate([turn.measured / turn.level for turn in turns])
-    selected = _select_points(distance.size)
-    x = np.linspace(0.0, analysis.distance, 200)
-    return {
-        "x": x,
-        "y": level * (1.0 - 2.0 * np.exp(-x / bristles.way)),
-        "points_x": distance[selected],
-        "points_y": friction_along_motion[selected],
-        "unit": analysis.coordinate.effort_unit,
-        "x_unit": analysis.coordinate.length,
-        "x_name": "way behind a reversal",
     }
 
 

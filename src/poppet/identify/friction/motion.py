@@ -54,9 +54,7 @@ class SlidingRows:
     """
 
     velocity: FloatArray  # [m/s]
-    friction: (
-        FloatArray  # force against the motion with the sign of the velocity, including the offset of the sensor [N]
-    )
+    friction: FloatArray  # force against the motion, with the sign of the velocity and the offset of the sensor [N]
     pressure: FloatArray  # magnitude of the difference across the seals [Pa]
     force: FloatArray  # as measured [N]
     weight: FloatArray
@@ -81,20 +79,47 @@ class SlidingRows:
 
 @dataclass(frozen=True, eq=False)
 class Reversal:
-    """Samples after a reversal, in which bristles deflect; arrays of shape (n,)."""
+    """Samples of a stroke; after a reversal, bristles deflect. Arrays have the shape (n,)."""
 
-    distance: FloatArray  # [m]
+    distance: FloatArray  # from the start of the stroke [m]
     friction: FloatArray  # [N]
     velocity: FloatArray  # [m/s]
     pressure: FloatArray  # [Pa]
     record: int
     stroke: int
     sign: float
-    previous_length: float  # length of the previous stroke, in the opposite direction [m]
+    previous_length: float  # length of the previous stroke, in the opposite direction; 0 if there is none [m]
     rounding: float  # rounding of the corner by smoothing [m]
     step: float  # time between samples [s]
     window: float  # window of the velocity [s]
-    last: Reversal | None  # previous stroke
+    last: Reversal | None  # previous stroke, in the opposite direction
+
+    def blocks(self, time: FloatArray, position: FloatArray, force: FloatArray, sigma: float) -> SlidingRows:
+        """Return one row for each block of a self.
+
+        The velocity is the slope of a line through the positions of the block. The other channels are mean values.
+        `sigma` is the standard deviation of a velocity.
+
+        The first and the last block are omitted, because they contain reversals. Blocks at rest are also omitted.
+        """
+        block = np.floor((time - time[0]) / self.window + 1e-9).astype(int)
+        starts = np.flatnonzero(np.diff(block, prepend=-1))
+        count = np.diff([*starts, time.size])
+
+        def mean(values: FloatArray) -> FloatArray:
+            return np.asarray(np.add.reduceat(values, starts) / count)
+
+        t, x = time - np.repeat(mean(time), count), position - np.repeat(mean(position), count)
+        spread = np.add.reduceat(t * t, starts)
+        slope = np.add.reduceat(t * x, starts) / np.where(spread > 0.0, spread, 1.0)
+        typical = float(np.quantile(np.abs(slope), 0.75))
+        is_sliding = self.sign * slope > max(MOVING * sigma, CREEPS * typical)
+        is_sliding[[0, -1]] = False
+        means = [mean(values) for values in (self.friction, self.pressure, force)]
+        coordinates = [mean(values) for values in (time, position, np.maximum(self.distance, 0.0))]
+        indices = (np.full(count.size, value) for value in (self.record, self.stroke))
+        columns = slope, *means, count.astype(float), *coordinates, *indices
+        return SlidingRows(*(values[is_sliding] for values in columns))
 
 
 @dataclass(frozen=True, eq=False)
@@ -116,11 +141,9 @@ def rows_of_table(record: FrictionRecord, index: int) -> RecordedMotion:
     n, unknown = len(record), np.full(len(record), math.nan)
     weight = np.ones(n) if record.uncertainty is None else record.uncertainty**-2.0
     position = unknown if record.position is None else record.position
-    friction, pressure = _friction(record), _pressure(record)
     ends = np.full(n, math.inf), np.full(n, index), np.full(n, -1)
-    return RecordedMotion(
-        SlidingRows(record.velocity, friction, pressure, record.force, weight, unknown, position, *ends), ()
-    )
+    series = record.velocity, _friction(record), _pressure(record), record.force, weight, unknown, position
+    return RecordedMotion(SlidingRows(*series, *ends), ())
 
 
 def rows_of_recording(
@@ -131,49 +154,57 @@ def rows_of_recording(
     The result contains rows of steady motion and reversals. If `window` is None, the window of each stroke depends on
     the speed of the stroke.
     """
-    time = record.time
+    time, position = record.time, record.position
     assert time is not None
     step = float(np.median(np.diff(time)))
-    position = record.position
     if position is None:
         assert record.velocity is not None
         steps = 0.5 * (record.velocity[1:] + record.velocity[:-1]) * np.diff(time)
         position = np.concatenate([[0.0], np.cumsum(steps)])
-    noise = _position_noise(time, position)
+    # Many samples of a quantised position are equal; otherwise the minimum difference is random.
+    levels = np.diff(np.unique(position))
+    resolution = float(levels.min()) / math.sqrt(12.0) if 0 < levels.size < 0.8 * position.size else 0.0
+    # The noise is the residual of lines through five samples, and at least that of the resolution.
+    noise = max(_fit_lines(time, position, 2.0 * step)[2], resolution)
     # The window of a velocity would round the corner of a reversal.
     smooth = position.copy()
     smooth[2:-2] = np.convolve(position, PARABOLA, "valid")
     resolution = noise * float(np.linalg.norm(PARABOLA))
-    pieces, left_out = _split_strokes(time, position, smooth, max(TURNS * resolution, 1e-3 * float(np.ptp(smooth))))
-    rows, reversals = [], []
+    ranges, left_out = _split_strokes(smooth, max(TURNS * resolution, 1e-3 * float(np.ptp(smooth))))
+    friction, pressure = _friction(record), _pressure(record)
+    rows, strokes = [], list[Reversal]()
     statistics: list[tuple[float, float, float]] = []
-    last: Reversal | None = None
-    for k, piece in enumerate(pieces):
-        samples = slice(piece.first, piece.end)
-        width = max(window, 3.0 * step) if window else _choose_window(time[samples], position[samples], noise, step)
-        sigma = noise * math.sqrt(12.0 / (width / step) ** 3) / step
-        _, speed, misfit = _fit_lines(time[samples], position[samples], 0.5 * width)
-        friction = _friction(record)[samples] - (mass * np.gradient(speed, time[samples]) if mass else 0.0)
-        series = (
-            time[samples],
-            position[samples],
-            smooth[samples],
-            speed,
-            friction,
-            _pressure(record)[samples],
-            record.force[samples],
+    for k, (samples, sign, previous_length) in enumerate(ranges):
+        t, x = time[samples], position[samples]
+        width = max(window, 3.0 * step) if window else SHORTEST * step
+        while True:
+            _, speed, misfit = _fit_lines(t, x, 0.5 * width)
+            sigma = noise * math.sqrt(12.0 / (width / step) ** 3) / step
+            is_steady_enough = sigma <= STEADY * float(np.quantile(np.abs(speed), 0.75))
+            if window or is_steady_enough or 1.3 * width > max(t.size / FEWEST, SHORTEST) * step:
+                break
+            width *= 1.3
+        stroke = Reversal(
+            distance=sign * (smooth[samples] - smooth[samples][0]),
+            friction=friction[samples] - (mass * np.gradient(speed, t) if mass else 0.0),
+            velocity=speed,
+            pressure=pressure[samples],
+            record=index,
+            stroke=first_stroke + k,
+            sign=sign,
+            previous_length=previous_length,
+            rounding=ROUNDED * step * float(np.median(np.abs(speed))),
+            step=step,
+            window=width,
+            last=replace(strokes[-1], last=None) if previous_length > 0.0 else None,
         )
-        stroke = _StrokeSamples(*series, piece.sign, piece.previous_length, index, first_stroke + k)
-        rows.append(stroke.blocks(width, sigma))
-        last = stroke.reversal(step, width, last if piece.previous_length > 0.0 else None)
-        if piece.previous_length > 0.0:
-            reversals.append(last)
+        strokes.append(stroke)
+        rows.append(stroke.blocks(t, x, record.force[samples], sigma))
         statistics.append((width, sigma, misfit))
     windows, noises, misfits = np.array(statistics).reshape(-1, 3).T.tolist()
     smear = float(np.median(misfits)) / noise if noise > 0.0 and misfits else 1.0
-    return RecordedMotion(
-        stack_rows(rows), tuple(reversals), tuple(windows), tuple(noises), resolution, smear, left_out
-    )
+    reversals = tuple(stroke for stroke in strokes if stroke.last is not None)
+    return RecordedMotion(stack_rows(rows), reversals, tuple(windows), tuple(noises), resolution, smear, left_out)
 
 
 def stack_rows(rows: Sequence[SlidingRows]) -> SlidingRows:
@@ -184,85 +215,6 @@ def stack_rows(rows: Sequence[SlidingRows]) -> SlidingRows:
             for field in fields(SlidingRows)
         )
     )
-
-
-@dataclass(frozen=True)
-class _StrokeRange:
-    """Range of samples of one stroke, in which the body moves in one direction."""
-
-    first: int  # index of the first sample
-    end: int  # index after the last sample
-    sign: float
-    previous_length: float = 0.0  # length of the previous stroke; 0 if there is none [m]
-
-
-@dataclass(frozen=True, eq=False)
-class _StrokeSamples:
-    """Samples of one stroke, arrays of shape (n,)."""
-
-    time: FloatArray
-    position: FloatArray
-    smooth: FloatArray  # smoothed position
-    speed: FloatArray
-    friction: FloatArray
-    pressure: FloatArray
-    force: FloatArray
-    sign: float
-    previous_length: float
-    record: int
-    number: int
-
-    @property
-    def distance(self) -> FloatArray:
-        """Distance of each sample from the reversal at the start of the stroke."""
-        return np.asarray(np.maximum(self.sign * (self.smooth - self.smooth[0]), 0.0))
-
-    def reversal(self, step: float, window: float, last: Reversal | None) -> Reversal:
-        """Return the samples after the reversal, for the fit of the bristles.
-
-        `last` is the reversal before this one.
-        """
-        series = self.sign * (self.smooth - self.smooth[0]), self.friction, self.speed, self.pressure
-        rounding = ROUNDED * step * float(np.median(np.abs(self.speed)))
-        return Reversal(
-            *series,
-            self.record,
-            self.number,
-            self.sign,
-            self.previous_length,
-            rounding,
-            step,
-            window,
-            last and replace(last, last=None),
-        )
-
-    def blocks(self, width: float, sigma: float) -> SlidingRows:
-        """Return one row for each block of the stroke.
-
-        The velocity is the slope of a line through the positions of the block. The other channels are mean values.
-
-        The first and the last block are omitted, because they contain reversals. Blocks at rest are also omitted.
-        """
-        block = np.floor((self.time - self.time[0]) / width + 1e-9).astype(int)
-        starts = np.flatnonzero(np.diff(block, prepend=-1))
-        count = np.diff([*starts, self.time.size])
-
-        def mean(values: FloatArray) -> FloatArray:
-            return np.asarray(np.add.reduceat(values, starts) / count)
-
-        t = self.time - np.repeat(mean(self.time), count)
-        x = self.position - np.repeat(mean(self.position), count)
-        spread = np.add.reduceat(t * t, starts)
-        slope = np.add.reduceat(t * x, starts) / np.where(spread > 0.0, spread, 1.0)
-        typical = float(np.quantile(np.abs(slope), 0.75))
-        is_sliding = self.sign * slope > max(MOVING * sigma, CREEPS * typical)
-        is_sliding[[0, -1]] = False
-        means = [mean(values) for values in (self.friction, self.pressure, self.force)]
-        coordinates = [mean(values) for values in (self.time, self.position, self.distance)]
-        numbers = (np.full(count.size, values) for values in (self.record, self.number))
-        return SlidingRows(
-            *(values[is_sliding] for values in (slope, *means, count.astype(float), *coordinates, *numbers))
-        )
 
 
 def _friction(record: FrictionRecord) -> FloatArray:
@@ -297,35 +249,11 @@ def _fit_lines(time: FloatArray, position: FloatArray, half: float) -> tuple[Flo
     return np.asarray(value, float), np.asarray(slope, float), math.sqrt(float(np.mean(mean_squares)))
 
 
-def _position_noise(time: FloatArray, position: FloatArray) -> float:
-    """Return the standard deviation of the position noise, at least that of the resolution.
-
-    The noise is the residual of lines through five samples.
-    """
-    levels = np.unique(position)
-    steps = np.diff(levels)
-    # Many samples of a quantised position are equal; otherwise the minimum difference is random.
-    resolution = float(steps.min()) / math.sqrt(12.0) if 0 < steps.size < 0.8 * position.size else 0.0
-    half = 2.0 * float(np.median(np.diff(time)))
-    return max(_fit_lines(time, position, half)[2], resolution)
-
-
-def _choose_window(time: FloatArray, position: FloatArray, noise: float, step: float) -> float:
-    """Return the shortest window that limits the relative velocity noise to `STEADY`."""
-    samples, longest = float(SHORTEST), max(time.size / FEWEST, SHORTEST)
-    while True:
-        typical = float(np.quantile(np.abs(_fit_lines(time, position, 0.5 * samples * step)[1]), 0.75))
-        if noise * math.sqrt(12.0 / samples**3) / step <= STEADY * typical or 1.3 * samples > longest:
-            return samples * step
-        samples *= 1.3
-
-
-def _split_strokes(
-    time: FloatArray, position: FloatArray, smooth: FloatArray, back: float
-) -> tuple[list[_StrokeRange], int]:
+def _split_strokes(smooth: FloatArray, back: float) -> tuple[list[tuple[slice, float, float]], int]:
     """Return the strokes between significant reversals, and the number of omitted short strokes.
 
-    A reversal is significant if the travel after it exceeds the noise.
+    A reversal is significant if the travel after it exceeds `back`. A stroke is its samples, its direction, and the
+    length of the previous stroke, which is 0 if there is none [m].
     """
     turns, sign = [0], 0.0
     lowest = highest = 0
@@ -337,19 +265,17 @@ def _split_strokes(
         elif sign <= 0.0 and x - smooth[lowest] > back:
             turns += [lowest] if sign else []
             sign, highest = 1.0, k
-    turns.append(time.size - 1)
-    strokes: list[_StrokeRange] = []
-    left_out = 0
-    for first, last in itertools.pairwise(turns):
+    strokes: list[tuple[slice, float, float]] = []
+    left_out, previous = 0, 0.0  # signed length of the previous range, if it is a stroke
+    for first, last in itertools.pairwise([*turns, smooth.size - 1]):
         distance = float(smooth[last] - smooth[first])
-        if abs(distance) > back and last + 1 - first < FEWEST * SHORTEST:
-            left_out += 1
-        elif abs(distance) > back:
-            is_turn = (
-                bool(strokes) and strokes[-1].end == first + 1 and strokes[-1].sign != math.copysign(1.0, distance)
-            )
-            previous_length = abs(float(smooth[first] - smooth[strokes[-1].first])) if is_turn else 0.0
-            strokes.append(_StrokeRange(first, last + 1, math.copysign(1.0, distance), previous_length))
+        is_long = last + 1 - first >= FEWEST * SHORTEST
+        left_out += abs(distance) > back and not is_long
+        is_stroke = abs(distance) > back and is_long
+        if is_stroke:
+            previous_length = abs(previous) if previous * distance < 0.0 else 0.0
+            strokes.append((slice(first, last + 1), math.copysign(1.0, distance), previous_length))
+        previous = distance if is_stroke else 0.0
     return strokes, left_out
 
 

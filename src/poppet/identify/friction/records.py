@@ -31,6 +31,11 @@ class Coordinate:
         """SI unit of a velocity."""
         return f"{self.length}/s"
 
+    @property
+    def opposite(self) -> Coordinate:
+        """Kind of motion of the other body: rotation for a mass, translation for a joint."""
+        return ON_LINE if self is TURNING else TURNING
+
     def name(self, number: str) -> str:
         """Return the name of a friction parameter for this kind of body.
 
