@@ -8,7 +8,7 @@ import pytest
 
 from circuits_of_ensembles import METRICS, NUMBERS, TABLES, tank
 from pages import needs_nothing_else
-from poppet.report.ensemble.ensemble_report import ensemble_page, write_ensemble
+from poppet.report.ensemble_report import ensemble_page, write_ensemble
 
 ALL_TABLES = TABLES.replace("seed = 1", 'seed = 1\nsampling = "latin"\nkeep = "bands"\nindices = 32')
 
