@@ -42,15 +42,15 @@ output_step = "0.5 s"
 
 
 class Answer(NamedTuple):
-    """What a command returned and printed."""
+    """Exit code and output of a command."""
 
     code: int
     out: str
     err: str
 
 
-class Mistake(NamedTuple):
-    """A mistake that was told."""
+class ReportedError(NamedTuple):
+    """Error that a command reported."""
 
     code: str
     address: str
@@ -59,29 +59,29 @@ class Mistake(NamedTuple):
 
 
 class Refusal(Answer):
-    """The same with what was raised on the way."""
+    """Answer with the error that was raised."""
 
     error: PoppetError
 
     @property
-    def errors(self) -> list[Mistake]:
-        """The mistakes, which are what was printed."""
+    def errors(self) -> list[ReportedError]:
+        """Errors, which equal the printed ones."""
         assert isinstance(self.error, InputError)
-        said, _, more = self.err.partition("more: poppet explain ")
-        assert said == "".join(f"error: {problem}\n" for problem in self.error.problems)
-        assert set(more.split()) <= {problem.code for problem in self.error.problems}
-        found = []
+        printed, _, codes = self.err.partition("more: poppet explain ")
+        assert printed == "".join(f"error: {problem}\n" for problem in self.error.problems)
+        assert set(codes.split()) <= {problem.code for problem in self.error.problems}
+        reported = []
         for problem in self.error.problems:
             near = getattr(problem.facts.get("near"), "names", [])
-            found.append(Mistake(problem.code, problem.address or "", problem.line, near[0] if near else ""))
-        return found
+            reported.append(ReportedError(problem.code, problem.address or "", problem.line, near[0] if near else ""))
+        return reported
 
     @property
     def codes(self) -> list[str]:
-        """Codes of the mistakes, or of the failure."""
+        """Codes of the errors, or of the failure."""
         if isinstance(self.error, SimulationError):
             return [self.error.note.code]
-        return [mistake.code for mistake in self.errors]
+        return [error.code for error in self.errors]
 
 
 @pytest.fixture

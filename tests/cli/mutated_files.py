@@ -1,4 +1,4 @@
-"""Seeded mutations of every kind of file that somebody writes, handed to the command line in this process.
+"""Random mutations of all kinds of input files, which the command line reads in this process.
 
 `python tests/cli/mutated_files.py 20000 [KIND ...]` prints the rows of the table in docs/cli.md.
 """
@@ -46,12 +46,12 @@ SIGNS = (0, 9, 10, 13, 27, 34, 44, 91, 0x2028, 0xFEFF, 0x4E2D)
 
 
 class TooLongError(BaseException):
-    """A file took longer than it may; no exception that the command line turns into a sentence."""
+    """Error raised if a file takes too long; the command line does not convert it to a message."""
 
 
 @dataclass
 class Tally:
-    """What came of some files."""
+    """Counts of the results for mutated files."""
 
     codes: Counter[int] = field(default_factory=Counter)
     slowest: float = 0.0  # processor time of one file [s]

@@ -1,4 +1,4 @@
-"""`poppet bench`: exit codes, results, pages, comparison."""
+"""Tests of `poppet bench`: exit codes, results, reports, comparison."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def bench(tmp_path):
     return folder
 
 
-def test_the_recordings_are_what_their_script_makes(tmp_path):
+def test_recordings_equal_the_output_of_their_script(tmp_path):
     spec = importlib.util.spec_from_file_location("make_bench_data", EXAMPLES / "make_data.py")
     assert spec
     assert spec.loader
@@ -41,8 +41,8 @@ def test_the_recordings_are_what_their_script_makes(tmp_path):
     names = sorted(path.name for path in EXAMPLES.glob("*.csv"))
     assert sorted(path.name for path in tmp_path.glob("*.csv")) == names
     for name in names:
-        made, kept = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (tmp_path, EXAMPLES))
-        np.testing.assert_allclose(made, kept, atol=2e-3)
+        generated, stored = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (tmp_path, EXAMPLES))
+        np.testing.assert_allclose(generated, stored, atol=2e-3)
 
 
 def test_figures_of_the_example_recordings(poppet, bench, tmp_path):
@@ -59,7 +59,7 @@ def test_figures_of_the_example_recordings(poppet, bench, tmp_path):
     assert "flow: relief_rise is not determined" in out
 
 
-def test_a_result_as_json_says_the_same(poppet, bench, tmp_path):
+def test_a_json_result_equals_the_toml_result(poppet, bench, tmp_path):
     for name in ("r.toml", "r.json"):
         assert poppet("bench", "iso10094", "--recording", RECORDINGS, "-o", name, "--quiet") == (0, "", "")
     toml, js = tomllib.loads((tmp_path / "r.toml").read_text()), json.loads((tmp_path / "r.json").read_text())
@@ -123,7 +123,7 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
         (("iso10094", VALVE, "--full-scale", "a, b, c"), "must be one pressure or two."),
         (("iso10094", VALVE, "--volume", "0 l"), "must be above 0."),
         (("iso10094", VALVE, "--volume", "1 kg"), "--volume"),
-        (("iso10094", VALVE, "--rated-flow", "0 g/s"), "must be above 0."),
+        (("iso10094", VALVE, "--rated-flow", "0 g/s"), "must be greater than 0 kg/s."),
         (("iso10094", VALVE, "--set", "valve.prset=fast"), "valve.prset"),
         (("iso10094", VALVE, "-o", "r.csv"), "is not a supported format"),
         (("iso10094", VALVE, "--report", "missing/r.html"), "does not exist"),
@@ -134,14 +134,14 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
         (("iso10094", VALVE, "--compare", "examples/bench/sweep.csv"), "is not valid TOML"),
     ],
 )
-def test_wrong_input_ends_in_2(poppet, bench, arguments, message):
+def test_invalid_input_gives_exit_code_2(poppet, bench, arguments, message):
     code, out, err = poppet("bench", *arguments)
     assert (code, out) == (2, "")
     assert message in err
     assert "Traceback" not in err
 
 
-def test_mistakes_of_a_file_of_recordings_have_their_lines(poppet, bench):
+def test_errors_of_a_recordings_file_have_line_numbers(poppet, bench):
     path = bench / "recordings.toml"
     text = (
         path.read_text().replace('test = "step"', 'test = "steps"').replace('"outlet.mass_flow_rate"', '"outlet.flow"')
@@ -174,7 +174,7 @@ def ends(monkeypatch):
     return patch
 
 
-def test_a_test_that_fails_leaves_the_others(poppet, bench, tmp_path, ends):
+def test_a_failed_test_does_not_affect_the_others(poppet, bench, tmp_path, ends):
     ends("leakage", SimulationError("The run ended at t = 1 s: it diverged."))
     code, out, err = poppet("bench", "iso10094", VALVE, *ENDING)
     assert (code, err) == (1, "")
@@ -186,7 +186,7 @@ def test_a_test_that_fails_leaves_the_others(poppet, bench, tmp_path, ends):
     assert "leakage: The test could not be run: The run ended at t = 1 s: it diverged." in out
 
 
-def test_an_interrupt_keeps_the_tests_that_are_done(poppet, bench, tmp_path, ends):
+def test_an_interrupt_keeps_completed_tests(poppet, bench, tmp_path, ends):
     ends("frequency", KeyboardInterrupt())
     code, _, _ = poppet("bench", "iso10094", VALVE, *ENDING)
     assert code == 130

@@ -1,4 +1,4 @@
-"""`poppet check`: what a wrong circuit file is told, line by line, without a run and without a compiler."""
+"""Tests of `poppet check`: errors of circuit files with their lines, without a run."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ cracking_pressure = "1 bar g"
 """
 
 
-def test_a_good_file_is_summed_up(poppet, tanks):
+def test_a_valid_file_has_a_summary(poppet, tanks):
     assert poppet("check", "tanks.toml") == (
         0, "tanks.toml: no errors; 3 parts, 4 states, 1 input, 11 outputs, 4 assumed parameters.\n", ""
     )  # fmt: skip
 
 
-def test_nothing_is_compiled(poppet, tanks, monkeypatch):
+def test_check_does_not_compile(poppet, tanks, monkeypatch):
     def never(*_):
         raise AssertionError("compiled")
 
@@ -37,25 +37,25 @@ def test_assumptions_of_the_circuit_are_noted(poppet, tanks):
     assert err == "note: hole.critical_ratio = 0.3 is assumed, because sonic_conductance alone does not determine it.\n"
 
 
-def test_the_same_assumption_of_many_parts_is_one_note(poppet, tanks):
+def test_one_note_reports_an_assumption_of_many_parts(poppet, tanks):
     text = tanks.read_text().replace("critical_ratio = 0.3\n", "")
     start = text.index("[parts.hole]")
     end = text.find("\n[", start + 1)
-    more = "\n".join(text[start:end].replace("parts.hole", f"parts.hole_{k}") for k in range(3))
-    tanks.write_text(text + more)
+    further_parts = "\n".join(text[start:end].replace("parts.hole", f"parts.hole_{k}") for k in range(3))
+    tanks.write_text(text + further_parts)
     code, _, err = poppet("check", "tanks.toml")
     assert (code, err.count("note: ")) == (0, 1)
     assert [f"hole_{k}" in err for k in range(3)] == [True] * 3
 
 
-def test_several_files_and_all_their_mistakes(poppet, tanks, tmp_path):
+def test_check_reports_all_errors_of_several_files(poppet, tanks, tmp_path):
     (tmp_path / "bad.toml").write_text(tanks.read_text().replace('"10 l"', '"10 bar"'))
     answer = poppet("check", "bad.toml", "missing.toml", "tanks.toml")
     assert answer.code == 2
     assert answer.out.startswith("tanks.toml: no errors")
     assert answer.codes == ["quantity.other_quantity", "toml.no_file"]
-    said = [line for line in answer.err.splitlines() if line.startswith("error: ")]
-    assert [line.split(": ")[1].split(" ")[0] for line in said] == ["bad.toml:6", "missing.toml"]
+    error_lines = [line for line in answer.err.splitlines() if line.startswith("error: ")]
+    assert [line.split(": ")[1].split(" ")[0] for line in error_lines] == ["bad.toml:6", "missing.toml"]
 
 
 # What stands in the file, what is written instead, the line, the code, the address, the name that is offered.
@@ -160,7 +160,7 @@ BAD = [
     BAD,
     ids=[f"{k}-{case[1][:30]}" for k, case in enumerate(BAD)],
 )
-def test_a_mistake_is_told_once_with_its_line(poppet, tanks, good, bad, line, code, address, nearest):
+def test_an_error_is_reported_once_with_its_line(poppet, tanks, good, bad, line, code, address, nearest):
     text = tanks.read_text()
     assert good in text
     tanks.write_text(text.replace(good, bad, 1))
@@ -171,7 +171,7 @@ def test_a_mistake_is_told_once_with_its_line(poppet, tanks, good, bad, line, co
 
 
 @pytest.mark.parametrize("bad", ["volume = 3 bar", "critical_ratio = 3", 'stop_when = "low.presure > 5 bar"'])
-def test_a_run_tells_the_same(poppet, tanks, bad):
+def test_a_run_reports_the_same_error(poppet, tanks, bad):
     tanks.write_text(f"{tanks.read_text()}\n{bad}\n")
     assert poppet("simulate", "tanks.toml", "-o", "out.csv").err == poppet("check", "tanks.toml").err != ""
 
@@ -184,16 +184,16 @@ def test_a_run_tells_the_same(poppet, tanks, bad):
         ("[parts.low]", '[parts."the low"]', 16, "wiring.no_name"),
     ],
 )
-def test_a_mistake_that_leads_to_others_is_among_them(poppet, tanks, good, bad, line, code):
+def test_the_cause_of_further_errors_is_reported(poppet, tanks, good, bad, line, code):
     tanks.write_text(tanks.read_text().replace(good, bad, 1))
     answer = poppet("check", "tanks.toml")
     assert answer.code == 2
-    assert (code, line) in [(mistake.code, mistake.line) for mistake in answer.errors]
+    assert (code, line) in [(error.code, error.line) for error in answer.errors]
 
 
-def test_six_mistakes_in_six_lines_with_their_lines(poppet, tanks):
+def test_six_errors_have_their_line_numbers(poppet, tanks):
     text = tanks.read_text()
-    for good, bad in (
+    for old, new in (
         ('"10 l"', '"10 bar"'),
         ('from = "high"', 'from = "hihg"'),
         ("critical_ratio = 0.3", "critical_ratio = 1.3"),
@@ -201,21 +201,21 @@ def test_six_mistakes_in_six_lines_with_their_lines(poppet, tanks):
         ('kind = "steps"', 'kind = "stpes"'),
         ("duration", "duratoin"),
     ):
-        assert good in text
-        text = text.replace(good, bad, 1)
+        assert old in text
+        text = text.replace(old, new, 1)
     tanks.write_text(text)
     answer = poppet("check", "tanks.toml")
     assert answer.code == 2
-    assert [mistake.line for mistake in answer.errors] == [6, 11, 14, 18, 21, 26]
+    assert [error.line for error in answer.errors] == [6, 11, 14, 18, 21, 26]
 
 
-def test_an_unknown_kind_is_one_mistake_whoever_is_joined_to_it(poppet, tanks):
+def test_an_unknown_kind_is_one_error(poppet, tanks):
     tanks.write_text(tanks.read_text().replace('kind = "chamber"', 'kind = "chambre"', 1))
-    found = poppet("check", "tanks.toml").errors
-    assert found == [("fields.not_an_option", "parts.high.kind", 5, "chamber")]
+    errors = poppet("check", "tanks.toml").errors
+    assert errors == [("fields.not_an_option", "parts.high.kind", 5, "chamber")]
 
 
-def test_a_misspelt_mode_is_one_mistake(poppet, tmp_path):
+def test_a_misspelt_mode_is_one_error(poppet, tmp_path):
     poppet("new", "valve-fill")
     path = tmp_path / "valve-fill.toml"
     path.write_text(path.read_text(encoding="utf-8").replace('mode = "paper"', 'mode = "papre"'), encoding="utf-8")
@@ -236,7 +236,7 @@ def test_a_misspelt_mode_is_one_mistake(poppet, tmp_path):
     ],
 )
 @pytest.mark.parametrize("command", ["check", "simulate", "show"])
-def test_a_file_that_is_no_circuit(poppet, tmp_path, command, content, code):
+def test_a_file_without_a_circuit_is_refused(poppet, tmp_path, command, content, code):
     (tmp_path / "odd.toml").write_bytes(content)
     answer = poppet(command, "odd.toml")
     assert (answer.code, answer.out) == (2, "")
@@ -255,7 +255,7 @@ def test_a_file_that_is_no_circuit(poppet, tmp_path, command, content, code):
     ],
     ids=lambda value: value if isinstance(value, str) else "",
 )
-def test_a_file_that_nobody_wrote_is_refused_at_once(poppet, tmp_path, content, code):
+def test_nested_or_binary_files_are_refused_quickly(poppet, tmp_path, content, code):
     (tmp_path / "odd.toml").write_bytes(content)
     answer = poppet("check", "odd.toml")
     assert (answer.code, answer.out) == (2, "")
@@ -269,7 +269,7 @@ def test_a_device_without_an_end_is_refused(poppet):
 
 
 @pytest.mark.parametrize("command", ["check", "simulate", "show"])
-def test_a_file_that_is_not_there(poppet, tanks, tmp_path, command):
+def test_a_missing_file_is_refused(poppet, tanks, tmp_path, command):
     assert poppet(command, "tank.toml").errors == [("toml.no_file", "", None, "tanks.toml")]
     (tmp_path / "folder.toml").mkdir()
     assert poppet(command, "folder.toml").codes == ["toml.unreadable"]
@@ -293,7 +293,7 @@ ODD = (
 
 
 @pytest.mark.parametrize("odd", ODD)
-def test_whatever_stands_behind_a_key_there_is_no_internal_error(poppet, tanks, odd):
+def test_odd_values_give_no_internal_error(poppet, tanks, odd):
     lines = tanks.read_text().splitlines()
     keys = [k for k, line in enumerate(lines) if " = " in line]
     for k in keys:
@@ -317,7 +317,7 @@ initial_position = "2 mm"
 """
 
 
-def test_a_muscle_longer_than_its_nominal_length_at_the_start_is_told(poppet, tmp_path):
+def test_a_muscle_longer_than_nominal_at_the_start_gives_a_note(poppet, tmp_path):
     (tmp_path / "stretched.toml").write_text(STRETCHED)
     for command in ("check", "simulate"):
         answer = poppet(command, "stretched.toml")

@@ -1,4 +1,4 @@
-"""`poppet control`: tune, compare, refusals."""
+"""Tests of `poppet control`: tune, compare, invalid input."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def files(tmp_path):
     return "pid.toml", "scheduled.toml", "law.toml"
 
 
-def test_tune_writes_gains_that_the_circuit_takes(poppet, files, tmp_path):
+def test_tune_writes_gains_for_the_circuit(poppet, files, tmp_path):
     code, out, err = poppet("control", "tune", "pid.toml", "--at", "3 bar", "--sensitivity", "1.6", "-o", "gains.toml")
     assert (code, err) == (0, "")
     assert "phase margin [deg]" in out
@@ -36,19 +36,19 @@ def test_tune_writes_gains_that_the_circuit_takes(poppet, files, tmp_path):
     assert poppet("simulate", "pid.toml", *changes, "--quiet").code == 0
 
 
-def test_tune_says_what_it_bounded_of_a_plant_that_leaks(poppet, files):
+def test_tune_reports_the_bounded_plant_with_a_leak(poppet, files):
     leak = '[parts.leak]\nkind = "orifice"\nfrom = "tank"\nto = "ambient"\nsonic_conductance = "0.001 dm^3/(s bar)"\n'
     text = Path("pid.toml").read_text(encoding="utf-8")
     Path("pid.toml").write_text(text + leak + "critical_ratio = 0.35\n", encoding="utf-8")
     strong = '--set=vent.sonic_conductance="5 dm^3/(s bar)"'
     code, out, err = poppet("control", "tune", "pid.toml", "--at", "5 bar", "--form", "p", strong)
     assert (code, err) == (0, "")
-    for word in ("5 bar, fill", "5 bar, vent", "Ms, Mt <= 1.4 filling and venting at 5 bar", "0.00172", "pid.toml"):
-        assert word in out
+    for phrase in ("5 bar, fill", "5 bar, vent", "Ms, Mt <= 1.4 filling and venting at 5 bar", "0.00172", "pid.toml"):
+        assert phrase in out
     assert float(out.split("vent_factor = ")[1].split()[0]) == pytest.approx(0.116, abs=2e-3)
 
 
-def test_tune_finds_what_the_examples_say(poppet, files, tmp_path):
+def test_tune_reproduces_the_gains_of_the_examples(poppet, files, tmp_path):
     """The numbers in the example files are those that the command in their comments prints."""
     assert poppet("control", "tune", "pid.toml", "-o", "fixed.toml").code == 0
     assert poppet("control", "tune", "pid.toml", "--schedule", "-o", "table.toml").code == 0
@@ -66,8 +66,8 @@ def test_tune_finds_what_the_examples_say(poppet, files, tmp_path):
         ("integral_time", "s", [43e-3, 44.5e-3, 44.5e-3, 44.5e-3]),
         ("vent_factor", "1", [3.6, 2.32, 1.65, 1.16]),
     ):
-        found = [quantity(value, unit).value for value in table["schedule"][name]]
-        assert found == pytest.approx(values, rel=1e-2)
+        column = [quantity(value, unit).value for value in table["schedule"][name]]
+        assert column == pytest.approx(values, rel=1e-2)
 
 
 def test_the_command_of_the_docs_for_a_valve_without_its_overlap(poppet):
@@ -77,18 +77,18 @@ def test_the_command_of_the_docs_for_a_valve_without_its_overlap(poppet):
         for line in (EXAMPLES.parent / "docs" / "control.md").read_text(encoding="utf-8").splitlines()
         if "--set valve.overlap=0" in line
     )
-    words = [word.replace("examples", str(EXAMPLES)) for word in shlex.split(command)[1:]]
-    code, out, err = poppet(*words)
+    arguments = [argument.replace("examples", str(EXAMPLES)) for argument in shlex.split(command)[1:]]
+    code, out, err = poppet(*arguments)
     assert code == 0
     assert "note: slide.friction: lugre" in err
     assert "100 mm, command" in out
-    refused = poppet(*words[: words.index("--set")])
+    refused = poppet(*arguments[: arguments.index("--set")])
     assert refused.code == 2
     assert "--amplitude" in refused.err
 
 
-def test_a_loop_is_tuned_on_answers_to_sines(poppet, tmp_path):
-    """Without an integral the body sticks beside its setpoint, which the step that verifies shows and a note says."""
+def test_a_loop_is_tuned_for_responses_to_sines(poppet, tmp_path):
+    """Without an integral part, the body stops at an offset; the verification and a note report this."""
     shutil.copy(EXAMPLES / "position_control.toml", tmp_path)
     sines = "--form", "p", "--at", "100 mm", "--amplitude", "0.1", "--report", "page.html", "-o", "gains.toml"
     code, out, err = poppet("control", "tune", "position_control.toml", *sines)
@@ -109,15 +109,15 @@ def test_a_position_loop_is_tuned_and_compared_in_millimetres(poppet, tmp_path):
     code, out, err = poppet("control", "tune", "position_control.toml", "-o", "gains.toml")
     assert code == 0
     assert "note: slide.friction: lugre" in err
-    for word in ("60 mm, command", "140 mm, back", "at 60, 100, 140 mm, at rest"):
-        assert word in out
+    for text in ("60 mm, command", "140 mm, back", "at 60, 100, 140 mm, at rest"):
+        assert text in out
     gains = tomllib.loads((tmp_path / "gains.toml").read_text())["parts"]["position"]
-    known = tomllib.loads((EXAMPLES / "position_control.toml").read_text())["parts"]["position"]
+    example_gains = tomllib.loads((EXAMPLES / "position_control.toml").read_text())["parts"]["position"]
     for name, unit in (("gain", "1/m"), ("integral_time", "s")):
-        assert quantity(gains[name], unit).value == pytest.approx(quantity(known[name], unit).value, rel=5e-3)
-    assert gains["setpoint_weight"] == known["setpoint_weight"]
-    both = "position_control.toml", "position_control_banded.toml"
-    answer = poppet("control", "compare", *both, "--vary", "slide.mass=40 %", "--draws", "1", "-o", "figures.csv")
+        assert quantity(gains[name], unit).value == pytest.approx(quantity(example_gains[name], unit).value, rel=5e-3)
+    assert gains["setpoint_weight"] == example_gains["setpoint_weight"]
+    names = "position_control.toml", "position_control_banded.toml"
+    answer = poppet("control", "compare", *names, "--vary", "slide.mass=40 %", "--draws", "1", "-o", "figures.csv")
     assert (answer.code, answer.err) == (0, "")
     assert "IAE [mm s]" in answer.out
     assert "IAE [m s]" in (tmp_path / "figures.csv").read_text()
@@ -134,20 +134,20 @@ def test_compare_shows_nominal_median_and_worst(poppet, files, tmp_path):
         "--seed", "1", "--plot", "spread.png", "-o", "figures.csv",
     )  # fmt: skip
     assert (answer.code, answer.err) == (0, "")
-    for word in ("nominal", "median", "worst", "ITAE [bar s^2]", "3 sampled plants, seed 1", "scheduled", "law"):
-        assert word in answer.out
+    for text in ("nominal", "median", "worst", "ITAE [bar s^2]", "3 sampled plants, seed 1", "scheduled", "law"):
+        assert text in answer.out
     assert len((tmp_path / "figures.csv").read_text().splitlines()) == 1 + 3 * 4
     assert (tmp_path / "spread.png").stat().st_size > 20_000
 
 
-def test_compare_without_uncertain_numbers(poppet, files):
+def test_compare_without_uncertain_parameters(poppet, files):
     code, out, _ = poppet("control", "compare", "pid.toml", "law.toml")
     assert code == 0
     assert "--vary ADDRESS=RANGE makes them uncertain" in out
     assert "median" not in out
 
 
-def test_a_comparison_that_fails_ends_in_one(poppet, files):
+def test_a_failed_comparison_gives_exit_code_1(poppet, files):
     text = Path("pid.toml").read_text(encoding="utf-8")
     Path("pid.toml").write_text(text + 'stop_when = "tank.pressure > 4.5 bar"\n', encoding="utf-8")
     code, out, _ = poppet("control", "compare", "pid.toml")
@@ -178,7 +178,7 @@ def test_refusals(poppet, files, arguments, code):
     assert (answer.code, answer.codes) == (2, [code])
 
 
-def test_both_actions_write_pages(poppet, files, tmp_path):
+def test_both_actions_write_reports(poppet, files, tmp_path):
     pytest.importorskip("matplotlib")
     assert poppet("control", "tune", "pid.toml", "--at", "3 bar", "--report", "tuning.html").code == 0
     assert poppet("control", "compare", "pid.toml", "law.toml", "--report", "comparison.html").code == 0
@@ -187,7 +187,7 @@ def test_both_actions_write_pages(poppet, files, tmp_path):
 
 
 @pytest.mark.parametrize("tuned", [(), ("--schedule",)])
-def test_gains_go_into_every_command(poppet, tmp_path, tuned):
+def test_gains_are_accepted_by_every_command(poppet, tmp_path, tuned):
     """As if the circuit file had them, a schedule in place of a gain or the other way; an FMU carries them."""
     from poppet.deploy.fmu.importers import circuit_resources, read_circuit
 
@@ -200,21 +200,21 @@ def test_gains_go_into_every_command(poppet, tmp_path, tuned):
         numbers = circuit.parts["regulator"].parameters(circuit.surroundings)
         return {name: value for name, value in numbers.items() if name.partition(".")[0] in tuning.fields()}
 
-    wanted = gains(tuning.applied(load(tmp_path / "pressure_control.toml")))
+    expected = gains(tuning.applied(load(tmp_path / "pressure_control.toml")))
     for name in ("pressure_control.toml", "pressure_control_scheduled.toml"):
         code, out, _ = poppet("show", name, "--with", "gains.toml", "--json")
-        shown = {entry["address"]: entry["value"] for entry in json.loads(out)["numbers"]}
-        found = {key: shown[f"regulator.{key}"] for key in wanted}
+        values_by_address = {entry["address"]: entry["value"] for entry in json.loads(out)["numbers"]}
+        applied = {key: values_by_address[f"regulator.{key}"] for key in expected}
         assert code == 0
-        assert found == pytest.approx(wanted, rel=1e-5)
-        assert ("regulator.gain" in shown) is not bool(tuned)
+        assert applied == pytest.approx(expected, rel=1e-5)
+        assert ("regulator.gain" in values_by_address) is not bool(tuned)
     with zipfile.ZipFile(tmp_path / "some.fmu", "w") as archive:
         text = (tmp_path / "pressure_control.toml").read_text()
         resources = circuit_resources(text, {"tank.volume": "2 l"}, str(tmp_path / "gains.toml"))
         for name, content in resources.items():
             archive.writestr(name, content)
     carried = read_circuit(tmp_path / "some.fmu")
-    assert gains(carried) == pytest.approx(wanted, rel=1e-5)
+    assert gains(carried) == pytest.approx(expected, rel=1e-5)
     assert carried.parts["tank"].volume.value == pytest.approx(2e-3)
 
 
@@ -230,7 +230,7 @@ def test_gains_go_into_every_command(poppet, tmp_path, tuned):
         ("[gains]\nregulator = 2\n", "result.unreadable"),
     ],
 )
-def test_a_file_of_numbers_that_fits_nothing_is_refused(poppet, tmp_path, text, code):
+def test_a_parameter_file_without_matching_address_is_refused(poppet, tmp_path, text, code):
     (tmp_path / "gains.toml").write_text(text)
     answer = poppet("show", str(EXAMPLES / "pressure_control.toml"), "--with", "gains.toml")
     assert answer.code == 2

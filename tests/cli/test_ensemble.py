@@ -1,4 +1,4 @@
-"""`poppet ensemble`: tables of a file to a dataset, mistakes with their lines, an end before its time."""
+"""Tests of `poppet ensemble`: dataset, errors with their lines, interruption."""
 
 from __future__ import annotations
 
@@ -26,8 +26,8 @@ def test_a_file_becomes_a_dataset(poppet, file, tmp_path):
         "fast", "low", "all", "end", "empty", "air",
     ]  # fmt: skip
     assert len([*(tmp_path / "tank.ensemble" / "runs").iterdir()]) == 5
-    again = poppet("ensemble", "tank.toml")
-    assert (again.code, again.out) == (0, answer.out)
+    second = poppet("ensemble", "tank.toml")
+    assert (second.code, second.out) == (0, answer.out)
     assert poppet("ensemble", "tank.toml", "--quiet").out == ""
 
 
@@ -38,7 +38,7 @@ def test_another_dataset_is_refused(poppet, file):
     assert poppet("ensemble", "tank.toml", "--runs", "11", "-o", "other").code == 0
 
 
-def test_mistakes_stand_in_their_lines(poppet, file):
+def test_errors_have_line_numbers(poppet, file):
     changes = {
         "runs = 300": "runs = 0",
         '"tank.volume"': '"tank.volum"',
@@ -52,17 +52,17 @@ def test_mistakes_stand_in_their_lines(poppet, file):
     file.write_text(text, encoding="utf-8")
     answer = poppet("ensemble", "tank.toml")
     assert answer.code == 2
-    wanted = [1 + text.splitlines().index(next(line for line in text.splitlines() if new in line)) for new in (
+    lines = [1 + text.splitlines().index(next(line for line in text.splitlines() if new in line)) for new in (
         changes.values())]  # fmt: skip
-    assert [mistake.line for mistake in answer.errors] == wanted
-    assert [mistake.nearest for mistake in answer.errors] == ["", "tank.volume", "final", "", "empty"]
+    assert [error.line for error in answer.errors] == lines
+    assert [error.nearest for error in answer.errors] == ["", "tank.volume", "final", "", "empty"]
     checked = poppet("check", "tank.toml")
-    assert (checked.code, [mistake.line for mistake in checked.errors]) == (2, wanted)
+    assert (checked.code, [error.line for error in checked.errors]) == (2, lines)
     # Other commands leave these tables aside.
     assert poppet("simulate", "tank.toml").code == 0
 
 
-def test_impossible_values_are_said_before_the_first_run(poppet, file, tmp_path):
+def test_invalid_values_are_reported_before_the_first_run(poppet, file, tmp_path):
     file.write_text((TANK + TABLES).replace("relative_sigma = 0.02", "relative_sigma = 0.3"), encoding="utf-8")
     answer = poppet("ensemble", "tank.toml")
     assert (answer.code, answer.codes) == (2, ["ensemble.impossible"])
@@ -70,7 +70,7 @@ def test_impossible_values_are_said_before_the_first_run(poppet, file, tmp_path)
     assert not (tmp_path / "tank.ensemble").exists()
 
 
-def test_an_interruption_keeps_what_is_done(poppet, file, monkeypatch):
+def test_an_interruption_keeps_completed_runs(poppet, file, monkeypatch):
     from poppet.cli import progress
 
     def interrupt(self, done, total, kind):

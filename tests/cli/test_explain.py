@@ -1,4 +1,4 @@
-"""`poppet explain`: every code has an answer."""
+"""Tests of `poppet explain`."""
 
 from __future__ import annotations
 
@@ -15,23 +15,23 @@ def test_an_error_has_cause_example_and_remedy(poppet):
     assert "duration = 0 s is out of range" in lines[1]
 
 
-def test_a_note_and_several_at_once(poppet):
+def test_several_codes_are_explained(poppet):
     done = poppet("explain", "finding.area", "finding.capped")
     assert [line for line in done.out.splitlines() if line and line[0] != " "] == ["finding.area", "finding.capped"]
 
 
-def test_the_first_part_of_codes_lists_them(poppet):
+def test_the_first_part_of_a_code_lists_all_its_codes(poppet):
     within = [code for code in every_code() if code.startswith("wiring.")]
     assert poppet("explain", "wiring").out.split()[-len(within) :] == within
 
 
-def test_without_a_code_it_lists_all_topics_with_titles(poppet):
+def test_without_a_code_all_topics_are_listed(poppet):
     lines = poppet("explain").out.splitlines()
     assert {line.split()[0] for line in lines} == {code.partition(".")[0] for code in every_code()}
     assert all(len(line.split()) > 1 for line in lines)
 
 
-def test_a_former_code_leads_to_its_new_code(poppet):
+def test_a_former_code_shows_its_new_code(poppet):
     assert poppet("explain", "wiring.no_input").out.startswith("wiring.no_input is now names.unknown.\nnames.unknown\n")
 
 
@@ -41,14 +41,14 @@ def test_an_unknown_code_is_refused_with_the_nearest(poppet):
     assert "fields.out_of_range" in done.err
 
 
-def test_a_misspelt_beginning_is_answered_with_beginnings(poppet):
+def test_a_misspelt_first_part_has_a_suggestion(poppet):
     done = poppet("explain", "filds")
     assert done.code == 2
     assert "Did you mean fields" in done.err
     assert "fields." not in done.err
 
 
-def test_a_refusal_says_what_to_type(poppet):
+def test_an_error_names_the_explain_command(poppet):
     done = poppet("convert", "6 bax", "--to", "psi")
     assert done.code == 2
     (line,) = [line for line in done.err.splitlines() if line.startswith("more: poppet explain ")]
@@ -56,7 +56,7 @@ def test_a_refusal_says_what_to_type(poppet):
         assert code in every_code()
 
 
-def test_every_template_can_be_read_plainly():
+def test_every_template_has_plain_text():
     for template in every_code().values():
         for text in [template] if isinstance(template, str) else template.values():
             assert "{{" in text or "{" not in plain(text)

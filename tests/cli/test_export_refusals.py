@@ -1,4 +1,4 @@
-"""What a target cannot carry is refused by every one of them before anything is written."""
+"""Tests of circuits that export targets refuse before they write a file."""
 
 from __future__ import annotations
 
@@ -23,24 +23,24 @@ WHOLE = {"c": FOLDER, "fmu": FMU, "live": PAGE}
 
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
-    """Where circuits lie of which each has something that cannot be carried; nothing else may be there afterwards."""
+    """Folder with circuits that cannot be exported; a refused export adds no file."""
     monkeypatch.chdir(tmp_path)
     text = Path(CONTROL).read_text(encoding="utf-8")
     signals = text.index("[signals.")
     run = text.index("[run]")
     course = '[signals."regulator.setpoint"]\n'
     file = 'kind = "file"\npath = "bench.csv"\ncolumn = "regulator.setpoint"\n'
-    made = {
+    files = {
         "endless.toml": text[:run],
         "measured.toml": text[:signals] + course + file + text[run:],
         "quick.toml": f"{text[:signals]}{course}"
         'kind = "square"\nlow = "2 bar"\nhigh = "3 bar"\nfrequency = "20 kHz"\n' + text[run:],
         "bench.csv": "time [s],regulator.setpoint [Pa]\n0,2e5\n1,4e5\n",
     }
-    for name, content in made.items():
+    for name, content in files.items():
         (tmp_path / name).write_text(content, encoding="utf-8")
     yield tmp_path
-    assert {path.name for path in tmp_path.iterdir()} == made.keys()
+    assert {path.name for path in tmp_path.iterdir()} == files.keys()
 
 
 def command(target, file, *more):
@@ -48,7 +48,7 @@ def command(target, file, *more):
 
 
 @pytest.mark.parametrize("target", WHOLE)
-def test_whole_circuits(target, folder):
+def test_every_target_exports_whole_circuits(target, folder):
     with refused("fields.missing", "run.duration"):
         command(target, "endless.toml", *WHOLE[target])
     with refused("deploy.segments", "signals", most=100_000):
@@ -67,7 +67,7 @@ def test_whole_circuits(target, folder):
         ("st", JOINT, ("--part", "inverse", *ST), "deploy.controller.unsampled"),
         ("c", CONTROL, ("--part", "tank", *FOLDER), "deploy.controller.other"),
         ("c", JOINT, ("--part", "inverse", *FOLDER), "deploy.controller.unsampled"),
-        ("c", CONTROL, ("--substeps", "0", *FOLDER), "deploy.substeps"),
+        ("c", CONTROL, ("--substeps", "0", *FOLDER), "fields.out_of_range"),
         ("fmu", FILL, ("--input", "ambient.pressure", *FMU), "deploy.fmu.fixed_input"),
         ("fmu", FILL, ("--input", "tank.volum", *FMU), "names.unknown"),
         ("fmu", FILL, ("-o", "out.fmu", "--platform", "amiga"), "fields.not_an_option"),
@@ -77,13 +77,13 @@ def test_whole_circuits(target, folder):
         ("live", DELAYED, ("--number", "valve.sonic_conductance", *PAGE), "deploy.live.derived"),
     ],
 )
-def test_what_a_target_does_not_have(target, file, given, code, folder):
+def test_invalid_options_of_a_target_are_refused(target, file, given, code, folder):
     with refused(code):
         command(target, file, *given)
 
 
-def test_a_python_function_is_no_signal():
-    """So no target meets one: what a circuit holds is data."""
+def test_a_python_function_as_signal_is_refused():
+    """A circuit contains data only, so an export target never gets a Python function."""
     parts = {
         "tank": Chamber(volume="1 l", initial_pressure="5 bar"),
         "vent": Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3),
@@ -92,7 +92,7 @@ def test_a_python_function_is_no_signal():
         Circuit(parts, {"vent.opening": lambda t: 0.5 + 0.5 * t})
 
 
-def test_sampled_memory_in_continuous_tools():
+def test_sampled_circuits_are_refused_by_continuous_tools():
     for tool in ("to_casadi", "to_control"):
         with refused("tools.sampled", "regulator.sample"):
             getattr(load(CONTROL), tool)()
@@ -115,7 +115,7 @@ def test_a_missing_extra_is_named(monkeypatch, tmp_path):
     assert not any(name.startswith("binaries/") for name in names)
 
 
-def test_an_fmu_that_is_none(tmp_path, monkeypatch):
+def test_an_invalid_fmu_is_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     with refused("files.unreadable", path="missing.fmu"):
         command("check", "missing.fmu")

@@ -1,4 +1,4 @@
-"""`poppet export st`: a file or the terminal, and nothing where something is wrong."""
+"""Tests of `poppet export st`: output file, terminal, invalid input."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 CONTROL, JOINT = (str(EXAMPLES / f"{name}.toml") for name in ("pressure_control", "muscle_joint"))
 
 
-def test_a_block_is_written_or_shown(tmp_path, capsys):
+def test_a_block_is_written_or_printed(tmp_path, capsys):
     file = tmp_path / "controller.st"
     assert run(["export", "st", CONTROL, "--part", "controller", "--set", "regulator.gain=5e-5", "-o", str(file)]) == 0
     capsys.readouterr()
@@ -25,12 +25,12 @@ def test_a_block_is_written_or_shown(tmp_path, capsys):
     assert "valve_setpoint" not in FunctionBlock(file.read_text(encoding="ascii")).names("VAR_INPUT")
 
 
-def test_nothing_is_written_where_something_is_wrong(tmp_path, capsys):
+def test_errors_prevent_the_output_file(tmp_path, capsys):
     file = tmp_path / "controller.st"
     for parts, code in (
         ("tank", "deploy.controller.other"),
         ("", "deploy.no_part_named"),
-        ("regulater", "deploy.controller.unknown"),
+        ("regulater", "names.unknown"),
     ):
         with refused(code):
             _execute(["--part", parts] if parts else [], file)
@@ -43,7 +43,7 @@ def _execute(options, file):
     _dispatch(["export", "st", CONTROL, *options, "-o", str(file)])
 
 
-def test_a_circuit_without_a_controller_is_told_so(tmp_path):
+def test_a_circuit_without_a_controller_is_refused(tmp_path):
     assert run(["new", "valve-fill", "-o", str(tmp_path / "fill.toml")]) == 0
     with refused("deploy.controller.none"):
         _dispatch(["export", "st", str(tmp_path / "fill.toml")])

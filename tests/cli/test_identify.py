@@ -1,4 +1,4 @@
-"""`poppet identify`: the ways on the examples, and data that cannot be."""
+"""Tests of `poppet identify`: methods on the examples, and invalid data."""
 
 from __future__ import annotations
 
@@ -60,17 +60,19 @@ def remarks(result: Result, code: str) -> list[Note]:
 # What the documents show ------------------------------------------------------------------------------------------
 
 
-def test_a_key_that_is_not_documented_is_found():
+def test_an_undocumented_key_is_detected():
     keys = {"aicc": 1.0, "new": 2.0}, {"loss": "linear", "old": 1}
     result = Result("fit", "a title", {}, comparison=keys[0], conditions=keys[1])
     assert undocumented(result) == ["comparison.new", "conditions.old"]
 
 
-def test_the_documents_show_all_ways():
-    shown = {
-        way for page in PAGES for way in re.findall(r"poppet identify (\w+) examples", page.read_text(encoding="utf-8"))
+def test_the_documentation_shows_all_methods():
+    methods = {
+        method
+        for page in PAGES
+        for method in re.findall(r"poppet identify (\w+) examples", page.read_text(encoding="utf-8"))
     }
-    assert shown == {*WAYS, "design"}
+    assert methods == {*WAYS, "design"}
 
 
 def test_shown_files_are_those_of_the_examples():
@@ -116,14 +118,14 @@ def page_of(method: str) -> str:
     ],
 )
 def test_every_field_is_documented(method, names):
-    words = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", page_of(method)))))
-    assert [name for name in names if name not in words] == []
+    documented = set(re.findall(r"\w+", " ".join(re.findall(r"`([^`\n]+)`", page_of(method)))))
+    assert [name for name in names if name not in documented] == []
 
 
 # What the ways find -----------------------------------------------------------------------------------------------
 
 
-def test_the_recordings_are_what_their_script_makes(tmp_path):
+def test_recordings_equal_the_output_of_their_script(tmp_path):
     spec = importlib.util.spec_from_file_location("make_data", EXAMPLES / "make_data.py")
     assert spec
     assert spec.loader
@@ -133,9 +135,9 @@ def test_the_recordings_are_what_their_script_makes(tmp_path):
     names = sorted(str(path.relative_to(EXAMPLES)) for path in EXAMPLES.rglob("*.csv"))
     assert names == sorted(str(path.relative_to(tmp_path)) for path in tmp_path.rglob("*.csv"))
     for name in names:
-        kept, made = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (EXAMPLES, tmp_path))
+        stored, generated = (np.loadtxt(folder / name, delimiter=",", skiprows=1) for folder in (EXAMPLES, tmp_path))
         # Another processor may round a sample to the next step of the recorder.
-        assert np.max(np.abs(made - kept)) <= 0.11
+        assert np.max(np.abs(generated - stored)) <= 0.11
 
 
 TRUTH = {
@@ -159,7 +161,7 @@ TRUTH = {
 
 
 @pytest.mark.parametrize("way", TRUTH)
-def test_the_truth_of_the_examples_is_found(poppet, bench, way):
+def test_true_parameters_of_the_examples_are_identified(poppet, bench, way):
     code, out, err = poppet("identify", way, str(bench / f"{way}.toml"), "-o", "result.toml")
     result = read_result("result.toml")
     assert (code, err, result.method) == (0, "", way)
@@ -169,7 +171,7 @@ def test_the_truth_of_the_examples_is_found(poppet, bench, way):
         assert re.search(rf"^  {re.escape(name)} .* determined$", out, re.MULTILINE)
 
 
-def test_a_characteristic_goes_into_a_circuit(poppet, bench):
+def test_an_identified_characteristic_is_used_in_a_circuit(poppet, bench):
     file = str(bench / "characteristic.toml")
     code, out, err = poppet("identify", "characteristic", file, "--library", "seat.toml")
     assert (code, err) == (0, "")
@@ -182,13 +184,13 @@ def test_a_characteristic_goes_into_a_circuit(poppet, bench):
         assert seat.critical_ratio_at(stroke) == pytest.approx(truth.critical_ratio_at(stroke), abs=0.02)
 
 
-def test_strokes_that_are_too_short_are_said(bench):
-    """At 80 mm/s the example has 12 samples of a stroke."""
-    (said,) = remarks(identify_friction(bench / "friction.toml"), "friction.short_strokes")
-    assert said.facts["count"] == 8
+def test_too_short_strokes_are_reported(bench):
+    """The example has 12 samples per stroke at 80 mm/s."""
+    (note,) = remarks(identify_friction(bench / "friction.toml"), "friction.short_strokes")
+    assert note.facts["count"] == 8
 
 
-def test_a_spline_says_that_the_data_reject_its_constraint(poppet, bench):
+def test_a_spline_reports_that_the_data_reject_its_constraint(poppet, bench):
     path = bench / "characteristic.toml"
     path.write_text(path.read_text().replace('"polynomial"', '"spline"'))
     code, out, _ = poppet("identify", "characteristic", str(path))
@@ -210,14 +212,14 @@ def test_a_result_is_used_by_simulate(poppet, bench, tmp_path):
     assert np.sqrt(np.mean((with_result - measured) ** 2)) < 1.1 * data["residuals"]["discharge.tank.pressure"]["rms"]
 
 
-def test_json_holds_the_same(poppet, bench):
+def test_a_json_result_contains_the_same_values(poppet, bench):
     for name in ("result.toml", "result.json"):
         assert poppet("identify", "flow", str(bench / "flow.toml"), "-o", name).code == 0
     assert read_result("result.toml").parameters == read_result("result.json").parameters
     assert json.loads(Path("result.json").read_text())["method"] == "flow"
 
 
-def test_a_worse_model_is_called_so(poppet, bench):
+def test_a_worse_model_is_reported(poppet, bench):
     files = str(bench / "fit.toml"), "--compare", str(bench / "fit_adiabatic.toml")
     assert poppet("identify", "fit", *files, "-o", "result.toml").code == 0
     assert undocumented(read_result("result.toml")) == []
@@ -228,7 +230,7 @@ def test_a_worse_model_is_called_so(poppet, bench):
     assert comparison["AICc"] == comparison["aicc"]
 
 
-def test_settings_below_the_free_numbers_are_settings(bench):
+def test_settings_after_the_free_parameters_are_settings(bench):
     """Lines appended to a fit file land in its last table."""
     path = bench / "fit.toml"
     path.write_text(path.read_text(encoding="utf-8") + 'starts = 3\nloss = "huber"\n', encoding="utf-8")
@@ -237,7 +239,7 @@ def test_settings_below_the_free_numbers_are_settings(bench):
     assert "starts" not in [f.name for f in plan.free]
 
 
-def test_loss_and_starts_may_stand_with_a_number(bench):
+def test_loss_and_starts_are_accepted_in_the_table_of_a_parameter(bench):
     path = bench / "fit.toml"
     text = path.read_text(encoding="utf-8").replace("{ start = 0.3 }", '{ start = 0.3, starts = 3, loss = "huber" }')
     path.write_text(text, encoding="utf-8")
@@ -285,13 +287,13 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
         ("tank", '"20 l"', '"20 l"\ncritical_ratio = { strt = 0.3 }', "critical_ratio =", "fields.unknown"),
     ],
 )
-def test_mistakes_are_told_with_their_line(bench, way, old, new, marked, code):
+def test_errors_have_their_line_number(bench, way, old, new, marked, code):
     path = bench / f"{way}.toml"
     text = path.read_text(encoding="utf-8")
     assert old in text
     text = text.replace(old, new, 1)
     path.write_text(text, encoding="utf-8")
-    line = next(n for n, each in enumerate(text.splitlines(), 1) if marked in each)
+    line = next(n for n, row in enumerate(text.splitlines(), 1) if marked in row)
     with pytest.raises(InputError) as error:
         READERS[way](path)
     assert (error.value.code, error.value.file, error.value.line) == (code, str(path), line)
@@ -300,7 +302,7 @@ def test_mistakes_are_told_with_their_line(bench, way, old, new, marked, code):
 @pytest.mark.parametrize(
     ("way", "old", "wrong", "meant"), [("fit", "use =", "usee =", "use"), ("tank", "closes", "closs", "closes")]
 )
-def test_what_a_fit_reads_itself_may_be_misspelt(bench, way, old, wrong, meant):
+def test_misspelt_keys_have_a_suggestion(bench, way, old, wrong, meant):
     path = bench / f"{way}.toml"
     path.write_text(path.read_text(encoding="utf-8").replace(old, wrong, 1), encoding="utf-8")
     with pytest.raises(InputError) as error:
@@ -310,7 +312,7 @@ def test_what_a_fit_reads_itself_may_be_misspelt(bench, way, old, wrong, meant):
 
 
 @pytest.mark.parametrize("way", READERS)
-def test_mistakes_end_the_command_with_their_line(poppet, bench, way):
+def test_errors_end_the_command_with_their_line(poppet, bench, way):
     path = bench / f"{way}.toml"
     path.write_text("starts = 0\n" + path.read_text(encoding="utf-8"), encoding="utf-8")
     code, out, err = poppet("identify", way, str(path))
@@ -318,44 +320,44 @@ def test_mistakes_end_the_command_with_their_line(poppet, bench, way):
     assert f"{way}.toml:1: " in err
 
 
-def test_a_mistake_in_what_the_fit_file_sets_is_told_with_its_line(poppet, bench):
+def test_an_invalid_value_of_the_fit_file_has_its_line(poppet, bench):
     path = bench / "fit.toml"
     text = path.read_text(encoding="utf-8").replace("[recordings", '[set]\n"tank.volum" = 3\n\n[recordings', 1)
     path.write_text(text, encoding="utf-8")
-    line = next(n for n, each in enumerate(text.splitlines(), 1) if "tank.volum" in each)
+    line = next(n for n, row in enumerate(text.splitlines(), 1) if "tank.volum" in row)
     assert f"fit.toml:{line}: " in poppet("identify", "fit", str(path)).err
 
 
-def test_a_gauge_pressure_read_as_absolute_is_named(poppet, bench):
+def test_a_gauge_pressure_read_as_absolute_is_reported(poppet, bench):
     path = bench / "tank.toml"
     path.write_text(path.read_text(encoding="utf-8").replace('unit = "bar g"', 'unit = "bar"'), encoding="utf-8")
     result = identify_tank(path)
-    (found,) = remarks(result, "finding.gauge")
-    assert found.address == "charge.tank.pressure"
-    assert found.facts["floor"] < 0.5 * found.facts["ambient"] == pytest.approx(0.4935)
-    assert (found.facts["number"], found.facts["verdict"]) == ("valve.critical_ratio", "at bound")
+    (finding,) = remarks(result, "finding.gauge")
+    assert finding.address == "charge.tank.pressure"
+    assert finding.facts["floor"] < 0.5 * finding.facts["ambient"] == pytest.approx(0.4935)
+    assert (finding.facts["number"], finding.facts["verdict"]) == ("valve.critical_ratio", "at bound")
     assert len([note for note in remarks(result, "suspicion.read_as_absolute") if "discharge" in note.address]) == 1
 
 
-def test_a_page_that_cannot_be_drawn_is_told_before_the_fit(poppet, bench, monkeypatch):
+def test_missing_matplotlib_is_reported_before_the_fit(poppet, bench, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     result = bench / "result.toml"
-    asked = ("identify", "flow", str(bench / "flow.toml"), "-o", str(result), "--report", str(bench / "page.html"))
-    code, out, err = poppet(*asked)
+    arguments = ("identify", "flow", str(bench / "flow.toml"), "-o", str(result), "--report", str(bench / "page.html"))
+    code, out, err = poppet(*arguments)
     assert (code, out) == (2, "")
     assert "matplotlib" in err
     assert not result.exists()
 
 
-def test_profiles_and_bootstrap_tell_how_far_they_are(bench):
-    told = []
+def test_profiles_and_bootstrap_report_progress(bench):
+    calls = []
     options = {"profile": ["valve.critical_ratio"], "repeats": 2}
-    identify_tank(bench / "tank.toml", stages=lambda *parts: told.append(parts), **options)
-    assert [each for each in told if each[0] == "bootstrap fits"] == [("bootstrap fits", k, 2) for k in (1, 2)]
-    profile = [each for each in told if each[0].startswith("ends of profiles (valve.critical_ratio: ")]
+    identify_tank(bench / "tank.toml", stages=lambda *parts: calls.append(parts), **options)
+    assert [call for call in calls if call[0] == "bootstrap fits"] == [("bootstrap fits", k, 2) for k in (1, 2)]
+    profile = [call for call in calls if call[0].startswith("ends of profiles (valve.critical_ratio: ")]
     assert [done for _, done, _ in profile] == sorted(done for _, done, _ in profile)
     assert {total for *_, total in profile} == {2}
-    assert len(profile) + 2 == len(told)
+    assert len(profile) + 2 == len(calls)
 
 
 @pytest.mark.parametrize(
@@ -368,7 +370,7 @@ def test_profiles_and_bootstrap_tell_how_far_they_are(bench):
 )
 def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, note):
     """The interrupt comes during the fit that follows the report, where a search catches it."""
-    plain = identify_tank(bench / "tank.toml").parameters
+    uninterrupted = identify_tank(bench / "tank.toml").parameters
     armed = []
     original = Experiment.outputs
 
@@ -388,10 +390,10 @@ def test_an_interrupt_after_the_fit_keeps_it(bench, monkeypatch, after, note):
     )
     assert result.conditions["interrupted"] is True
     assert note in result.remarks
-    assert result.parameters == plain
+    assert result.parameters == uninterrupted
 
 
-def test_a_pressure_that_stays_is_missed_by_a_number(poppet, bench):
+def test_a_constant_pressure_gives_a_finding(poppet, bench):
     """A recording that does not change has no range to compare with."""
     rows = "\n".join(f"{0.1 * k:.1f},5.0,20.0" for k in range(200))
     (bench / "discharge.csv").write_text("t,p_tank,T_gas\n" + rows, encoding="utf-8")
@@ -417,7 +419,7 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
     repeated = {note.address: note.facts for note in remarks(result, "finding.bootstrap")}
     assert set(repeated) == set(result.parameters)
     assert repeated["valve.sonic_conductance"]["low"] == pytest.approx(2.1e-8, rel=0.02)
-    assert {each["fits"] for each in repeated.values()} == {3}
+    assert {facts["fits"] for facts in repeated.values()} == {3}
 
 
 @pytest.mark.parametrize(
@@ -426,7 +428,7 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
         (("flow", "flow.toml", "--compare", "fit.toml"), "--compare is not an option of `identify flow`"),
         (("tank", "tank.toml", "--library", "x.toml"), "--library is not an option of `identify tank`"),
         (("characteristic", "characteristic.toml", "--bootstrap", "9"), "--bootstrap is not an option"),
-        (("fit", "fit.toml", "--bootstrap", "-1"), "--bootstrap -1 must be at least 0"),
+        (("fit", "fit.toml", "--bootstrap", "-1"), "the number of bootstrap fits must be at least 0"),
         (("fit", "fit.toml", "--profile", "outlet.ratio"), "outlet.ratio is not a free parameter"),
         (("fit", "fit.toml", "-o", "x.xls"), "x.xls"),
         (("fit", "nowhere.toml"), "nowhere.toml"),
@@ -436,14 +438,14 @@ def test_profile_and_bootstrap_add_intervals(poppet, bench):
         (("characteristic", "flow.toml"), "is not a valid field of a list of tests"),
     ],
 )
-def test_what_does_not_fit_is_refused(poppet, bench, monkeypatch, arguments, message):
+def test_invalid_options_are_refused(poppet, bench, monkeypatch, arguments, message):
     monkeypatch.chdir(bench)
     code, out, err = poppet("identify", *arguments)
     assert (code, out) == (2, "")
     assert message in err
 
 
-def test_an_interrupted_fit_hands_over_its_best(poppet, bench, monkeypatch):
+def test_an_interrupted_fit_returns_its_best_point(poppet, bench, monkeypatch):
     calls = []
 
     def interrupt(self, count, cost):
@@ -478,7 +480,7 @@ def backwards(rows):
 
 
 def rising(rows):
-    return [[row[0], other[1], *row[2:]] for row, other in zip(rows, rows[::-1], strict=True)]
+    return [[row[0], mirrored[1], *row[2:]] for row, mirrored in zip(rows, rows[::-1], strict=True)]
 
 
 REFUSED = [
@@ -493,7 +495,7 @@ RECORDINGS = [("fit", "discharge.csv"), ("tank", "tank_discharge.csv"), ("charac
 
 @pytest.mark.parametrize(("way", "file"), RECORDINGS)
 @pytest.mark.parametrize(("change", "message"), REFUSED)
-def test_recordings_that_cannot_be_read_are_refused(poppet, bench, way, file, change, message):
+def test_invalid_recordings_are_refused(poppet, bench, way, file, change, message):
     rewrite(bench / file, change)
     code, out, err = poppet("identify", way, str(bench / f"{way}.toml"), "-o", "result.toml")
     assert (code, out) == (2, "")
@@ -540,7 +542,7 @@ def test_a_tank_fuller_than_its_supply_is_refused(poppet, bench):
         (lambda rows: [[row[0], row[2], row[1], row[3]] for row in rows], "pressure_2"),
     ],
 )
-def test_points_that_cannot_be_are_refused(poppet, bench, change, message):
+def test_implausible_points_are_refused(poppet, bench, change, message):
     rewrite(bench / "flow_points.csv", change)
     code, out, err = poppet("identify", "flow", str(bench / "flow.toml"))
     assert (code, out) == (2, "")
@@ -564,7 +566,7 @@ def doubtful(path: Path) -> Result:
     return result
 
 
-def test_a_sensor_that_does_not_move_is_suspected(bench):
+def test_a_constant_sensor_gives_a_finding(bench):
     rewrite(bench / "discharge.csv", with_pressure("5.0"))
     result = doubtful(bench / "fit.toml")
     assert "Check the connection of the sensor." in " ".join(result.findings)
@@ -572,13 +574,13 @@ def test_a_sensor_that_does_not_move_is_suspected(bench):
     assert result.parameters["outlet.sonic_conductance"].verdict in ("not determined", "at bound")
 
 
-def test_a_pressure_that_rises_in_a_discharge_does_not_fit(bench):
+def test_a_rising_pressure_in_a_discharge_gives_a_finding(bench):
     rewrite(bench / "discharge.csv", rising)
-    (found,) = remarks(doubtful(bench / "fit.toml"), "finding.residuals.not_white")[:1]
-    assert found.address == "discharge.tank.pressure"
+    (finding,) = remarks(doubtful(bench / "fit.toml"), "finding.residuals.not_white")[:1]
+    assert finding.address == "discharge.tank.pressure"
 
 
-def test_gauge_read_as_absolute_is_suspected(bench):
+def test_gauge_read_as_absolute_gives_a_finding(bench):
     path = bench / "fit.toml"
     path.write_text(path.read_text().replace('"bar g"', '"bar"'))
     assert "If it is a gauge pressure" in " ".join(doubtful(path).findings)

@@ -1,4 +1,4 @@
-"""Finding the command, help, exit codes, and errors that never become tracebacks."""
+"""Tests of the entry point: command names, help, exit codes, errors without traceback."""
 
 from __future__ import annotations
 
@@ -38,18 +38,18 @@ def cold(*arguments: str, cwd: Path, **options: object) -> subprocess.CompletedP
         ("bench", "iso10094", "--recording", "a.toml", "-o", "a.toml"),
     ],
 )
-def test_what_is_read_is_never_written_over(poppet, arguments):
+def test_input_files_are_never_overwritten(poppet, arguments):
     assert poppet(*arguments).codes == ["cli.output.taken"]
 
 
 @pytest.mark.parametrize("stream", ["stdout", "stderr"])
-def test_a_closed_stream_takes_all(stream, tanks, monkeypatch):
+def test_a_closed_stream_is_replaced(stream, tanks, monkeypatch):
     monkeypatch.setattr(sys, stream, None)
     assert main.run(["check", str(tanks)]) == 0
     assert main.run(["check", "nothing.toml"]) == 2
 
 
-def test_no_raw_warning_reaches_a_user(capsys, monkeypatch):
+def test_users_get_no_python_warning(capsys, monkeypatch):
     monkeypatch.setattr(sys, "argv", ["poppet", "schema"])
     monkeypatch.setattr(main, "_dispatch", lambda _: warnings.warn("of somebody's source", stacklevel=1) or 0)
     assert main.run() == 0
@@ -84,8 +84,8 @@ def test_every_help_ends_with_two_or_three_examples(poppet, name):
 @pytest.mark.parametrize("name", COMMANDS)
 def test_every_example_can_be_parsed(name):
     for line in COMMANDS[name].examples:
-        program, *words = shlex.split(line)
-        command, arguments = main.split_command(words)
+        program, *command_line = shlex.split(line)
+        command, arguments = main.split_command(command_line)
         # A group shows what is in it.
         assert program == "poppet"
         assert f"{command} ".startswith(f"{name} ")
@@ -106,7 +106,7 @@ def test_every_example_can_be_parsed(name):
         (("simulate", "x.toml", "y.toml"), "cli.argument.extra", ""),
     ],
 )
-def test_a_misspelling_gets_a_suggestion(poppet, arguments, code, nearest):
+def test_a_misspelt_name_has_a_suggestion(poppet, arguments, code, nearest):
     answer = poppet(*arguments)
     assert answer.code == 2
     assert answer.errors == [(code, "", None, nearest)]
@@ -127,9 +127,9 @@ def test_every_command_has_quiet(poppet, monkeypatch, tmp_path, name):
 
     module, _, function = COMMANDS[name].function.partition(":")
     monkeypatch.setattr(importlib.import_module(f"poppet.cli.{module}"), function, execute)
-    words = shlex.split(COMMANDS[name].examples[0])[1:]
-    assert main.split_command(words)[0] == name
-    assert poppet(*words, "--quiet") == (0, "", "note: text\n")
+    arguments = shlex.split(COMMANDS[name].examples[0])[1:]
+    assert main.split_command(arguments)[0] == name
+    assert poppet(*arguments, "--quiet") == (0, "", "note: text\n")
 
 
 @pytest.mark.parametrize(
@@ -191,7 +191,7 @@ def failing(error: BaseException):
         (PermissionError(13, "Permission denied", "rig.toml"), 2, "rig.toml: Permission denied."),
     ],
 )
-def test_an_exception_becomes_one_sentence(poppet, monkeypatch, error, code, sentence):
+def test_an_exception_gives_one_line(poppet, monkeypatch, error, code, sentence):
     monkeypatch.delenv("POPPET_DEBUG", raising=False)
     monkeypatch.setattr("poppet.cli.reference.show_library", failing(error))
     answer = poppet("library")
@@ -207,7 +207,7 @@ def test_debugging_shows_the_traceback(poppet, monkeypatch):
         poppet("library")
 
 
-def test_a_reader_that_leaves_is_no_error(tmp_path):
+def test_a_closed_pipe_is_no_error(tmp_path):
     environment = os.environ | {"PYTHONPATH": str(SOURCES)}
     read_end, write_end = os.pipe()
     os.close(read_end)

@@ -1,4 +1,4 @@
-"""Templates: listed, written, never over an existing file, and each of them runs."""
+"""Tests of `poppet new`: templates are listed, written and run; existing files are kept."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def test_lists_the_templates(poppet):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_template_is_written_checks_and_runs(poppet, tmp_path, name):
+def test_a_template_is_written_checked_and_run(poppet, tmp_path, name):
     assert poppet("new", name).code == 0
     assert (tmp_path / f"{name}.toml").read_bytes() == TEMPLATES[name].read_bytes()
     assert poppet("check", f"{name}.toml").code == 0

@@ -1,4 +1,4 @@
-"""`poppet draw`, `plot`, `linearise` and `paper`: what they hand to the rooms below."""
+"""Tests of `poppet draw`, `plot`, `linearise` and `paper`."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_draw_refusals(poppet, tanks):
     assert poppet("draw", "missing.toml", "-o", "tanks.svg").codes == ["toml.no_file"]
 
 
-def test_plot_lays_recordings_over_each_other(poppet, fill, tmp_path):
+def test_plot_shows_recordings_in_common_axes(poppet, fill, tmp_path):
     pytest.importorskip("matplotlib")
     poppet("simulate", "tanks.toml", "--set", "high.volume=20 l", "-o", "other.csv")
     options = ("--select", "*.pressure", "--units", "bar,low.pressure=kPa")
@@ -49,14 +49,14 @@ def test_plot_lays_recordings_over_each_other(poppet, fill, tmp_path):
     assert (tmp_path / "both.svg").stat().st_size > 5000
 
 
-def test_plot_takes_the_name_of_the_first_recording(poppet, fill, tmp_path):
+def test_the_default_plot_file_is_named_after_the_first_recording(poppet, fill, tmp_path):
     pytest.importorskip("matplotlib")
     code, out, _ = poppet("plot", fill)
     assert (code, out) == (0, "fill.png: 1 recording drawn.\n")
     assert (tmp_path / "fill.png").exists()
 
 
-def test_plot_knows_inner_series_of_a_table_by_their_names(poppet, fill, tmp_path):
+def test_plot_recognises_internal_outputs_of_a_csv_file(poppet, fill, tmp_path):
     pytest.importorskip("matplotlib")
     for name, options in (("first.svg", ()), ("all.svg", ("--all",)), ("mass.svg", ("--select", "*.mass"))):
         assert poppet("plot", fill, "-o", name, *options).code == 0
@@ -99,7 +99,7 @@ class Linear:
 
 @pytest.fixture
 def asked(monkeypatch):
-    """What `Circuit.linearise` is asked for."""
+    """Record the arguments of `Circuit.linearise`."""
     calls = []
 
     def linearise(self, inputs=None, *, at=None):
@@ -152,7 +152,7 @@ def test_linearise_refusals(poppet, tanks, arguments, mistake):
     assert (answer.code, answer.out, answer.errors) == (2, "", [mistake])
 
 
-def test_paper_prints_the_table_and_tells_its_steps_on_stderr(poppet, tmp_path, monkeypatch):
+def test_paper_prints_the_table_and_reports_steps_on_stderr(poppet, tmp_path, monkeypatch):
     paper = pytest.importorskip("poppet.report.varga2012.paper")
 
     def write_paper(folder, progress):

@@ -1,4 +1,4 @@
-"""Something moves on a terminal once a command lasts longer than a second."""
+"""Tests of the progress display of commands that take longer than a second."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ class Terminal(io.StringIO):
     ("stream", "is_quiet", "is_shown"),
     [(Terminal(), False, True), (Terminal(), True, False), (io.StringIO(), False, False)],
 )
-def test_says_what_is_being_done(monkeypatch, stream, is_quiet, is_shown):
+def test_spinner_shows_its_text(monkeypatch, stream, is_quiet, is_shown):
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
     with Spinner("The model is made ready", is_quiet=is_quiet) as waiting:
@@ -33,7 +33,7 @@ def test_says_what_is_being_done(monkeypatch, stream, is_quiet, is_shown):
     assert ("The model is made ready" in stream.getvalue()) == is_shown
 
 
-def test_what_is_soon_done_is_not_spoken_of(monkeypatch):
+def test_a_short_command_shows_no_progress(monkeypatch):
     stream = Terminal()
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 60.0)
@@ -42,7 +42,7 @@ def test_what_is_soon_done_is_not_spoken_of(monkeypatch):
     assert stream.getvalue() == ""
 
 
-def test_what_has_an_end_is_shown_as_a_part_of_it(monkeypatch):
+def test_stages_show_the_completed_fraction(monkeypatch):
     stream = Terminal()
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
@@ -51,7 +51,7 @@ def test_what_has_an_end_is_shown_as_a_part_of_it(monkeypatch):
     assert "3 of 200 bootstrap fits, 0 s" in stream.getvalue()
 
 
-def test_an_ensemble_counts_the_runs_that_were_asked_for(monkeypatch):
+def test_ensemble_progress_counts_the_requested_runs(monkeypatch):
     stream = Terminal()
     monkeypatch.setattr("sys.stderr", stream)
     monkeypatch.setattr(progress, "PATIENCE", 0.0)
@@ -65,7 +65,7 @@ def test_an_ensemble_counts_the_runs_that_were_asked_for(monkeypatch):
 
 
 @pytest.mark.parametrize("solver", ["rosenbrock", "cvodes", "lsoda", "bdf", "radau"])
-def test_every_solver_tells_the_time_it_has_reached(tank_circuit, solver):
+def test_every_solver_reports_the_simulated_time(tank_circuit, solver):
     times = []
     run = solve(tank_circuit.problem(Run(duration=5.0)), solver, times.append)
     assert run.outcome is Outcome.DONE

@@ -1,4 +1,4 @@
-"""`poppet show`, `poppet library` and `poppet schema`."""
+"""Tests of `poppet show`, `poppet library` and `poppet schema`."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from poppet.parts.fields import specs
 EXAMPLES = sorted((Path(__file__).parents[2] / "examples").glob("*.toml"))
 
 
-def test_show_lists_the_assumed_numbers_first(poppet):
+def test_show_lists_assumed_parameters_first(poppet):
     poppet("new", "datasheet-valve")
     code, out, _ = poppet("show", "datasheet-valve.toml")
     headings = [line.split(" (")[0] for line in out.splitlines() if line and not line.startswith(" ")]
@@ -47,7 +47,7 @@ def test_show_one_kind(poppet):
     assert out.endswith("measured: none\n")
 
 
-def test_show_json_holds_every_number_absolute(poppet, tanks):
+def test_show_json_has_absolute_values(poppet, tanks):
     code, out, _ = poppet("show", "tanks.toml", "--json", "--set", "high.initial_pressure=5 bar g")
     assert code == 0
     numbers = {entry["address"]: entry for entry in json.loads(out)["numbers"]}

@@ -1,4 +1,4 @@
-"""`poppet simulate`: options, files, summaries and failures."""
+"""Tests of `poppet simulate`: options, files, summaries and failures."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def drain(tmp_path):
     return path
 
 
-def test_the_summary_tells_outcome_series_balances_and_steps(poppet, tanks):
+def test_the_summary_shows_outcome_outputs_balances_and_steps(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml")
     assert (code, err) == (0, "")
     assert out.startswith("Two tanks\nThe run is complete.\n\n11 rows, 11 series, 0 ... 5 s\nseries ")
@@ -50,7 +50,7 @@ def test_the_summary_tells_outcome_series_balances_and_steps(poppet, tanks):
     assert ["high.pressure", "bar", "7", "5.3237", "5.3237", "7"] in rows
 
 
-def test_an_output_file_holds_what_the_circuit_gives(poppet, tanks, tmp_path):
+def test_an_output_file_contains_the_recording(poppet, tanks, tmp_path):
     code, out, _ = poppet("simulate", "tanks.toml", "-o", "out.csv")
     assert (code, out) == (0, "out.csv: 11 rows, 11 series, 0 ... 5 s. The run is complete.\n")
     read, run = house.Recording.read("out.csv"), house.load(tanks).simulate()
@@ -90,7 +90,7 @@ def test_set_changes_options_and_the_run(poppet, tanks):
     assert recording["high.pressure"][0] == pytest.approx(6.9e5, rel=1e-12)
 
 
-def test_a_picture_that_cannot_be_drawn_is_told_before_the_run(poppet, tanks, monkeypatch):
+def test_missing_matplotlib_is_reported_before_the_run(poppet, tanks, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     monkeypatch.setattr("poppet.engine.solve.solve", lambda *_: pytest.fail("it ran"))
     answer = poppet("simulate", "tanks.toml", "-o", "out.csv", "--plot", "out.png")
@@ -98,7 +98,7 @@ def test_a_picture_that_cannot_be_drawn_is_told_before_the_run(poppet, tanks, mo
     assert not Path("out.csv").exists()
 
 
-def test_set_on_a_driven_input_replaces_its_signal_and_says_so(poppet, tanks):
+def test_set_on_a_driven_input_replaces_its_signal_with_a_note(poppet, tanks):
     code, _, err = poppet("simulate", "tanks.toml", "--set", "hole.opening=0.5", "-o", "out.csv")
     assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is ignored.\n")
     assert set(house.Recording.read("out.csv")["hole.opening"]) == {0.5}
@@ -164,17 +164,17 @@ output_step = "1 ms"
 """
 
 
-def test_one_note_for_all_steps_that_are_missed(poppet, tmp_path):
+def test_one_note_reports_all_missed_steps(poppet, tmp_path):
     (tmp_path / "missing.toml").write_text(MISSING)
     code, _, err = poppet("simulate", "missing.toml", "-o", "out.parquet")
-    said = [note for note in house.Recording.read("out.parquet").remarks if note.code == "valve.not_reached"]
-    assert (code, len(said)) == (0, 6)
-    (shown,) = grouped(said)
-    assert (shown.facts["more"], shown.facts["size"]) == (5, max(note.facts["missed_bar"] for note in said))
-    assert err == f"note: {shown}\n"
+    notes = [note for note in house.Recording.read("out.parquet").remarks if note.code == "valve.not_reached"]
+    assert (code, len(notes)) == (0, 6)
+    (sentence,) = grouped(notes)
+    assert (sentence.facts["more"], sentence.facts["size"]) == (5, max(note.facts["missed_bar"] for note in notes))
+    assert err == f"note: {sentence}\n"
 
 
-def test_select_and_units_shape_the_file(poppet, tanks):
+def test_select_and_units_apply_to_the_file(poppet, tanks):
     options = ("--select", "*.pressure,hole.mass_flow_rate", "--units", "bar,low.pressure=kPa,l/min ANR")
     assert poppet("simulate", "tanks.toml", *options, "-o", "out.csv").code == 0
     recording = house.Recording.read("out.csv")
@@ -202,8 +202,8 @@ def test_start_from_continues_a_run(poppet, tanks):
     )
     assert code == 0
     poppet("simulate", "tanks.toml", "--set", "hole.opening=1", "-o", "whole.csv")
-    parts, whole = house.Recording.read("next.csv").last(), house.Recording.read("whole.csv").last()
-    assert parts["high.pressure"] == pytest.approx(whole["high.pressure"], rel=1e-5)
+    parts, uninterrupted = house.Recording.read("next.csv").last(), house.Recording.read("whole.csv").last()
+    assert parts["high.pressure"] == pytest.approx(uninterrupted["high.pressure"], rel=1e-5)
 
 
 def test_set_prevails_over_start_from(poppet, tanks):
@@ -256,7 +256,7 @@ def test_plot(poppet, tanks, tmp_path, suffix):
         (("--start-from", "missing.csv"), "files.unreadable", "", ""),
     ],
 )
-def test_a_mistake_is_found_before_the_run(poppet, tanks, tmp_path, monkeypatch, arguments, code, address, nearest):
+def test_errors_are_reported_before_the_run(poppet, tanks, tmp_path, monkeypatch, arguments, code, address, nearest):
     def never(*_, **__):
         raise AssertionError("the run began")
 
@@ -268,11 +268,11 @@ def test_a_mistake_is_found_before_the_run(poppet, tanks, tmp_path, monkeypatch,
     assert sorted(path.name for path in tmp_path.iterdir()) == ["folder.csv", "tanks.toml"]
 
 
-def test_all_mistakes_of_set_at_once(poppet, tanks):
+def test_all_errors_of_set_are_reported(poppet, tanks):
     changes = ("--set", "high.volume=1 bar", "--set", "low.volmue=1 l", "--set", "hole.critical_ratio=1.5")
     answer = poppet("simulate", "tanks.toml", *changes)
     assert answer.code == 2
-    assert [mistake.address for mistake in answer.errors] == ["high.volume", "low.volmue", "hole.critical_ratio"]
+    assert [error.address for error in answer.errors] == ["high.volume", "low.volmue", "hole.critical_ratio"]
 
 
 def test_a_file_without_duration(poppet, tanks):
@@ -283,7 +283,7 @@ def test_a_file_without_duration(poppet, tanks):
     assert poppet("simulate", "tanks.toml", "--duration", "1 s").code == 0
 
 
-def test_a_failed_run_keeps_what_it_has(poppet, drain):
+def test_a_failed_run_keeps_its_rows(poppet, drain):
     answer = poppet("simulate", "drain.toml", "-o", "out.csv")
     assert (answer.code, answer.codes) == (1, ["run.emptied.stalled"])
     assert answer.err.splitlines()[-1] == f"error: {answer.error.note}"
@@ -358,7 +358,7 @@ def test_report(poppet, tanks, tmp_path):
     assert poppet("simulate", "tanks.toml", "--report", "run.txt").codes == ["files.suffix"]
 
 
-def test_a_run_with_a_load_begins_with_what_is_asked_first(poppet, tmp_path):
+def test_the_summary_of_a_load_begins_with_strokes_and_energy(poppet, tmp_path):
     example = Path(__file__).parents[2] / "examples" / "cylinder_meter_out.toml"
     figures = house.load(example).simulate().figures
     done = poppet("simulate", str(example), "--report", "run.html")

@@ -1,4 +1,4 @@
-"""`poppet size` at the command line."""
+"""Tests of `poppet size`."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ import pytest
 from unit.ensemble.test_sizing import CHARGE, EXACT, C
 
 
-def test_at_the_command_line(poppet, tmp_path: Path):
+def test_size_prints_and_writes_its_result(poppet, tmp_path: Path):
     file = tmp_path / "charge.toml"
     file.write_text(CHARGE.replace("THERMAL", "isothermal"))
     result, page = tmp_path / "size.toml", tmp_path / "size.html"
-    given = ("size", str(file), "--free", C, "--yield", "90 %", "--size", "0.5 dm^3/(s bar)")
-    code, out, _ = poppet(*given, "-o", str(result), "--report", str(page))
+    arguments = ("size", str(file), "--free", C, "--yield", "90 %", "--size", "0.5 dm^3/(s bar)")
+    code, out, _ = poppet(*arguments, "-o", str(result), "--report", str(page))
     assert code == 0
     written = tomllib.loads(result.read_text())
     assert written["value"] == pytest.approx(EXACT * 1.0256, rel=3e-3)

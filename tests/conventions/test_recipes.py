@@ -19,6 +19,7 @@ from poppet.cli.main import run
 from poppet.core import message_format
 from poppet.core.command_options import Option
 from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
+from poppet.core.plugins import import_object
 from poppet.core.provenance import printed
 from poppet.core.symbolic import where
 from poppet.core.tables import Field, read_fields
@@ -28,7 +29,7 @@ from poppet.deploy.parity.parity_check import KernelReference, ParityCheck, Targ
 from poppet.deploy.parity.parity_table import compare_targets
 from poppet.deploy.targets import TARGETS, CircuitSource, Export, Target
 from poppet.identify import Estimate, Result
-from poppet.identify.methods import METHODS, Method, imported
+from poppet.identify.methods import METHODS, Method
 from poppet.laws.iso6358.domain import Domain, check
 from poppet.library import gases
 from poppet.parts import KINDS
@@ -292,6 +293,6 @@ def test_an_identification_method(monkeypatch, tmp_path, capsys):
 def test_every_method_has_its_functions_and_a_schema():
     for name, method in METHODS.items():
         for reference in (method.run, method.read, method.report, method.text):
-            assert callable(imported(reference)), (name, reference)
+            assert callable(import_object(reference)), (name, reference)
         properties = method.file_schema()["properties"]
         assert "title" in properties, name

@@ -39,7 +39,9 @@ EXPECTED = (
 )
 
 
-def test_a_strict_script_sees_classes(tmp_path: Path, pytestconfig: pytest.Config, monkeypatch: pytest.MonkeyPatch):
+def test_strict_mypy_accepts_a_script_without_any(
+    tmp_path: Path, pytestconfig: pytest.Config, monkeypatch: pytest.MonkeyPatch
+):
     api = pytest.importorskip("mypy.api")
     script = tmp_path / "script.py"
     script.write_text(SCRIPT, encoding="utf-8")

@@ -65,21 +65,28 @@ def split_list(text: str | None) -> list[str]:
     return [entry.strip() for entry in (text or "").split(",") if entry.strip()]
 
 
-def change_circuit(circuit: BaseCircuit, values: Mapping[str, float | str]) -> tuple[BaseCircuit, list[Note]]:
-    """Return a circuit with changed values, and notes on the changes.
+def change_circuit(
+    circuit: BaseCircuit, values: Mapping[str, float | str], result: str | None = None
+) -> tuple[BaseCircuit, list[Note]]:
+    """Apply the identified parameters in the file `result`, then other values, to a circuit.
 
-    If a signal drives a changed input, the signal is removed, and a note reports it.
+    The second result contains notes on parameters that are doubtful, and on signals that were removed because they
+    drove a changed input.
     """
     from dataclasses import replace
 
-    if not values:
-        return circuit, []
-    circuit = circuit.with_values(values)
+    notes = []
+    if result is not None:
+        from poppet.identify.parameter_file import with_numbers
+
+        circuit, doubtful = with_numbers(circuit, result)
+        notes += [Note("cli.not_trusted", file=result, names=doubtful)] if doubtful else []
+    circuit = circuit.with_values(values) if values else circuit
     dropped = [address for address in values if address in circuit.signals]
     # The value is the default of an input: it would have no effect while a signal drives the input.
     if dropped:
         circuit = replace(circuit, signals={k: v for k, v in circuit.signals.items() if k not in dropped})
-    return circuit, [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
+    return circuit, notes + [Note("cli.signal_left_out", address, value=values[address]) for address in dropped]
 
 
 def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircuit, list[Note]]:
@@ -89,22 +96,7 @@ def load_circuit(options: Namespace, path: str | None = None) -> tuple[BaseCircu
     """
     from poppet.circuit.file import load
 
-    circuit, notes = with_result(load(path or options.file), options.result)
-    circuit, change_notes = change_circuit(circuit, read_assignments(options.values))
-    return circuit, notes + change_notes
-
-
-def with_result(circuit: BaseCircuit, path: str | None) -> tuple[BaseCircuit, list[Note]]:
-    """Apply the identified parameters in the file of the option --with to a circuit.
-
-    The second result contains a note if some of the parameters are doubtful.
-    """
-    if path is None:
-        return circuit, []
-    from poppet.identify.parameter_file import with_numbers
-
-    circuit, doubtful = with_numbers(circuit, path)
-    return circuit, [Note("cli.not_trusted", file=path, names=doubtful)] if doubtful else []
+    return change_circuit(load(path or options.file), read_assignments(options.values), options.result)
 
 
 @dataclass(frozen=True)

@@ -11,18 +11,17 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list, with_result
+from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list
 from poppet.cli.commands import COMMANDS
 from poppet.cli.main import FAILED, INTERRUPTED
 from poppet.cli.progress import BenchProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
-from poppet.core.errors import InputError, OutOfRangeError, collect
+from poppet.core.errors import InputError, collect
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import aligned
 
 if TYPE_CHECKING:
     from poppet.bench.iso10094.bench_result import BenchResult
-    from poppet.bench.iso10094.evaluation import BenchSettings
 
 CIRCUIT_OPTIONS = ("valve", "volume", "supply", "sweep_time", "frequencies", "values", "result")
 """Options that apply only to a circuit: they have no effect if recordings are evaluated."""
@@ -72,6 +71,8 @@ def _prepare(
     The function returns the result of a result file or of recordings, or it runs the tests on a circuit.
     """
     from poppet.bench.iso10094.bench_result import is_result, read_bench_result
+    from poppet.bench.iso10094.run_bench import run_recordings
+    from poppet.bench.iso10094.valve_recordings import recorded
     from poppet.core.toml_file import TomlFile
 
     tables: dict[str, Any] = {}
@@ -82,38 +83,33 @@ def _prepare(
     is_stored, is_recorded = not tables or is_result(tables), "recordings" in tables or str(path) == options.recording
     if values and (is_stored or is_recorded):
         raise InputError("cli.bench.set_without_circuit", value=values[0], path=str(path))
-    if is_stored or is_recorded:
-        result = read_bench_result(path) if is_stored else _evaluate_recordings(options, path)
-        return lambda _: result
-    return _prepare_circuit(options, path, values, is_comparison=is_comparison)
-
-
-def _evaluate_recordings(options: argparse.Namespace, path: Path) -> BenchResult:
-    from poppet.bench.iso10094.run_bench import run_recordings
-    from poppet.bench.iso10094.valve_recordings import recorded
-    from poppet.core.toml_file import TomlFile
-
-    file = TomlFile.read(path)
-    with file.errors():
-        recordings = recorded(file.content, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
-    # Default: all tests with recordings.
-    tests = _tests(options) if options.tests else [test for test, records in recordings.records.items() if records]
-    return run_recordings(
-        recordings.title, recordings.records, recordings.scale, tests=tests, rated_flow=recordings.rated_flow,
-        notes=recordings.notes, conditions=recordings.conditions,
-    )  # fmt: skip
+    if is_stored:
+        result = read_bench_result(path)
+    elif is_recorded:
+        with file.errors():
+            valve = recorded(file.content, path, full_scale=options.full_scale, rated_flow=_rated_flow(options))
+        # Default: all tests with recordings.
+        tests = _tests(options) if options.tests else [test for test, records in valve.records.items() if records]
+        result = run_recordings(
+            valve.title, valve.records, valve.scale, tests=tests, rated_flow=valve.rated_flow, notes=valve.notes,
+            conditions=valve.conditions,
+        )  # fmt: skip
+    else:
+        return _prepare_circuit(options, path, values, is_comparison=is_comparison)
+    return lambda _: result
 
 
 def _prepare_circuit(
     options: argparse.Namespace, path: Path, values: list[str], *, is_comparison: bool
 ) -> Callable[[BenchProgress], BenchResult]:
+    from poppet.bench.iso10094.evaluation import BenchSettings
     from poppet.bench.iso10094.rig import rig_of, valve_of
     from poppet.bench.iso10094.run_bench import run_bench
-    from poppet.bench.iso10094.scale import pressure, pressure_range
+    from poppet.bench.iso10094.scale import listed, pressure, pressure_range
     from poppet.circuit.file import load
 
-    circuit, result_notes = with_result(load(path), None if is_comparison else options.result)
-    circuit, change_notes = change_circuit(circuit, read_assignments(values))
+    identified = None if is_comparison else options.result
+    circuit, notes = change_circuit(load(path), read_assignments(values), identified)
     ambient = circuit.surroundings.pressure
     rig = rig_of(
         circuit,
@@ -124,35 +120,26 @@ def _prepare_circuit(
     )
     conditions = {"circuit": str(path), "valve": rig.valve} | ({"changed": list(values)} if values else {})
     rig.title = f"{rig.title}, {', '.join(values)}" if values else rig.title
-    notes = [*result_notes, *change_notes, *rig.notes]
-    settings, tests = _bench_settings(options), _tests(options)
+    notes += rig.notes
+    fields: dict[str, Any] = {"rated_flow": _rated_flow(options)}
+    if options.volume:
+        fields["volumes"] = listed(options.volume, "m^3", "--volume")
+    if options.frequencies:
+        fields["frequencies"] = listed(options.frequencies, "Hz", "--frequencies")
+    if options.sweep_time:
+        # One value: a comma does not separate values here.
+        (fields["sweep_time"],) = listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
+    settings, tests = BenchSettings(**fields), _tests(options)
     return lambda progress: run_bench(rig, settings, tests, say=progress, notes=notes, conditions=conditions)
 
 
-def _bench_settings(options: argparse.Namespace) -> BenchSettings:
-    from poppet.bench.iso10094.evaluation import BenchSettings
-    from poppet.bench.iso10094.scale import listed
-
-    settings: dict[str, Any] = {"rated_flow": _rated_flow(options)}
-    if options.volume:
-        settings["volumes"] = listed(options.volume, "m^3", "--volume")
-    if options.frequencies:
-        settings["frequencies"] = listed(options.frequencies, "Hz", "--frequencies")
-    if options.sweep_time:
-        # One value: a comma does not separate values here.
-        (settings["sweep_time"],) = listed(options.sweep_time.replace(",", ""), "s", "--sweep-time")
-    return BenchSettings(**settings)
-
-
 def _rated_flow(options: argparse.Namespace) -> float:
-    from poppet.core.units import quantity
+    from poppet.core.tables import Field
 
     if not options.rated_flow:
         return math.nan
-    rated_flow = quantity(options.rated_flow, "kg/s", kind="mass_flow", name="--rated-flow").value
-    if not rated_flow > 0.0:
-        raise OutOfRangeError("cli.bench.rated_flow", flow=options.rated_flow)
-    return rated_flow
+    field = Field(unit="kg/s", kind="mass_flow", above=0.0, meaning="rated flow")
+    return float(field.read(options.rated_flow, "--rated-flow"))
 
 
 def _tests(options: argparse.Namespace) -> list[str]:

@@ -9,7 +9,6 @@ import argparse
 import json
 import tomllib
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from poppet.cli.assignments import load_circuit
 from poppet.cli.parser import output_path
@@ -18,68 +17,53 @@ from poppet.core.errors import InputError, NameSuggestion, collect
 from poppet.core.number_format import aligned
 from poppet.core.provenance import LEAST_CERTAIN_FIRST as KINDS
 
-if TYPE_CHECKING:
-    from poppet.circuit.circuit import BaseCircuit
-    from poppet.core.provenance import Number
-
 TEMPLATES = {path.stem: path for path in sorted(Path(__file__).with_name("templates").glob("*.toml"))}
 """Templates of circuit files by name."""
 
 
 def check_files(options: argparse.Namespace) -> None:
     """Report all errors in circuit files, without a simulation."""
+    from poppet.circuit.file import load
+    from poppet.circuit.stop_conditions import parse_stop_condition
+    from poppet.circuit.trace import trace
+    from poppet.core.toml_file import TomlFile
+
     problems: list[InputError] = []
     # An error in one file does not prevent the check of the others.
     for file in options.files:
         try:
-            _check_file(file)
+            circuit = load(file)
         except InputError as error:
             problems.append(error)
+            continue
+        notes = list(circuit.static_notes)
+        try:
+            # The model is not compiled.
+            outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
+            for text in circuit.run.stop_texts:
+                parse_stop_condition(text, outputs, circuit.surroundings.pressure)
+            # A file without a duration is valid: the option --duration can set it.
+            if circuit.run.duration is not None:
+                circuit.run.grid()
+            if "ensemble" in circuit.origin[0]:
+                from poppet.ensemble import plan_of
+
+                notes += plan_of(circuit).notes
+        except InputError as error:
+            problems.append(TomlFile.read(file).located(error))
+            continue
+        parts = circuit.parts.values()
+        counts = {
+            "part": len(parts),
+            "state": sum(len(part.states()) for part in parts),
+            "input": sum(len(part.inputs()) for part in parts),
+            "output": len(outputs),
+            "assumed parameter": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
+        }
+        text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
+        print(f"{file}: no errors; {text}.")
+        print_notes(notes)
     collect(problems)
-
-
-def _check_file(file: str) -> None:
-    from poppet.circuit.file import load
-    from poppet.core.toml_file import TomlFile
-
-    circuit = load(file)
-    notes = list(circuit.static_notes)
-    try:
-        n_outputs = _count_outputs(circuit)
-        if "ensemble" in circuit.origin[0]:
-            from poppet.ensemble import plan_of
-
-            notes += plan_of(circuit).notes
-    except InputError as error:
-        raise TomlFile.read(file).located(error) from None
-    parts = circuit.parts.values()
-    counts = {
-        "part": len(parts),
-        "state": sum(len(part.states()) for part in parts),
-        "input": sum(len(part.inputs()) for part in parts),
-        "output": n_outputs,
-        "assumed parameter": sum(number.source.kind == "assumed" for number in circuit.numbers().values()),
-    }
-    text = ", ".join(f"{count} {name}{'s' * (count != 1)}" for name, count in counts.items())
-    print(f"{file}: no errors; {text}.")
-    print_notes(notes)
-
-
-def _count_outputs(circuit: BaseCircuit) -> int:
-    """Return the number of outputs of a circuit, and check its stop conditions and output times.
-
-    The model is not compiled.
-    """
-    from poppet.circuit.stop_conditions import parse_stop_condition
-    from poppet.circuit.trace import trace
-
-    outputs = dict(trace(circuit.parts, tuple(circuit.parameters), circuit.connections).outputs)
-    for text in circuit.run.stop_texts:
-        parse_stop_condition(text, outputs, circuit.surroundings.pressure)
-    # A file without a duration is valid: the option --duration can set it.
-    if circuit.run.duration is not None:
-        circuit.run.grid()
-    return len(outputs)
 
 
 def write_template(options: argparse.Namespace) -> None:
@@ -112,40 +96,36 @@ def show_parameters(options: argparse.Namespace) -> None:
 
     circuit, _ = load_circuit(options)
     kinds = KINDS if options.kind is None else (options.kind,)
-    groups = {kind: {a: n for a, n in circuit.numbers().items() if n.source.kind == kind} for kind in kinds}
     ambient = circuit.surroundings.pressure
+    # Kind of source to a row for each parameter: address, value as written, absolute value in SI units, unit, source.
+    groups = {
+        kind: [
+            (address, number.display(), number.absolute(ambient), number.unit, number.source)
+            for address, number in circuit.numbers().items()
+            if number.source.kind == kind
+        ]
+        for kind in kinds
+    }
     if options.json:
-        entries = [_json_entry(address, n, ambient) for group in groups.values() for address, n in group.items()]
+        keys = ("address", "written", "value", "unit", "source", "locator", "note")
+        entries = [
+            dict(zip(keys, (*row, source.kind, source.locator, source.note), strict=True))
+            for rows in groups.values()
+            for *row, source in rows
+        ]
         print(json.dumps({"title": circuit.title, "numbers": entries}, indent=2))
         return
-    # A requested kind is printed even if it has no parameters.
-    texts = [_source_text(kind, group, ambient) for kind, group in groups.items() if group or options.kind]
-    print("\n\n".join([circuit.title, *texts] if circuit.title else texts))
-
-
-def _json_entry(address: str, number: Number, ambient_pressure: float) -> dict[str, object]:
-    return {
-        "address": address,
-        "written": number.display(),
-        "value": number.absolute(ambient_pressure),
-        "unit": number.unit,
-        "source": number.source.kind,
-        "locator": number.source.locator,
-        "note": number.source.note,
-    }
-
-
-def _source_text(kind: str, numbers: dict[str, Number], ambient_pressure: float) -> str:
-    """Return a table of the parameters whose values have one kind of source, as text."""
-    if not numbers:
-        return f"{kind}: none"
-    rows = []
-    for address, number in numbers.items():
-        value = number.absolute(ambient_pressure)
-        si_text = f"{value:.6g} {number.unit}" if number.unit != "1" else f"{value:.6g}"
-        source = "; ".join(text for text in (number.source.locator, number.source.note) if text)
-        rows.append([f"  {address}", number.display(), si_text, source])
-    return f"{kind} ({len(numbers)})\n{aligned(rows, [])}"
+    texts = [circuit.title] if circuit.title else []
+    for kind, rows in groups.items():
+        cells = [
+            [f"  {address}", text, f"{value:.6g} {unit if unit != '1' else ''}".rstrip(),
+             "; ".join(filter(None, (source.locator, source.note)))]
+            for address, text, value, unit, source in rows
+        ]  # fmt: skip
+        # A requested kind is printed even if it has no parameters.
+        if rows or options.kind:
+            texts.append(f"{kind} ({len(rows)})\n{aligned(cells, [])}" if rows else f"{kind}: none")
+    print("\n\n".join(texts))
 
 
 def draw_schematic(options: argparse.Namespace) -> None:

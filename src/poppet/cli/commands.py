@@ -124,11 +124,7 @@ _COMMANDS = {
             SET,
             Option("--free ADDRESS", "parameter to be sized", keywords={"required": True}),
             Option("--meet NAME ...", "requirement of the file (default: all); may be repeated"),
-            Option(
-                "--between LOW HIGH",
-                "search range, with units",
-                keywords={"nargs": 2, "metavar": ("LOW", "HIGH")},
-            ),
+            Option("--between LOW HIGH", "search range, with units", keywords={"nargs": 2, "metavar": ("LOW", "HIGH")}),
             Option("--largest", "find the largest value instead of the smallest"),
             Option("--yield SHARE", "required fraction of runs that meet the requirements: 95 % or 0.95"),
             Option("--size SIZE ...", "standard size; reports the next that meets the requirements; may be repeated"),
@@ -203,7 +199,7 @@ _COMMANDS = {
     ),
     "plot": Command(
         "plot recordings in common axes",
-        "plot:plot_files",
+        "simulate:plot_files",
         (
             Option("RECORDING ...", "recordings: .csv, .parquet or .mat"),
             Option("-o, --output PICTURE", "output file (default: FIRST.png)", PICTURES),
@@ -218,7 +214,7 @@ _COMMANDS = {
     ),
     "linearise": Command(
         "linear model, eigenvalues and time constants of a circuit",
-        "linearise:linearise_file",
+        "simulate:linearise_file",
         (
             FILE,
             WITH,

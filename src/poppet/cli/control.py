@@ -16,7 +16,6 @@ from poppet.core.files import write_whole
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
-    from poppet.control import Comparison, Tuning
 
 
 def execute(options: argparse.Namespace) -> int:
@@ -41,6 +40,7 @@ def _tune(options: argparse.Namespace) -> int:
     # Checked here and not by the parser: the two actions write different formats.
     output = output_path(options.output, (".toml",)) if options.output else None
     from poppet.control import schedule, tune
+    from poppet.report.control_report import margin_table, verification_table, write_tuning
 
     (circuit,) = _load_circuits(options).values()
     points = [*map(read_value, options.at)] or None
@@ -52,36 +52,29 @@ def _tune(options: argparse.Namespace) -> int:
         settings |= {"amplitudes": [*map(read_value, options.amplitude)], "progress": progress}
         tuning = (schedule if options.schedule else tune)(circuit, options.controller, **settings)
     print_notes(tuning.notes)
-    print(_tuning_text(tuning, Path(options.files[0]).name))
-    if output is not None:
-        write_whole(output, lambda stream: stream.write(tuning.text().encode()))
-    if options.report is not None:
-        from poppet.report.control_report import write_tuning
-
-        write_tuning(tuning, circuit, options.report)
-    print_written(output, options.report)
-    return 0
-
-
-def _tuning_text(tuning: Tuning, file: str) -> str:
-    from poppet.report.control_report import margin_table, verification_table
-
-    bounds = f"Bounded: {tuning.bounded}, {tuning.held}"
+    without = f"{Path(options.files[0]).name} without {tuning.controller}."
     if tuning.is_verified:
-        verification = [f"{bounds}, {file} without {tuning.controller}.", "", verification_table(tuning).text()]
+        verification = [f"Bounded: {tuning.bounded}, {tuning.held}, {without}", "", verification_table(tuning).text()]
     else:
         overshoot = 100.0 * max(point.overshoot for point in tuning.points)
         verification = [
-            f"{bounds}, small steps of {file} without {tuning.controller}.",
+            f"Bounded: {tuning.bounded}, {tuning.held}, small steps of {without}",
             f"Overshoot of a small step {overshoot:.2g} %. Limits and dead zones of the valves are not in it.",
         ]
-    return "\n".join([tuning.text(), margin_table(tuning).text(), "", *verification])
+    print("\n".join([tuning.text(), margin_table(tuning).text(), "", *verification]))
+    if output is not None:
+        write_whole(output, lambda stream: stream.write(tuning.text().encode()))
+    if options.report is not None:
+        write_tuning(tuning, circuit, options.report)
+    print_written(output, options.report)
+    return 0
 
 
 def _compare(options: argparse.Namespace) -> int:
     output = output_path(options.output, (".csv",)) if options.output else None
     from poppet.control import compare
     from poppet.core.units import quantity
+    from poppet.report.control_report import figure_table, write_comparison
 
     circuits = _load_circuits(options)
     vary = {
@@ -92,7 +85,11 @@ def _compare(options: argparse.Namespace) -> int:
     with Spinner("The controllers are simulated", is_quiet=options.quiet):
         settings = {name: vars(options)[name] for name in ("draws", "seed") if vars(options)[name] is not None}
         comparison = compare(circuits, options.controller, vary=vary, **settings)
-    print(_comparison_text(comparison))
+    sample = "Nominal parameters only; --vary ADDRESS=RANGE makes them uncertain."
+    if comparison.draws:
+        sample = f"{comparison.draws} sampled plants, seed {comparison.seed}; the same plants for each controller."
+    failures = [f"{name}: {n} runs did not reach their end." for name, n in comparison.failed.items() if n]
+    print("\n".join([figure_table(comparison).text(), "", sample, *failures]))
     if output is not None:
         comparison.save(output)
     title = f"{len(circuits)} controllers on one plant"
@@ -101,19 +98,7 @@ def _compare(options: argparse.Namespace) -> int:
 
         plot_comparison(comparison, options.plot, title=title)
     if options.report is not None:
-        from poppet.report.control_report import write_comparison
-
         write_comparison(comparison, options.report, title=title)
     print_written(output, options.plot, options.report)
     # Exit code 1 reports incomplete runs to a script, although the table was written.
     return FAILED if any(comparison.failed.values()) else 0
-
-
-def _comparison_text(comparison: Comparison) -> str:
-    from poppet.report.control_report import figure_table
-
-    sample = "Nominal parameters only; --vary ADDRESS=RANGE makes them uncertain."
-    if comparison.draws:
-        sample = f"{comparison.draws} sampled plants, seed {comparison.seed}; the same plants for each controller."
-    failures = [f"{name}: {n} runs did not reach their end." for name, n in comparison.failed.items() if n]
-    return "\n".join([figure_table(comparison).text(), "", sample, *failures])

@@ -26,14 +26,31 @@ _SECOND_UNITS = {"C": "dm^3/(s bar)", "qNn": "m^3/s ANR", "area": "m^2"}
 
 def execute(options: argparse.Namespace) -> None:
     """Convert a value to another unit, or to another flow capacity."""
-    number, unit = _split_value(options.value)
-    if not options.to.strip():
+    from poppet.core.units import counted_at, with_state
+
+    # A regular expression, because `float` would also accept `nan`, `inf` and `1_000`.
+    match = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", options.value)
+    if not match:
+        raise InputError("convert.no_number", value=options.value)
+    # "1,2 bar" would be read as 1 of an unknown unit.
+    if re.match(r",\d", match[2]):
+        raise InputError(
+            "convert.decimal_comma", value=options.value, mended=options.value.strip().replace(",", ".", 1)
+        )
+    if not match[2]:
+        raise UnitError("convert.no_unit", value=options.value)
+    number = float(match[1])
+    if not math.isfinite(number):
+        raise OutOfRangeError("convert.too_large", value=options.value)
+    unit, to = match[2], options.to
+    if not to.strip():
         raise UnitError("convert.no_target", sizes=tuple(SIZES))
-    (unit, to), unit_notes = _state_reference(unit, options.to)
-    context = _Context(
-        _critical_ratio(options.critical_ratio), _ambient_pressure(options.ambient), options.definition,
-        *_gas(options.gas),
-    )  # fmt: skip
+    context, notes = _Context.read(options), []
+    # A conversion between volume flows needs no reference state (for example ANR). Any other conversion does.
+    if {counted_at(unit), counted_at(to)} != {"open"}:
+        texts, (unit, to) = (unit, to), (with_state(unit), with_state(to))
+        assumed = {raw: read for raw, read in zip(texts, (unit, to), strict=True) if raw != read}
+        notes = [str(Note("doubt.read_as", unit=raw, read=read)) for raw, read in assumed.items()]
     source, target = _capacity_of(unit), _capacity_of(to)
     has_name = unit.casefold() in _NAMES or options.to.casefold() in _NAMES
     if has_name and source in _SI and unit.casefold() in _NAMES:
@@ -47,75 +64,7 @@ def execute(options: argparse.Namespace) -> None:
     else:
         target_unit = SIZES[target] if to.casefold() in _NAMES else to
         lines = _convert_capacity(number, (source, unit), (target, target_unit), context)
-    print("\n  ".join([*lines, *unit_notes]))
-
-
-def _state_reference(unit: str, to: str) -> tuple[list[str], list[str]]:
-    """Add the reference state (for example ANR) to both units if they measure volume flow.
-
-    The second result contains notes on reference states that were assumed.
-    """
-    from poppet.core.units import counted_at, with_state
-
-    # A conversion between volume flows needs no reference state.
-    if {counted_at(unit), counted_at(to)} == {"open"}:
-        return [unit, to], []
-    units = [with_state(unit), with_state(to)]
-    assumed = {raw: unit for raw, unit in zip((unit, to), units, strict=True) if raw != unit}
-    return units, [str(Note("doubt.read_as", unit=raw, read=unit)) for raw, unit in assumed.items()]
-
-
-def _split_value(text: str) -> tuple[float, str]:
-    """Split a text into a number and its unit."""
-    # A regular expression, because `float` would also accept `nan`, `inf` and `1_000`.
-    match = re.fullmatch(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(.*?)\s*", text)
-    if not match:
-        raise InputError("convert.no_number", value=text)
-    # "1,2 bar" would be read as 1 of an unknown unit.
-    if re.match(r",\d", match[2]):
-        raise InputError("convert.decimal_comma", value=text, mended=text.strip().replace(",", ".", 1))
-    if not match[2]:
-        raise UnitError("convert.no_unit", value=text)
-    number = float(match[1])
-    if not math.isfinite(number):
-        raise OutOfRangeError("convert.too_large", value=text)
-    return number, match[2]
-
-
-def _critical_ratio(text: str | None) -> float | None:
-    from poppet.core.units import quantity
-
-    if text is None:
-        return None
-    ratio = quantity(text, "1", name="--critical-ratio").value
-    if not 0.0 <= ratio < 1.0:
-        raise OutOfRangeError("convert.critical_ratio", ratio=text)
-    return ratio
-
-
-def _ambient_pressure(text: str | None) -> float | None:
-    from poppet.core.units import quantity
-
-    if text is None:
-        return None
-    pressure = quantity(read_value(text), "Pa", kind="pressure", name="--ambient")
-    if pressure.reference == "gauge":
-        raise UnitError("convert.gauge_ambient", pressure=text)
-    return pressure.value
-
-
-def _gas(name: str | None) -> tuple[str, dict[str, float]]:
-    """Return the name of a gas, and its isentropic exponent and gas constant.
-
-    Both results are empty for air.
-    """
-    from poppet import library
-
-    if name is None:
-        return "", {}
-    gas = library.gas(name)
-    constants = {"isentropic_exponent": float(gas.isentropic_exponent), "gas_constant": float(gas.gas_constant)}
-    return gas.name, constants
+    print("\n  ".join([*lines, *notes]))
 
 
 def _capacity_of(unit: str) -> str | None:
@@ -177,7 +126,29 @@ class _Context(NamedTuple):
     ambient: float | None
     definition: Any
     gas_name: str
-    gas: dict[str, float]
+    gas: dict[str, float]  # isentropic exponent and gas constant; empty for air
+
+    @classmethod
+    def read(cls, options: argparse.Namespace) -> _Context:
+        """Read the context from the options of the command."""
+        from poppet import library
+        from poppet.core.tables import Field
+        from poppet.core.units import quantity
+
+        ratio = ambient = None
+        if options.critical_ratio is not None:
+            field = Field(unit="1", low=0.0, below=1.0, meaning="critical back-pressure ratio")
+            ratio = float(field.read(options.critical_ratio, "--critical-ratio"))
+        if options.ambient is not None:
+            pressure = quantity(read_value(options.ambient), "Pa", kind="pressure", name="--ambient")
+            if pressure.reference == "gauge":
+                raise UnitError("convert.gauge_ambient", pressure=options.ambient)
+            ambient = pressure.value
+        if options.gas is None:
+            return cls(ratio, ambient, options.definition, "", {})
+        gas = library.gas(options.gas)
+        constants = {"isentropic_exponent": float(gas.isentropic_exponent), "gas_constant": float(gas.gas_constant)}
+        return cls(ratio, ambient, options.definition, gas.name, constants)
 
     def keywords(self, capacity: str) -> dict[str, Any]:
         """Return the keyword arguments of the conversion function of a flow capacity."""
@@ -202,6 +173,7 @@ class _Context(NamedTuple):
 def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str, str], context: _Context) -> list[str]:
     """Convert a value to another flow capacity by way of C and b, and return the lines to print."""
     from poppet.core.units import ANR, convert
+    from poppet.laws import iso6358
 
     (source_name, source_unit), (target_name, target_unit) = source, target
 
@@ -212,7 +184,16 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
     source_value = float(convert(number, source_unit, _SI[source_name])) if source_name in _SI else number
     conductance = _conductance(source_name, source_value, context)
     b = conductance.critical_ratio
-    target_value = _capacity(target_name, conductance, context)
+    factor, shift = context.factors_from_air(target_name)
+    target_conductance, target_ratio = conductance.sonic_conductance / factor, (b - shift) / (1.0 - shift)
+    functions: dict[str, Callable[..., float]] = {
+        "C": lambda c, b: c,
+        "area": lambda c, b, **gas: iso6358.effective_area_from_conductance(c, **gas),
+        "Kv": iso6358.flow_coefficient_kv_from_conductance,
+        "Cv": iso6358.flow_coefficient_cv_from_conductance,
+        "qNn": iso6358.nominal_flow_from_conductance,
+    }
+    target_value = functions[target_name](target_conductance, target_ratio, **context.keywords(target_name))
     texts = [format_value(target_value, target_unit)]
     if target_unit == SIZES[target_name] and target_name in _SECOND_UNITS:
         texts.append(format_value(target_value, _SECOND_UNITS[target_name]))
@@ -250,21 +231,3 @@ def _conductance(capacity: str, value: float, context: _Context) -> Conductance:
         sonic_conductance=factor * with_air.sonic_conductance,
         critical_ratio=with_air.critical_ratio + (1.0 - with_air.critical_ratio) * shift,
     )
-
-
-def _capacity(capacity: str, conductance: Conductance, context: _Context) -> float:
-    """Convert C and b to a flow capacity in SI units."""
-    from poppet.laws import iso6358
-
-    factor, shift = context.factors_from_air(capacity)
-    c, b = conductance.sonic_conductance / factor, (conductance.critical_ratio - shift) / (1.0 - shift)
-    if capacity == "C":
-        return c
-    if capacity == "area":
-        return iso6358.effective_area_from_conductance(c, **context.gas)
-    functions: dict[str, Callable[..., float]] = {
-        "Kv": iso6358.flow_coefficient_kv_from_conductance,
-        "Cv": iso6358.flow_coefficient_cv_from_conductance,
-        "qNn": iso6358.nominal_flow_from_conductance,
-    }
-    return functions[capacity](c, b, **context.keywords(capacity))

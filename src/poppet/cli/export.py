@@ -9,7 +9,7 @@ import argparse
 import sys
 from pathlib import Path
 
-from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list, with_result
+from poppet.cli.assignments import change_circuit, load_circuit, read_assignments, split_list
 from poppet.cli.main import FAILED, WRONG_INPUT
 from poppet.cli.progress import Spinner
 from poppet.cli.summary import print_notes, print_written
@@ -63,8 +63,7 @@ def check_targets(options: argparse.Namespace) -> int:
     """Run a circuit with every export target, and compare the results with those of the kernel."""
     from poppet.circuit.file import load
     from poppet.deploy.fmu.importers import fmi_version, read_circuit
-    from poppet.deploy.parity.parity_report import not_run_notes, results_table, write_parity
-    from poppet.deploy.parity.parity_table import compare_targets
+    from poppet.deploy.parity.parity_table import compare_targets, not_run_notes, results_table, write_parity
 
     changes = read_assignments(options.values)
     if options.duration is not None:
@@ -75,7 +74,7 @@ def check_targets(options: argparse.Namespace) -> int:
     else:
         fmi_version(fmu)  # rejects a file that is no FMU
         circuit = load(options.circuit) if options.circuit is not None else read_circuit(fmu)
-    circuit, _ = change_circuit(with_result(circuit, options.result)[0], changes)
+    circuit, _ = change_circuit(circuit, changes, options.result)
     with Spinner("Every target runs the circuit", is_quiet=options.quiet):
         parity = compare_targets(circuit, only=split_list(options.only), fmu=fmu)
     print(results_table(parity).text())

@@ -8,8 +8,9 @@ from pathlib import Path
 from poppet.cli.main import INTERRUPTED
 from poppet.cli.progress import FitProgress, PointProgress
 from poppet.cli.summary import require_matplotlib, write_result
-from poppet.core.errors import OutOfRangeError
-from poppet.identify.methods import METHODS, imported
+from poppet.core.plugins import import_object
+from poppet.core.tables import Field
+from poppet.identify.methods import METHODS
 
 FINDINGS = 3
 """Maximum number of findings that are printed without the option `--all`."""
@@ -17,8 +18,7 @@ FINDINGS = 3
 
 def execute(options: argparse.Namespace) -> int:
     """Run an identification method, and print or write the result."""
-    if options.bootstrap < 0:
-        raise OutOfRangeError("cli.bootstrap", count=options.bootstrap)
+    Field(unit="1", low=0.0, meaning="number of bootstrap fits").read(options.bootstrap, "--bootstrap")
     require_matplotlib(options.report)
     method = METHODS[options.method]
     settings = {item.keyword: getattr(options, item.option.name) for item in method.options if item.keyword}
@@ -30,8 +30,8 @@ def execute(options: argparse.Namespace) -> int:
     for item in method.options:
         path: Path | None = getattr(options, item.option.name) if item.write else None
         if path is not None:
-            imported(item.write)(result, path)
+            import_object(item.write)(result, path)
             written.append(path)
-    text = imported(method.text)(result, None if options.all else FINDINGS)
-    write_result(options, result, text, lambda path: imported(method.report)(result, path), *written)
+    text = import_object(method.text)(result, None if options.all else FINDINGS)
+    write_result(options, result, text, lambda path: import_object(method.report)(result, path), *written)
     return INTERRUPTED if result.interrupted else 0

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import argparse
 import contextlib
-import importlib
 import io
 import os
 import sys
@@ -21,7 +20,7 @@ from poppet.cli.parser import Command, CommandParser
 from poppet.core.command_options import Option
 from poppet.core.errors import InputError, NameSuggestion, PoppetError
 from poppet.core.number_format import printable
-from poppet.core.plugins import PluginWarning
+from poppet.core.plugins import PluginWarning, import_object
 
 FAILED, WRONG_INPUT, INTERRUPTED = 1, 2, 130
 PROGRAM = Command(
@@ -44,12 +43,19 @@ def run(arguments: Sequence[str] | None = None) -> int:
       gauge pressures refer to an ambient pressure of 1 bar absolute
     0
     """
-    _tolerate_narrow_encodings()
+    # Buffers replace closed streams. Characters that the terminal cannot print become question marks.
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, io.StringIO())
+        if isinstance(stream := getattr(sys, name), io.TextIOWrapper):
+            stream.reconfigure(errors="replace")
     if arguments is None and not sys.warnoptions and not os.environ.get("POPPET_DEBUG"):
         # A user of the program gets notes; warnings are for Python code.
         warnings.simplefilter("ignore")
         warnings.simplefilter("default", PluginWarning)
-        warnings.showwarning = _show_warning
+        warnings.formatwarning = lambda message, *_, **__: "".join(
+            f"note: {printable(line)}\n" for line in str(message).splitlines()
+        )
     try:
         code = _dispatch(list(sys.argv[1:] if arguments is None else arguments))
         # Here, where a broken pipe can still be caught, not when the interpreter ends.
@@ -118,10 +124,8 @@ def _dispatch(arguments: list[str]) -> int:
     except SystemExit:  # --help
         return 0
     options.command = name
-    module, _, function = (COMMANDS.get(name) or all_commands()[name]).function.partition(":")
-    execute: Callable[[argparse.Namespace], int | None] = getattr(
-        importlib.import_module(f"poppet.cli.{module}"), function
-    )
+    declaration = COMMANDS.get(name) or all_commands()[name]
+    execute: Callable[[argparse.Namespace], int | None] = import_object(f"poppet.cli.{declaration.function}")
     with contextlib.redirect_stdout(io.StringIO()) if options.quiet else contextlib.nullcontext():
         return execute(options) or 0
 
@@ -155,20 +159,3 @@ def _report(text: str, code: int, prefix: str = "error: ") -> int:
             print(f"{prefix}{printable(line)}", file=sys.stderr)
         sys.stderr.flush()
     return code
-
-
-def _show_warning(message: Warning | str, *_: object, **__: object) -> None:
-    _report(str(message), 0, "note: ")
-
-
-def _tolerate_narrow_encodings() -> None:
-    """Adapt the output streams to terminals with a limited character set.
-
-    Characters that the terminal cannot print become question marks. Buffers replace closed streams.
-    """
-    for name in ("stdout", "stderr"):
-        if getattr(sys, name) is None:
-            setattr(sys, name, io.StringIO())
-    for stream in (sys.stdout, sys.stderr):
-        if isinstance(stream, io.TextIOWrapper):
-            stream.reconfigure(errors="replace")

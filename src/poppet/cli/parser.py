@@ -57,44 +57,33 @@ class CommandParser(argparse.ArgumentParser):
 
         The names of output files are checked before the command starts.
         """
-        arguments = self._rename(arguments)
-        self._reject_unknown(arguments)
-        # `parse_args` would end the program with its own message.
-        options, rest = self.parse_known_args(arguments)
-        if rest:
-            raise InputError("cli.argument.extra", argument=rest[0], program=self.prog)
-        self._reject_misplaced(options)
-        for option in self.options:
-            if option.formats and (path := getattr(options, option.name)) is not None:
-                setattr(options, option.name, output_path(path, option.formats))
-        self._reject_overwriting(options)
-        return options
-
-    def _rename(self, arguments: Sequence[str]) -> list[str]:
-        """Replace old names of options by their present names, with a note."""
         new_names = {old: option.names[-1] for option in self.options for old in option.old_names}
-        renamed = []
-        for argument in arguments:
+        names = self._option_string_actions
+        present: list[str] = []
+        for k, argument in enumerate(arguments):
             name, equals, value = argument.partition("=")
+            if argument == "--":
+                present += arguments[k:]
+                break
             if name in new_names:
                 print(f"note: {Note('cli.option_renamed', option=name, new=new_names[name])}", file=sys.stderr)
-                argument = f"{new_names[name]}{equals}{value}"
-            renamed.append(argument)
-        return renamed
-
-    def _reject_unknown(self, arguments: Sequence[str]) -> None:
-        # Before argparse, which would first report an argument that is missing because of the misspelling.
-        names = self._option_string_actions
-        for argument in arguments:
-            name = argument.partition("=")[0]
-            if argument == "--":
-                return
-            if name.startswith("--") and name not in names:
+                name = new_names[name]
+            # Before argparse, which would first report an argument that is missing because of the misspelling.
+            elif name.startswith("--") and name not in names:
                 near = NameSuggestion(name, [option for option in names if option.startswith("--")])
                 raise InputError("cli.option.unknown", option=name, program=self.prog, near=near)
+            present.append(f"{name}{equals}{value}")
+        # `parse_args` would end the program with its own message.
+        options, rest = self.parse_known_args(present)
+        if rest:
+            raise InputError("cli.argument.extra", argument=rest[0], program=self.prog)
+        self._check(options)
+        return options
 
-    def _reject_misplaced(self, options: argparse.Namespace) -> None:
-        """Reject options that belong to another action of the command."""
+    def _check(self, options: argparse.Namespace) -> None:
+        """Reject options of another action of the command, and output files that would overwrite another file."""
+        from os.path import realpath
+
         action = getattr(options, self.options[0].name, "") if self.options else ""
         facts: dict[str, Any] = {"command": self.command, "action": action}
         collect(
@@ -105,18 +94,18 @@ class CommandParser(argparse.ArgumentParser):
                 if getattr(options, option.name) != self.get_default(option.name)
             ]
         )
-
-    def _reject_overwriting(self, options: argparse.Namespace) -> None:
-        """Reject an output file that is also an input file or another output file."""
-        from os.path import realpath
-
         paths: set[str] = set()
-        written = [option for option in self.options if option.formats or option.name == "output"]
+        outputs = []
         for option in self.options:
             value = getattr(options, option.name)
-            if value and option not in written and option.metavar in ("FILE", "RECORDING", "RESULT"):
+            if value is not None and option.formats:
+                value = output_path(value, option.formats)
+                setattr(options, option.name, value)
+            if value and (option.formats or option.name == "output"):
+                outputs.append(value)
+            elif value and option.metavar in ("FILE", "RECORDING", "RESULT"):
                 paths |= {realpath(path) for path in ([value] if isinstance(value, str) else value)}
-        for path in filter(None, (getattr(options, option.name) for option in written)):
+        for path in outputs:
             if realpath(path) in paths:
                 raise InputError("cli.output.taken", path=str(path))
             paths.add(realpath(path))

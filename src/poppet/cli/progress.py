@@ -45,32 +45,26 @@ class _Display:
         """Time since the start of the command [s]."""
         return time.monotonic() - self.start_time
 
-    def _is_due(self) -> bool:
-        return self.is_shown and self.elapsed >= PATIENCE
-
-    def _show_text(self, text: str) -> None:
-        """Show a text with a spinner."""
-        if self._line is None:
-            from rich.console import Console
-
-            self._line = Console(stderr=True).status(text)
-            self._line.start()
-        self._line.update(text)
-
-    def _show_bar(self, done: float, total: float, text: str) -> None:
-        """Show a progress bar with a text.
-
-        `done` and `total` are the completed and the total amount of work.
-        """
+    def _show(self, text: str, done: float = 0.0, total: float | None = None) -> None:
+        """Show a text with a spinner, or with a bar if the total amount of work is known."""
+        if not self.is_shown or self.elapsed < PATIENCE:
+            return
         if self._line is None:
             from rich.console import Console
             from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
-            columns = BarColumn(), TextColumn("{task.description}"), TimeRemainingColumn()
-            self._line = Progress(*columns, console=Console(stderr=True), transient=True)
-            self._task = self._line.add_task("", total=total)
+            console = Console(stderr=True)
+            if total is None:
+                self._line = console.status(text)
+            else:
+                columns = BarColumn(), TextColumn("{task.description}"), TimeRemainingColumn()
+                self._line = Progress(*columns, console=console, transient=True)
+                self._task = self._line.add_task("", total=total)
             self._line.start()
-        self._line.update(self._task, completed=done, total=total, description=text)
+        if total is None:
+            self._line.update(text)
+        else:
+            self._line.update(self._task, completed=done, total=total, description=text)
 
 
 class RunProgress(_Display):
@@ -82,8 +76,7 @@ class RunProgress(_Display):
 
     def __call__(self, simulated_time: float) -> None:
         """Show the simulated time [s] that has been reached."""
-        if self._is_due():
-            self._show_bar(simulated_time, self.duration, f"{simulated_time:.4g} of {self.duration:.4g} s")
+        self._show(f"{simulated_time:.4g} of {self.duration:.4g} s", simulated_time, self.duration)
 
 
 class PointProgress(_Display):
@@ -91,8 +84,7 @@ class PointProgress(_Display):
 
     def __call__(self, done: int, total: int, following: str) -> None:
         """Show the number of computed points, and the point that is computed next."""
-        if self._is_due():
-            self._show_bar(done, total, f"{done} of {total}, {following}; Ctrl-C keeps the computed points")
+        self._show(f"{done} of {total}, {following}; Ctrl-C keeps the computed points", done, total)
 
 
 class FitProgress(_Display):
@@ -100,13 +92,11 @@ class FitProgress(_Display):
 
     def __call__(self, count: int, cost: float) -> None:
         """Show the number of evaluations and the lowest cost so far."""
-        if self._is_due():
-            self._show_text(f"{count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
+        self._show(f"{count} evaluations, cost {cost:.6g}; Ctrl-C keeps the best point")
 
     def stages(self, stage: str, done: int, total: int) -> None:
         """Show the progress of a computation after the search, and the elapsed time."""
-        if self._is_due():
-            self._show_text(f"{done} of {total} {stage}, {self.elapsed:.0f} s; Ctrl-C keeps the fit")
+        self._show(f"{done} of {total} {stage}, {self.elapsed:.0f} s; Ctrl-C keeps the fit")
 
 
 class BenchProgress(_Display):
@@ -119,8 +109,7 @@ class BenchProgress(_Display):
     def __call__(self, test: str) -> None:
         """Show the name of the test that starts now."""
         self._count += 1
-        if self._is_due():
-            self._show_text(f"{test} (run {self._count}); Ctrl-C keeps the completed tests")
+        self._show(f"{test} (run {self._count}); Ctrl-C keeps the completed tests")
 
 
 class Spinner(_Display):
@@ -131,7 +120,7 @@ class Spinner(_Display):
 
     def __init__(self, text: str, *, is_quiet: bool = False) -> None:
         super().__init__(is_quiet=is_quiet)
-        self._timer = threading.Timer(PATIENCE, self._show_text, [text]) if self.is_shown else None
+        self._timer = threading.Timer(PATIENCE, self._show, [text]) if self.is_shown else None
 
     def __enter__(self) -> Self:
         if self._timer is not None:
@@ -142,8 +131,7 @@ class Spinner(_Display):
 
     def __call__(self, text: str) -> None:
         """Show the name of the current operation, and the elapsed time."""
-        if self._is_due():
-            self._show_text(f"{text}, {self.elapsed:.0f} s")
+        self._show(f"{text}, {self.elapsed:.0f} s")
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
@@ -169,8 +157,6 @@ class EnsembleProgress(_Display):
         """
         if kind != self._kind:
             self._kind, self._n_stored, self._kind_start = kind, done, time.monotonic()
-        if self._is_due():
-            rate = (done - self._n_stored) / max(time.monotonic() - self._kind_start, 1e-3)
-            rate_text = f"{rate:.0f}" if rate >= 10.0 else f"{rate:.2g}"
-            text = f"{done} of {total} {RUN_KINDS[kind]}, {rate_text}/s; Ctrl-C keeps the completed runs"
-            self._show_bar(done, total, text)
+        rate = (done - self._n_stored) / max(time.monotonic() - self._kind_start, 1e-3)
+        rate_text = f"{rate:.0f}" if rate >= 10.0 else f"{rate:.2g}"
+        self._show(f"{done} of {total} {RUN_KINDS[kind]}, {rate_text}/s; Ctrl-C keeps the completed runs", done, total)

@@ -19,11 +19,7 @@ def show_library(options: argparse.Namespace) -> None:
     if options.name is not None:
         print(library.describe(options.name))
         return
-    groups = {
-        "sets": library.sets(),
-        "characteristics": library.characteristics(),
-        "gases": library.gas_names(),
-    }
+    groups = {"sets": library.sets(), "characteristics": library.characteristics(), "gases": library.gas_names()}
     for heading, names in groups.items():
         print(f"{heading + ':':<17}{', '.join(names)}")
 
@@ -33,8 +29,8 @@ def explain_codes(options: argparse.Namespace) -> None:
 
     The first part of a code lists all codes that begin with it. Without codes, the topics are listed.
     """
-    from poppet.core.explanations import renamed_codes
-    from poppet.core.message_format import every_code, topics
+    from poppet.core.explanations import example_texts, renamed_codes, stored_examples
+    from poppet.core.message_format import every_code, plain, template, topics
 
     codes, titles = every_code(), topics()
     blocks = []
@@ -42,7 +38,18 @@ def explain_codes(options: argparse.Namespace) -> None:
         new = renamed_codes().get(name, name)
         members = [code for code in codes if code.startswith(f"{name}.")]
         if new in codes:
-            blocks.append((f"{name} is now {new}.\n" if new != name else "") + _explanation(new))
+            text, example = template(new), stored_examples().get(new)
+            # The text of a note already contains its remedy.
+            parts = {"": text} if isinstance(text, str) else text
+            lines = [f"{name} is now {new}."] if new != name else []
+            cause = " ".join(plain(part) for key, part in parts.items() if key != "hint")
+            lines += [new, f"  cause:    {cause}"]
+            if example is not None and "{" in "".join(parts.values()):
+                lines.append(f"  example:  {' '.join(example_texts(new, example).values())}")
+            if "hint" in parts:
+                remedy = plain(parts["hint"]).replace("<near>", "Use one of the suggested names.")
+                lines.append(f"  remedy:   {remedy}")
+            blocks.append("\n".join(lines))
         elif members:
             title = f": {titles[name]}" if name in titles else ""
             blocks.append("\n".join([f"{name}{title}, {len(members)} codes", *(f"  {code}" for code in members)]))
@@ -52,25 +59,6 @@ def explain_codes(options: argparse.Namespace) -> None:
         width = max(map(len, titles))
         blocks = ["\n".join(f"{topic:<{width}}  {title}" for topic, title in titles.items())]
     print("\n\n".join(blocks))
-
-
-def _explanation(code: str) -> str:
-    """Return the cause, an example and the remedy of a message code.
-
-    The text of a note already contains its remedy.
-    """
-    from poppet.core.explanations import example_texts, stored_examples
-    from poppet.core.message_format import plain, template
-
-    text, example = template(code), stored_examples().get(code)
-    parts = {"": text} if isinstance(text, str) else text
-    lines = [f"  cause:    {' '.join(plain(part) for name, part in parts.items() if name != 'hint')}"]
-    if example is not None and "{" in "".join(parts.values()):
-        texts = example_texts(code, example)
-        lines.append(f"  example:  {' '.join(texts.values())}")
-    if "hint" in parts:
-        lines.append(f"  remedy:   {plain(parts['hint']).replace('<near>', 'Use one of the suggested names.')}")
-    return "\n".join([code, *lines])
 
 
 def reproduce_paper(options: argparse.Namespace) -> None:

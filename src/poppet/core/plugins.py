@@ -36,6 +36,14 @@ class PluginWarning(UserWarning):
         self.note = note
 
 
+def import_object(value: Any) -> Any:
+    """Return the object itself, or the object that its text form `package.module:name` refers to."""
+    if not isinstance(value, str) or not value:
+        return value
+    module, _, name = value.partition(":")
+    return getattr(importlib.import_module(module), name)
+
+
 class Registry(UserDict[str, T]):
     """Mapping from names to built-in objects, followed by the objects of plugins.
 
@@ -72,11 +80,7 @@ class Registry(UserDict[str, T]):
     def __getitem__(self, name: str) -> T:
         if name not in self:
             raise KeyError(name)
-        value = self.data[name]
-        if isinstance(value, str):
-            module, _, attribute = value.partition(":")
-            value = getattr(importlib.import_module(module), attribute)
-        return value  # type: ignore[no-any-return]
+        return import_object(self.data[name])  # type: ignore[no-any-return]
 
     def __contains__(self, name: object) -> bool:
         if name not in self.data:

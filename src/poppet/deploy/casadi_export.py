@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,10 +78,25 @@ def to_casadi(
     model = instance.model
     if model.memory:
         raise InputError("tools.sampled", model.memory[0][0])
-    free = _free_indices(plant, numbers)
+    run = plant.run if plant.run.duration is not None else replace(plant.run, duration="1 s")
+    parameters = build_export_model(replace(plant, run=run)).parameters if numbers else ()
+    fixed = {parameter.address: parameter.fixed for parameter in parameters}
+    with ErrorCollector() as errors:
+        for address in numbers:
+            if address not in fixed:
+                near = NameSuggestion(address, fixed)
+                errors.add("names.unknown", address, meaning="a parameter of the circuit", near=near)
+            elif fixed[address] not in ("", "delay"):
+                errors.add("tools.fixed", address)
+    free = [*map(instance.place, numbers)]
     x_start, p = instance.start()
     n, u = len(model.states), instance.held_inputs({})
-    driven = _input_indices(inputs, instance.input_names)
+    with ErrorCollector() as errors:
+        for name in inputs or ():
+            if name not in instance.input_names:
+                near = NameSuggestion(name, instance.input_names)
+                errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
+    driven = [*map(instance.input_names.index, instance.input_names if inputs is None else inputs)]
     sizes_by_symbol = (("x", n), ("u", len(driven)), ("p", len(free)))
     x_symbol, u_symbol, p_symbol = (ca.SX.sym(name, size) for name, size in sizes_by_symbol)
     all_u, all_p = ca.SX(u.tolist()), ca.SX(p.tolist())
@@ -101,10 +116,10 @@ def to_casadi(
     start = ca.Function("start", [p_symbol], [ca.densify(start_state)], ["p"], ["x"])
     units = dict(model.outputs) | {state.name: state.unit for state in model.states}
     units |= {item.name: item.unit for item in model.inputs}
-    parameters = plant.numbers()
+    declared = plant.numbers()
     return CasadiModel(
         f, g, start, tuple(state.name for state in model.states), tuple(instance.input_names[k] for k in driven),
-        tuple(numbers), model.columns[0], units | {name: parameters[name].unit for name in numbers},
+        tuple(numbers), model.columns[0], units | {name: declared[name].unit for name in numbers},
         x_start[:n].copy(), u[driven], p[free], np.array([state.nominal for state in model.states]),
     )  # fmt: skip
 
@@ -128,7 +143,7 @@ def to_control(
     # In python-control a dot separates system and signal.
     names = {name: name.replace(".", "__") for name in (*model.states, *model.inputs, *model.numbers, *model.outputs)}
 
-    def adapt(function: Any) -> Any:
+    def adapt(function: casadi.Function) -> Callable[[float, Array, Array, Mapping[str, float]], Array]:
         evaluation = ArrayFunction(function)
 
         def evaluate(t: float, x: Array, u: Array, params: Mapping[str, float]) -> Array:
@@ -158,38 +173,3 @@ def _without_controllers(circuit: BaseCircuit, controllers: str | Sequence[str])
             raise InputError("fields.not_an_option", "without", value=name, meaning="controller", near=near)
         circuit = release_command(circuit, name, keeps=False)
     return circuit
-
-
-def _free_indices(circuit: BaseCircuit, addresses: Sequence[str]) -> list[int]:
-    """Return the indices in p of the given parameters.
-
-    Parameters that cannot change without other changes are rejected.
-    """
-    if not addresses:
-        return []
-    run = circuit.run if circuit.run.duration is not None else replace(circuit.run, duration="1 s")
-    parameters = build_export_model(replace(circuit, run=run)).parameters
-    by_address = {parameter.address: (k, parameter.fixed) for k, parameter in enumerate(parameters)}
-    indices = []
-    with ErrorCollector() as errors:
-        for address in addresses:
-            index, fixed = by_address.get(address, (-1, ""))
-            if index < 0:
-                near = NameSuggestion(address, by_address)
-                errors.add("names.unknown", address, meaning="a parameter of the circuit", near=near)
-            elif fixed not in ("", "delay"):
-                errors.add("tools.fixed", address)
-            indices.append(index)
-    return indices
-
-
-def _input_indices(selected: Sequence[str] | None, available: Sequence[str]) -> list[int]:
-    """Return the indices of the selected inputs, or of all inputs if `selected` is None."""
-    if selected is None:
-        return [*range(len(available))]
-    with ErrorCollector() as errors:
-        for name in selected:
-            if name not in available:
-                near = NameSuggestion(name, available)
-                errors.add("names.unknown", name, meaning="an input of this circuit", near=near)
-    return [available.index(name) for name in selected]

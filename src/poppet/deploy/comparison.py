@@ -155,10 +155,6 @@ def compare_runs(
 ) -> RunComparison:
     """Compare a run with the reference run of the kernel at each output time.
 
-    The allowed difference of an output is the larger of the limit and `MARGIN` times the effect of small changes. The
-    comparison of an output ends when this effect is too large. If that output is a pressure or mass of gas, the
-    comparison of all outputs ends.
-
     The allowed difference of an output is the larger of the limit and `MARGIN` times the effect of small changes. An
     output is no longer compared after this effect is too large. If that output is a state of the gas, no output is
     compared after that.

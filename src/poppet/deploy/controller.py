@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter
 from poppet.engine.model_evaluation import Array, ArrayFunction
 from poppet.parts.compound import Compound
 from poppet.parts.part import NEVER, Controller, Part
+
+if TYPE_CHECKING:
+    import casadi
 
 SIGNATURES = {"start": "p -> z", "update": "t u p z fired -> z", "outputs": "u p z -> y"}
 """Arguments and results of a program's functions: inputs u, parameters p, discrete states z (timers first), outputs y;
@@ -63,7 +66,7 @@ class ControllerProgram:
     outputs: tuple[ExportQuantity, ...]
     cycle: float
     sensed: Mapping[str, tuple[str, float]]
-    functions: Mapping[str, Any]
+    functions: Mapping[str, casadi.Function]
 
     def run(self, inputs: Sequence[Array], parameters: Array | None = None, cycle: float | None = None) -> Array:
         """Return the outputs after each call of the program, evaluated by CasADi.
@@ -114,12 +117,44 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
     InputErrors
         If there is no such part, or the part is no sampled controller.
     """
-    selected = _select_controllers(circuit, tuple(parts))
+    controllers = find_controllers(circuit)
+    if not controllers:
+        raise InputError("deploy.controller.none")
+    if not parts and len(controllers) > 1:
+        raise InputError("deploy.controller.several", known=[*controllers])
+    for name in parts:
+        if name not in circuit.parts:
+            near = NameSuggestion(name, controllers)
+            raise InputError("names.unknown", name, meaning="a part of the circuit", near=near)
+        if name not in controllers:
+            raise InputError("deploy.controller.other", name, kind=circuit.parts[name].kind, known=[*controllers])
+    # In the order of the circuit, in which controllers with a common sample instant act.
+    selected = {name: part for name, part in controllers.items() if not parts or name in parts}
     if not any(part.timers() for part in selected.values()):
         raise InputError("deploy.controller.unsampled", next(iter(selected)), kind=next(iter(selected.values())).kind)
     controllers_only = _circuit_of_controllers(circuit, selected)
     export_model = build_export_model(controllers_only, "_".join(selected))
-    return _program(export_model, controllers_only, circuit.title)
+    # State of each sensor to the input that it follows, and the prefix of its parameters.
+    sensors = {
+        f"{name}.{state}": (f"{name}.{target}", f"{name}.{group}.")
+        for name, part in selected.items()
+        if isinstance(part, Controller)
+        for state, (target, group) in part.sensors().items()
+    }
+    functions, output_indices, used = _trace_functions(export_model, controllers_only, sensors)
+    inputs = tuple(export_model.inputs[k] for k in used["u"])
+    parameters = tuple(export_model.parameters[k] for k in used["p"])
+    start, update, _ = (ArrayFunction(functions[name]) for name in SIGNATURES)
+    p = np.array([parameter.value for parameter in parameters])
+    z, timers = start(p)[0].ravel(), slice(0, export_model.model.n_timers)
+    fired = np.asarray(z[timers] <= 0.0, dtype=float)
+    next_instants = update(0.0, np.array([item.value for item in inputs]), p, z, fired)[0].ravel()[timers]
+    values = {parameter.address: parameter.value for parameter in export_model.parameters}
+    return ControllerProgram(
+        export_model.name, circuit.title, tuple(selected), inputs, parameters, export_model.memory, timers.stop,
+        tuple(export_model.outputs[k] for k in output_indices), float(next_instants[next_instants < NEVER].min()),
+        {target: (state, values[f"{group}offset"]) for state, (target, group) in sensors.items()}, functions,
+    )  # fmt: skip
 
 
 def select_parts(circuit: BaseCircuit, text: str | None) -> list[str]:
@@ -145,21 +180,6 @@ def find_controllers(circuit: BaseCircuit) -> dict[str, Part]:
     return controllers
 
 
-def _select_controllers(circuit: BaseCircuit, parts: tuple[str, ...]) -> dict[str, Part]:
-    controllers = find_controllers(circuit)
-    if not controllers:
-        raise InputError("deploy.controller.none")
-    if not parts and len(controllers) > 1:
-        raise InputError("deploy.controller.several", known=[*controllers])
-    for name in parts:
-        if name not in circuit.parts:
-            raise InputError("deploy.controller.unknown", name, near=NameSuggestion(name, controllers))
-        if name not in controllers:
-            raise InputError("deploy.controller.other", name, kind=circuit.parts[name].kind, known=[*controllers])
-    # In the order of the circuit, in which controllers with a common sample instant act.
-    return {name: part for name, part in controllers.items() if not parts or name in parts}
-
-
 def _circuit_of_controllers(circuit: BaseCircuit, selected: Mapping[str, Part]) -> BaseCircuit:
     """Return a circuit that contains only the selected controllers and the connections between them."""
 
@@ -177,43 +197,14 @@ def _circuit_of_controllers(circuit: BaseCircuit, selected: Mapping[str, Part]) 
     return BaseCircuit(dict(selected), run=run, ambient=circuit.ambient, gas=circuit.gas, connections=connections)
 
 
-def _program(export_model: ExportModel, circuit: BaseCircuit, title: str) -> ControllerProgram:
-    model = export_model.model
-    # State of each sensor to the input that it follows, and the prefix of its parameters.
-    sensors = {
-        f"{name}.{state}": (f"{name}.{target}", f"{name}.{group}.")
-        for name, part in circuit.parts.items()
-        if isinstance(part, Controller)
-        for state, (target, group) in part.sensors().items()
-    }
-    functions, output_indices = _trace_functions(export_model, circuit, sensors)
-    # Parameters of the sensors and inputs that are only recorded have no effect.
-    parameters = _used_elements([(functions[name], k) for name, k in (("start", 0), ("update", 2), ("outputs", 1))])
-    inputs = _used_elements([(functions["update"], 1), (functions["outputs"], 0)])
-    start, update, _ = (ArrayFunction(functions[name]) for name in SIGNATURES)
-    p = np.array([parameter.value for parameter in export_model.parameters])
-    u = np.array([item.value for item in export_model.inputs])
-    z = start(p)[0].ravel()
-    timers = slice(0, model.n_timers)
-    next_instants = update(0.0, u, p, z, np.asarray(z[timers] <= 0.0, dtype=float))[0].ravel()[timers]
-    values = {parameter.address: parameter.value for parameter in export_model.parameters}
-    return ControllerProgram(
-        export_model.name, title, tuple(circuit.parts),
-        tuple(export_model.inputs[k] for k in inputs), tuple(export_model.parameters[k] for k in parameters),
-        export_model.memory, model.n_timers, tuple(export_model.outputs[k] for k in output_indices),
-        float(next_instants[next_instants < NEVER].min()),
-        {target: (state, values[f"{group}offset"]) for state, (target, group) in sensors.items()},
-        _restrict_arguments(functions, {"u": inputs, "p": parameters}),
-    )  # fmt: skip
-
-
 def _trace_functions(
     export_model: ExportModel, circuit: BaseCircuit, sensors: Mapping[str, tuple[str, str]]
-) -> tuple[dict[str, Any], list[int]]:
-    """Return the CasADi functions of a controller program, with all inputs and parameters as arguments.
+) -> tuple[dict[str, casadi.Function], list[int], dict[str, list[int]]]:
+    """Return the CasADi functions of a controller program.
 
     The measured values replace the states of the sensors. The second result contains the indices of the program's
-    outputs among the outputs of the model.
+    outputs among the outputs of the model. The third result contains the indices of the inputs u and parameters p that
+    are arguments: parameters of the sensors and inputs that are only recorded have no effect.
     """
     import casadi as ca
 
@@ -229,48 +220,24 @@ def _trace_functions(
         0.0 if parameter.address.startswith(groups) else p[k] if parameter.is_free else parameter.value
         for k, parameter in enumerate(export_model.parameters)
     ]
-
-    def substitute_symbols(expression: Any) -> Any:
-        # The states first, because their replacements contain inputs and parameters.
-        (without_states,) = ca.substitute([ca.densify(expression)], [s["x"]], [ca.vertcat(*measured)])
-        return ca.cse(ca.substitute([without_states], [s["p"]], [ca.vertcat(*values, z)]))[0]
-
     inputs = {f"{name}.{item.name}" for name, part in circuit.parts.items() for item in part.inputs()}
     output_indices = [k for name, k in indices.items() if name not in inputs and name not in sensors]
-    t, u, fired = s["t"], s["u"], s["fired"]
-    return {
-        "start": ca.Function("start", [p], [substitute_symbols(e["memory_start"])]),
-        "update": ca.Function("update", [t, u, p, z, fired], [substitute_symbols(e["update"])]),
-        "outputs": ca.Function("outputs", [u, p, z], [substitute_symbols(outputs[output_indices])]),
-    }, output_indices
-
-
-def _used_elements(arguments: Sequence[tuple[Any, int]]) -> list[int]:
-    """Return the indices of the elements of an argument that affect any of the functions.
-
-    Each element of `arguments` is a function and the position of the argument in it.
-    """
-    indices: set[int] = set()
-    for function, position in arguments:
-        indices |= set(function.jac_sparsity(0, position).get_col())
-    return sorted(indices)
-
-
-def _restrict_arguments(functions: Mapping[str, Any], elements: Mapping[str, list[int]]) -> dict[str, Any]:
-    """Return the functions with shorter argument vectors.
-
-    `elements` maps the name of an argument to the indices of the elements that remain.
-    """
-    import casadi as ca
-
-    restricted = {}
-    for name, signature in SIGNATURES.items():
-        symbols = functions[name].sx_in()
-        argument_names = signature.partition(" -> ")[0].split()
-        (result,) = functions[name].call(symbols)
-        arguments = [
-            symbol[elements[argument]] if argument in elements else symbol
-            for argument, symbol in zip(argument_names, symbols, strict=True)
+    symbols = {"t": s["t"], "u": s["u"], "p": p, "z": z, "fired": s["fired"]}
+    arguments = {name: signature.partition(" -> ")[0].split() for name, signature in SIGNATURES.items()}
+    results = {}
+    for name, result in (("start", e["memory_start"]), ("update", e["update"]), ("outputs", outputs[output_indices])):
+        # The states first, because their replacements contain inputs and parameters.
+        (without_states,) = ca.substitute([ca.densify(result)], [s["x"]], [ca.vertcat(*measured)])
+        results[name] = ca.cse(ca.substitute([without_states], [s["p"]], [ca.vertcat(*values, z)]))[0]
+    used = {}
+    for argument in ("u", "p"):
+        sparsities = [
+            ca.jacobian_sparsity(results[name], symbols[argument]) for name in results if argument in arguments[name]
         ]
-        restricted[name] = ca.Function(name, arguments, [ca.densify(result)])
-    return restricted
+        used[argument] = sorted({column for sparsity in sparsities for column in sparsity.get_col()})
+        symbols[argument] = symbols[argument][used[argument]]
+    functions = {
+        name: ca.Function(name, [symbols[argument] for argument in arguments[name]], [ca.densify(result)])
+        for name, result in results.items()
+    }
+    return functions, output_indices, used

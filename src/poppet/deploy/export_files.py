@@ -177,7 +177,13 @@ def write_folder(folder: Path, files: Mapping[str, str | bytes], manifest: str) 
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_bytes(content.encode() if isinstance(content, str) else content)
         if target.exists():
-            _move_into(temporary, target, contents)
+            for path in contents:
+                file = target.joinpath(*PurePosixPath(path).parts)
+                # A link in place of a folder leads out of the target; a link in place of a file is replaced.
+                if any(parent.is_symlink() for parent in file.parents if target in parent.parents):
+                    raise InputError("deploy.outside", path=path)
+                file.parent.mkdir(parents=True, exist_ok=True)
+                os.replace(temporary.joinpath(*PurePosixPath(path).parts), file)
         else:
             temporary.rename(target)
     except OSError as problem:
@@ -186,13 +192,3 @@ def write_folder(folder: Path, files: Mapping[str, str | bytes], manifest: str) 
         with suppress(OSError):
             shutil.rmtree(temporary)
     return folder
-
-
-def _move_into(temporary: Path, target: Path, paths: Mapping[str, str | bytes]) -> None:
-    for path in paths:
-        file = target.joinpath(*PurePosixPath(path).parts)
-        # A link in place of a folder leads out of the target; a link in place of a file is replaced.
-        if any(parent.is_symlink() for parent in file.parents if target in parent.parents):
-            raise InputError("deploy.outside", path=path)
-        file.parent.mkdir(parents=True, exist_ok=True)
-        os.replace(temporary.joinpath(*PurePosixPath(path).parts), file)

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
@@ -24,6 +24,8 @@ from poppet.parts.fields import NumberSpec, flatten
 from poppet.parts.part import Part, Surroundings
 
 if TYPE_CHECKING:
+    import casadi
+
     from poppet.circuit.circuit import BaseCircuit
     from poppet.circuit.instance import Instance
     from poppet.engine.model import Model
@@ -105,7 +107,7 @@ class ExportModel:
         return self.instance.model
 
     @cached_property
-    def functions(self) -> dict[str, Any]:
+    def functions(self) -> dict[str, casadi.Function]:
         """CasADi functions of the model by name, from which a code generator (printer) writes code."""
         return trace_functions(self.model)
 
@@ -135,12 +137,23 @@ def build_export_model(circuit: BaseCircuit, name: str = "") -> ExportModel:
     problem, model = instance.problem(circuit.run), instance.model
     if problem.starts.size > MAX_SEGMENTS:
         raise InputError("deploy.segments", "signals", count=int(problem.starts.size), most=MAX_SEGMENTS)
+    names, inputs = instance.input_names, []
+    first = problem.coefficients[problem.courses[0]]
+    start_values = first[:, 0] + first[:, 2] * np.sin(first[:, 5])
+    for item, input_name, value in zip(model.inputs, identifiers(names), start_values, strict=True):
+        low, high = (instance.parameters[end] if isinstance(end, str) else end for end in (item.low, item.high))
+        is_driven = (item.slope_of or item.name) in instance.signals
+        parameter = instance.place(item.default) if isinstance(item.default, str) and not item.slope_of else -1
+        slope_of = names.index(item.slope_of) if item.slope_of else -1
+        inputs.append(
+            ExportInput(item.name, input_name, item.unit, float(value), low, high, parameter, is_driven, slope_of)
+        )
     discrete_start = problem.p[len(model.parameters) :]
     states = zip(model.states, problem.x0[: len(model.states)], strict=True)
     return ExportModel(
         identifier(name or circuit.title or "model"), circuit.title, instance, problem,
         _export_parameters(circuit, instance, problem),
-        _export_inputs(instance, problem),
+        tuple(inputs),
         _export_quantities((state.name, state.unit, value) for state, value in states),
         _export_quantities((*row, value) for row, value in zip(model.memory, discrete_start, strict=True)),
         _export_quantities((*row, np.nan) for row in model.outputs),
@@ -196,13 +209,6 @@ def _next_float(limit: float, direction: float) -> float:
 
 def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     """Return the addresses of parameters that cannot change without other changes.
-
-    A parameter is such a parameter if other parameters or the structure of the circuit depend on it, or if no value
-    near its own is valid.
-
-    Only the part that contains a parameter is checked, because a parameter acts on the run-time values of its part
-    alone. All parameters are free if the part declares neither derived values nor checks. The ambient conditions and
-    the gas act on all parts, so the whole circuit is checked.
 
     Either other parameters or the structure depend on such a parameter, or no neighbouring value is valid. A parameter
     of a part acts on the run-time values of this part alone. If a part declares neither derived values nor checks, all
@@ -274,16 +280,3 @@ def _tied_in_part(
         if is_tied or changed.structure() != part.structure():
             tied.add(key)
     return tied
-
-
-def _export_inputs(instance: Instance, problem: Problem) -> tuple[ExportInput, ...]:
-    names, inputs = instance.input_names, []
-    first = problem.coefficients[problem.courses[0]]
-    start_values = first[:, 0] + first[:, 2] * np.sin(first[:, 5])
-    for item, name, value in zip(instance.model.inputs, identifiers(names), start_values, strict=True):
-        low, high = (instance.parameters[end] if isinstance(end, str) else end for end in (item.low, item.high))
-        is_driven = (item.slope_of or item.name) in instance.signals
-        parameter = instance.place(item.default) if isinstance(item.default, str) and not item.slope_of else -1
-        slope_of = names.index(item.slope_of) if item.slope_of else -1
-        inputs.append(ExportInput(item.name, name, item.unit, float(value), low, high, parameter, is_driven, slope_of))
-    return tuple(inputs)

@@ -5,12 +5,11 @@ A target is a declaration with a function that returns the exported files.
 
 from __future__ import annotations
 
-import importlib
 from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.command_options import Option
-from poppet.core.plugins import Registry
+from poppet.core.plugins import Registry, import_object
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -81,7 +80,7 @@ class Target(NamedTuple):
         -------
         Export
         """
-        export: Callable[..., Export] = _imported(self.export)
+        export: Callable[..., Export] = import_object(self.export)
         return export(circuit, source or CircuitSource(), **settings)
 
     def write(
@@ -114,15 +113,8 @@ class Target(NamedTuple):
 
     def parity_checks(self) -> Sequence[ParityCheck]:
         """Return the parity checks of the target, which `poppet export check` runs."""
-        checks: Callable[[], Sequence[ParityCheck]] = _imported(self.checks)
+        checks: Callable[[], Sequence[ParityCheck]] = import_object(self.checks)
         return checks()
-
-
-def _imported(function: Any) -> Any:
-    if not isinstance(function, str):
-        return function
-    module, _, name = function.partition(":")
-    return getattr(importlib.import_module(module), name)
 
 
 BUILT_IN = (
@@ -225,9 +217,9 @@ BUILT_IN = (
 )
 
 
-def _is_target(name: str, value: object) -> bool:
-    return isinstance(value, Target) and value.name == name
-
-
-TARGETS: Registry[Target] = Registry("poppet.targets", {target.name: target for target in BUILT_IN}, _is_target)
+TARGETS: Registry[Target] = Registry(
+    "poppet.targets",
+    {target.name: target for target in BUILT_IN},
+    lambda name, value: isinstance(value, Target) and value.name == name,
+)
 """Targets by name, with those of installed packages."""

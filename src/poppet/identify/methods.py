@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import importlib
 import inspect
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from poppet.core.command_options import Option
-from poppet.core.plugins import Registry
+from poppet.core.plugins import Registry, import_object
 
 # Nothing heavy is imported here: the command line reads these declarations for its help.
 
@@ -61,7 +60,7 @@ class Method(NamedTuple):
 
         `progress` and `stages` are ignored if the method does not accept them.
         """
-        run = imported(self.run)
+        run = import_object(self.run)
         accepted = inspect.signature(run).parameters
         is_accepted = {key: key in accepted or key not in ("progress", "stages") for key in options}
         return run(Path(path), **{key: value for key, value in options.items() if is_accepted[key]})
@@ -71,15 +70,7 @@ class Method(NamedTuple):
         from poppet.core.tables import table_schema
 
         title = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": f"poppet identify {self.name}"}
-        return title | table_schema(imported(self.fields))
-
-
-def imported(value: Any) -> Any:
-    """Return the object itself, or the object that its text form `module:name` refers to."""
-    if not isinstance(value, str) or not value:
-        return value
-    module, _, name = value.partition(":")
-    return getattr(importlib.import_module(module), name)
+        return title | table_schema(import_object(self.fields))
 
 
 _PROFILE = MethodOption(Option("--profile ADDRESS ...", "interval by profile likelihood; may be repeated"), "profile")

@@ -282,23 +282,20 @@ def describe(name: str) -> str:
     if name in gases.GASES:
         return _gas_text(gases.GASES[name])
     if name in _SETS:
-        return _set_text(name, _SETS[name])
+        parameter_set = _SETS[name]
+        blocks = [f"{name}: {parameter_set.reference}"]
+        if parameter_set.characteristics:
+            names = sorted(parameter_set.characteristics)
+            blocks[0] += f"\ncharacteristics: {', '.join(names)}"
+            blocks.append(_characteristic_text(characteristic(names[0])))
+        for kind, variants in parameter_set.parts.items():
+            for variant, values in variants.items():
+                option = f', {_VARIANTS.get(kind, "variant")} = "{variant}"' if variant else ""
+                blocks.append(f"{kind}{option}\n{_number_lines(values)}")
+        return "\n\n".join(blocks)
     if name in characteristics():
         return _characteristic_text(characteristic(name))
     raise _unknown("data", name, (*sets(), *characteristics(), *gases.GASES))
-
-
-def _set_text(name: str, parameter_set: ParameterSet) -> str:
-    blocks = [f"{name}: {parameter_set.reference}"]
-    if parameter_set.characteristics:
-        names = sorted(parameter_set.characteristics)
-        blocks[0] += f"\ncharacteristics: {', '.join(names)}"
-        blocks.append(_characteristic_text(characteristic(names[0])))
-    for kind, variants in parameter_set.parts.items():
-        for variant, numbers in variants.items():
-            option = f', {_VARIANTS.get(kind, "variant")} = "{variant}"' if variant else ""
-            blocks.append(f"{kind}{option}\n{_number_lines(numbers)}")
-    return "\n\n".join(blocks)
 
 
 def _characteristic_text(curve: Characteristic) -> str:

@@ -1,4 +1,4 @@
-"""Sampled controllers alone in C: in both precisions, on this machine and compiled for a Cortex-M."""
+"""Tests of controllers in C: both precisions, on this machine and compiled for a Cortex-M."""
 
 from __future__ import annotations
 
@@ -32,17 +32,17 @@ MOST_CODE = 12_000
 
 @pytest.mark.parametrize("precision", ["double", "single"])
 @pytest.mark.parametrize("name", CONTROLLERS)
-def test_the_host_finds_all_well(name, precision, tmp_path):
+def test_host_program_reports_success(name, precision, tmp_path):
     files = c_controller(load(EXAMPLES / f"{name}.toml"), CONTROLLERS[name], name="ctl", precision=precision)
-    made = compile_c(files, tmp_path, "-std=c99", "-O1", "-ffp-contract=off")
-    found = subprocess.run([made], capture_output=True, text=True, check=False)
-    assert found.returncode == 0, found.stdout
+    executable = compile_c(files, tmp_path, "-std=c99", "-O1", "-ffp-contract=off")
+    host_run = subprocess.run([executable], capture_output=True, text=True, check=False)
+    assert host_run.returncode == 0, host_run.stdout
     if precision == "double":  # CasADi does the same arithmetic
-        assert "difference 0.00e+00" in found.stdout
+        assert "difference 0.00e+00" in host_run.stdout
 
 
 @pytest.mark.parametrize("precision", ["double", "single"])
-def test_numbers_change_between_calls(precision, tmp_path):
+def test_parameters_change_between_calls(precision, tmp_path):
     """A gain is doubled after half of the calls; Python's program, begun with it, is the same where no memory is."""
     circuit = load(EXAMPLES / "pressure_control.toml").with_values({"regulator.integral_time": "1e9 s"})
     files = {n: t for n, t in c_controller(circuit, name="ctl", precision=precision).items() if "host" not in n}
@@ -63,19 +63,19 @@ def test_numbers_change_between_calls(precision, tmp_path):
         return 0;
       }
     """
-    made = compile_c(files, tmp_path, "-std=c99", "-O2")
-    out = subprocess.run([made], capture_output=True, text=True, check=True).stdout
-    found = [float(word) for word in out.split()]
-    for gain, value in ((9.21e-5, found[19]), (2 * 9.21e-5, found[39])):
+    executable = compile_c(files, tmp_path, "-std=c99", "-O2")
+    out = subprocess.run([executable], capture_output=True, text=True, check=True).stdout
+    outputs = [float(text) for text in out.split()]
+    for gain, value in ((9.21e-5, outputs[19]), (2 * 9.21e-5, outputs[39])):
         program = controller_program(circuit.with_values({"regulator.gain": gain}))
-        at = {"regulator.setpoint": 4e5, "regulator.measurement": 396000.0}
-        rows = [[at.get(each.address, each.value) for each in program.inputs]] * 40
+        inputs = {"regulator.setpoint": 4e5, "regulator.measurement": 396000.0}
+        rows = [[inputs.get(item.address, item.value) for item in program.inputs]] * 40
         assert value == pytest.approx(program.run(rows)[-1, 0], rel=1e-5, abs=1e-7)
-    assert found[39] != pytest.approx(found[19], rel=0.1)
+    assert outputs[39] != pytest.approx(outputs[19], rel=0.1)
 
 
-def test_no_instant_is_lost_after_hours(tmp_path):
-    """In single precision 2^24 calls are where a count of calls stands still, and a time of half an hour is coarse."""
+def test_all_sample_instants_are_executed_after_hours(tmp_path):
+    """A single-precision counter stops at 2^24 calls, and a single-precision time is coarse after half an hour."""
     files = c_controller(load(EXAMPLES / "pressure_control.toml"), name="ctl", precision="single")
     files = {name: text for name, text in files.items() if "host" not in name}
     files["own.c"] = """
@@ -94,12 +94,12 @@ def test_no_instant_is_lost_after_hours(tmp_path):
         return 0;
       }
     """
-    made = compile_c(files, tmp_path, "-std=c99", "-O2")
-    assert subprocess.run([made], capture_output=True, text=True, check=True).stdout == "0"
+    executable = compile_c(files, tmp_path, "-std=c99", "-O2")
+    assert subprocess.run([executable], capture_output=True, text=True, check=True).stdout == "0"
 
 
 @pytest.mark.parametrize("precision", ["double", "single"])
-def test_it_is_compiled_for_a_microcontroller(precision, tmp_path):
+def test_controller_compiles_for_a_microcontroller(precision, tmp_path):
     ziglang = pytest.importorskip("ziglang", reason="a compiler for other processors")
     library = Path(str(ziglang.__file__)).parent / "lib" / "libc" / "include"
     headers = [option for name in ("generic-musl", "arm-linux-musl") for option in ("-isystem", str(library / name))]
@@ -119,8 +119,8 @@ def code_size(data: bytes) -> int:
     """Bytes of the sections of a 32-bit ELF that are code."""
     assert data[:5] == b"\x7fELF\x01"
 
-    def number(place: int, size: int = 4) -> int:
-        return int.from_bytes(data[place : place + size], "little")
+    def number(offset: int, size: int = 4) -> int:
+        return int.from_bytes(data[offset : offset + size], "little")
 
     first, length, count = number(32), number(46, 2), number(48, 2)
     sections = [first + k * length for k in range(count)]
@@ -134,5 +134,5 @@ def test_the_command(tmp_path, monkeypatch):
     assert {p.name for p in (tmp_path / "ctl").iterdir()} >= {"regulator.h", "regulator.c", "regulator_host.c"}
     text = (tmp_path / "ctl" / "regulator.c").read_text()
     assert re.search(r"static void update\(const double \*t, const float \*u", text)
-    with refused("deploy.controller.unknown", "nobody"):
+    with refused("names.unknown", "nobody"):
         c_controller(load(file), ("nobody",))

@@ -1,4 +1,4 @@
-"""The model and the adaptive integrator in C give the kernel's bits where both do the same arithmetic.
+"""Tests that C code and kernel give the same bits if both use the same operations.
 
 That is without fused multiplications and additions: compilers choose for themselves which ones they fuse. With them the
 results differ by rounding, and where a run is sensitive to that by what its tolerance allows.
@@ -28,15 +28,15 @@ from poppet.engine.problem import Problem
 NAMES = ("rates", "jacobian", "factor", "solve", "outputs", "start", "energy", "update", "step", "dense")
 
 
-def in_c(of: ExportModel, folder: Path, *options: str) -> tuple[Problem, Any]:
+def in_c(export_model: ExportModel, folder: Path, *options: str) -> tuple[Problem, Any]:
     """The problem with the functions of C, and the integrator in C."""
-    sources = {"model.c": f"#include <math.h>\n\n{model_code(of)}\n", "integrator.c": integrator_code()}
+    sources = {"model.c": f"#include <math.h>\n\n{model_code(export_model)}\n", "integrator.c": integrator_code()}
     library = shared_library(sources, folder, *options)
-    found = {name: getattr(library, name, None) for name in NAMES}
-    addresses = {name: ctypes.cast(f, ctypes.c_void_p).value or 0 for name, f in found.items() if f is not None}
-    kernel = replace(of.problem.kernel, functions=CompiledFunctions(addresses, library))
+    functions = {name: getattr(library, name, None) for name in NAMES}
+    addresses = {name: ctypes.cast(f, ctypes.c_void_p).value or 0 for name, f in functions.items() if f is not None}
+    kernel = replace(export_model.problem.kernel, functions=CompiledFunctions(addresses, library))
     entry = ctypes.cast(library.integrate, ctypes.c_void_p).value or 0
-    return replace(of.problem, kernel=kernel), as_function(CompiledFunctions({"integrate": entry}, library))
+    return replace(export_model.problem, kernel=kernel), as_function(CompiledFunctions({"integrate": entry}, library))
 
 
 def without_fused(circuit: Circuit) -> tuple[Problem, Any]:
@@ -47,13 +47,13 @@ def without_fused(circuit: Circuit) -> tuple[Problem, Any]:
 
 def run(problem: Problem, function: Any, monkeypatch: pytest.MonkeyPatch) -> tuple[Any, np.ndarray, list[int]]:
     monkeypatch.setattr(call, "integrator", lambda: function)
-    made = call.Call(problem)
-    outcome = made.repeat()
-    return outcome, made.table, made.counts[:4].tolist()
+    kernel_call = call.Call(problem)
+    outcome = kernel_call.repeat()
+    return outcome, kernel_call.table, kernel_call.counts[:4].tolist()
 
 
 @pytest.mark.parametrize("name", EVERYDAY)
-def test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch):
+def test_exported_c_equals_the_kernel_in_every_bit(name, tmp_path, monkeypatch):
     circuit = TEN[name]()
     mine = run(*in_c(build_export_model(circuit), tmp_path), monkeypatch)
     theirs = run(*without_fused(circuit), monkeypatch)
@@ -64,8 +64,8 @@ def test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("name", [name for name in TEN if name not in EVERYDAY])
-def test_every_bit_of_ten_circuits(name, tmp_path, monkeypatch):
-    test_every_bit_is_that_of_the_kernel(name, tmp_path, monkeypatch)
+def test_exported_c_of_ten_circuits_equals_the_kernel(name, tmp_path, monkeypatch):
+    test_exported_c_equals_the_kernel_in_every_bit(name, tmp_path, monkeypatch)
 
 
 def test_the_integrator_in_c_is_made_from_the_present_source(monkeypatch):

@@ -1,4 +1,4 @@
-"""The project in C as its users meet it: compiled strictly, checked by its own host, driven from outside."""
+"""Tests of the C project: strict compilation, its host program, and calls from other programs."""
 
 from __future__ import annotations
 
@@ -31,15 +31,15 @@ def driven(circuit: Circuit, folder: Path, body: str) -> np.ndarray:
     files = {name: text for name, text in c_project(circuit, "it").items() if not name.endswith("host.c")}
     head = '#include "it.h"\n#include <math.h>\n#include <stdio.h>\n'
     head += "static it_fixed m;\nstatic it_adaptive a;\nint main(void) {\n"
-    rest = "(void)m; (void)a; (void)k; (void)y; return 0; }\n"
-    files["own.c"] = f"{head}double y[IT_OUTPUTS]; int k = 0;\n{body}\n{rest}"
+    ending = "(void)m; (void)a; (void)k; (void)y; return 0; }\n"
+    files["own.c"] = f"{head}double y[IT_OUTPUTS]; int k = 0;\n{body}\n{ending}"
     out = subprocess.run([compile_c(files, folder, "-std=c99", "-O1")], capture_output=True, text=True, check=True)
-    return np.array([float(word) for word in out.stdout.split()])
+    return np.array([float(number_text) for number_text in out.stdout.split()])
 
 
-def test_the_host_finds_all_well(tmp_path):
-    found = host(c_project(TEN["two tanks"](), "tanks"), tmp_path, "-std=c99", "-O1", step="0.1")
-    assert found.returncode == 0, found.stdout
+def test_host_program_reports_success(tmp_path):
+    host_run = host(c_project(TEN["two tanks"](), "tanks"), tmp_path, "-std=c99", "-O1", step="0.1")
+    assert host_run.returncode == 0, host_run.stdout
 
 
 @pytest.mark.parametrize("name", TEN)
@@ -47,21 +47,21 @@ def test_the_host_finds_all_well(tmp_path):
 def test_all_hosts_and_languages(name, options, tmp_path):
     if name == "32 chambers" and options[0] != "-std=c99":
         pytest.skip("as the others, and long")
-    found = host(c_project(TEN[name](), "it"), tmp_path, *options, step="1e-4")
-    assert found.returncode == 0, found.stdout
+    host_run = host(c_project(TEN[name](), "it"), tmp_path, *options, step="1e-4")
+    assert host_run.returncode == 0, host_run.stdout
 
 
-def test_a_run_that_follows_rounding_is_held_to_what_that_becomes():
+def test_allowed_differences_follow_the_effect_of_rounding():
     """The states of a valve that hunts, by what they are from a start that is moved, and no looser before it does."""
     files = c_project(example("muscle_joint", "0.4 s"), "it")
     rows = re.search(r"allowed_adaptive\[\] = \{\n(.*?)\n\};", files["it_host.c"], re.DOTALL)
-    allowed = np.array([[float(word) for word in row.strip(" ,").split(",")] for row in rows[1].splitlines()])
+    allowed = np.array([[float(text) for text in row.strip(" ,").split(",")] for row in rows[1].splitlines()])
     assert np.all(allowed[:, :3] == 1e-5)
     assert np.all(np.diff(allowed, axis=1) >= 0.0)
     assert allowed[:, -1].max() > 1e-4
 
 
-def test_a_changed_test_vector_is_noticed(tmp_path):
+def test_a_changed_test_vector_is_detected(tmp_path):
     files = c_project(TEN["two tanks"](), "it")
     text = files["it_host.c"]
     rows = text.index("known[] = {")
@@ -71,7 +71,7 @@ def test_a_changed_test_vector_is_noticed(tmp_path):
     assert host(files, tmp_path, "-std=c99", "-O1", step="0.1").returncode == 1
 
 
-def test_names_and_titles_stay_text(tmp_path):
+def test_special_characters_in_names_and_titles_are_escaped(tmp_path):
     circuit = replace(TEN["two tanks"](), title=HOSTILE)
     files = c_project(circuit, HOSTILE)
     assert all(re.fullmatch(r"[A-Za-z0-9_.]+", name) for name in files)
@@ -79,7 +79,7 @@ def test_names_and_titles_stay_text(tmp_path):
     assert host(files, tmp_path, "-std=c90", "-O0", step="0.1").returncode == 0
 
 
-def test_nothing_is_allocated_and_nothing_kept(tmp_path):
+def test_exported_c_has_no_allocation_and_no_global_state(tmp_path):
     if shutil.which("nm") is None:
         pytest.skip("there is no nm on this machine")
     for name, text in c_project(TEN["staircase"](), "it").items():
@@ -88,23 +88,25 @@ def test_nothing_is_allocated_and_nothing_kept(tmp_path):
         assert not re.search(r"\b(malloc|calloc|realloc|free|alloca)\b", text)
     files = {name: text for name, text in c_project(TEN["staircase"](), "it").items() if "host" not in name}
     for name in [name for name in files if name.endswith(".c")]:
-        headers = {other: text for other, text in files.items() if other.endswith(".h")}
-        made = compile_c({**headers, name: files[name]}, tmp_path, "-std=c99", "-O1", "-fno-pie", "-c")
-        symbols = subprocess.run(["nm", str(made)], capture_output=True, text=True, check=True).stdout.split("\n")
+        headers = {header: text for header, text in files.items() if header.endswith(".h")}
+        object_file = compile_c({**headers, name: files[name]}, tmp_path, "-std=c99", "-O1", "-fno-pie", "-c")
+        symbols = subprocess.run(["nm", str(object_file)], capture_output=True, text=True, check=True).stdout.split(
+            "\n"
+        )
         kinds = {line.split()[-1]: line.split()[-2] for line in symbols if line.strip()}
         # Constants only: nothing that could be written.
         assert not {symbol for symbol, kind in kinds.items() if kind in "BbDdCGgSs"}, name
-        wanted = {symbol for symbol, kind in kinds.items() if kind == "U" and not symbol.startswith("it_")}
-        assert wanted <= {"pow", "sqrt", "sin", "cos", "floor", "fabs", "exp", "log", "tanh", "_GLOBAL_OFFSET_TABLE_"}
+        imports = {symbol for symbol, kind in kinds.items() if kind == "U" and not symbol.startswith("it_")}
+        assert imports <= {"pow", "sqrt", "sin", "cos", "floor", "fabs", "exp", "log", "tanh", "_GLOBAL_OFFSET_TABLE_"}
         assert all(symbol.startswith("it_") for symbol, kind in kinds.items() if kind in "TR"), name
 
 
-def test_nothing_calls_itself_and_the_stack_is_bounded(tmp_path):
-    """By the call graph and the stack usage that GCC writes down."""
+def test_exported_c_has_no_recursion_and_a_bounded_stack(tmp_path):
+    """Call graph and stack usage from GCC."""
     if COMPILER is None:
         pytest.skip("there is no C compiler on this machine")
-    told = subprocess.run([COMPILER, "--version"], capture_output=True, text=True, check=True).stdout
-    if "Free Software" not in told:
+    version = subprocess.run([COMPILER, "--version"], capture_output=True, text=True, check=True).stdout
+    if "Free Software" not in version:
         pytest.skip("call graphs are written by GCC")
     files = {name: text for name, text in c_project(TEN["regulator"](), "it").items() if not name.endswith("host.c")}
     for name, text in files.items():
@@ -139,30 +141,30 @@ END = 'it_fixed_outputs(&m, y); for (k = 0; k < IT_OUTPUTS; k++) printf("%.17g "
 def test_the_fixed_step_is_of_second_order(tmp_path):
     names = [name for name, _ in smooth().model.outputs]
     exact = smooth().simulate(relative_tolerance=1e-12)
-    known, errors = np.array([exact[name][-1] for name in names]), []
+    expected, errors = np.array([exact[name][-1] for name in names]), []
     for parts in (50, 100, 200):
         loop = f"it_fixed_begin(&m); for (k = 1; k <= {parts}; k++) it_fixed_step(&m, k * 10.0 / {parts}.0);"
-        found = driven(smooth(), tmp_path, loop + END)
-        errors.append(np.max(np.abs(found - known)[:2] / known[:2]))
+        outputs = driven(smooth(), tmp_path, loop + END)
+        errors.append(np.max(np.abs(outputs - expected)[:2] / expected[:2]))
     assert errors[0] < 1e-3
     ratios = np.array(errors[:-1]) / np.array(errors[1:])
     assert np.all((ratios > 3.0) & (ratios < 5.5)), ratios
 
 
-def test_substeps_are_steps(tmp_path):
+def test_substeps_equal_as_many_calls(tmp_path):
     """Calls in substeps give what as many calls give, where a clock ticks too."""
     circuit = example("pressure_control", "0.3 s", **{"tank.initial_pressure": "3 bar"})
     loop = "it_fixed_begin(&m); %s for (k = 1; k <= %d; k++) if (it_fixed_step(&m, k * 0.3 / %d.0)) return 1;"
-    ways = [loop % (change, calls, calls) + END for change, calls in (("", 30), ("", 600), ("m.substeps = 20;", 30))]
-    whole, many, parted = driven(circuit, tmp_path, "\n".join(ways)).reshape(3, -1)
-    size = np.abs(many) + 1e-9
-    assert np.max(np.abs(parted - many) / size) < 1e-7 < 1e-5 < np.max(np.abs(whole - many) / size)
-    with refused("deploy.substeps", count=0):
+    bodies = [loop % (change, calls, calls) + END for change, calls in (("", 30), ("", 600), ("m.substeps = 20;", 30))]
+    coarse, fine, substepped = driven(circuit, tmp_path, "\n".join(bodies)).reshape(3, -1)
+    size = np.abs(fine) + 1e-9
+    assert np.max(np.abs(substepped - fine) / size) < 1e-7 < 1e-5 < np.max(np.abs(coarse - fine) / size)
+    with refused("fields.out_of_range", "substeps", value=0):
         c_project(circuit, substeps=0)
     assert "IT_SUBSTEPS = 7" in c_project(circuit, "it", substeps=7)["it.h"]
 
 
-def test_numbers_change_at_run_time(tmp_path):
+def test_parameters_change_at_run_time(tmp_path):
     circuit = smooth()
     numbers = {name: k for k, name in enumerate(circuit.model.parameters)}
     k, fixed = numbers["low.volume"], numbers["ambient.pressure"]
@@ -175,39 +177,39 @@ def test_numbers_change_at_run_time(tmp_path):
       if (it_adaptive_run(&a, times, 2, table)) return 1;
       for (k = 0; k < IT_OUTPUTS; k++) printf("%.17g ", table[2 * k + 1]);
     """
-    found = driven(circuit, tmp_path, f"{{ {body} }}")
-    assert found[:8].tolist() == [0.0, 2.0, 1.0, 2.0, 2.0, 2.0, 1.0, 1.0]
+    outputs = driven(circuit, tmp_path, f"{{ {body} }}")
+    assert outputs[:8].tolist() == [0.0, 2.0, 1.0, 2.0, 2.0, 2.0, 1.0, 1.0]
     changed = circuit.with_values({"low.volume": 0.05}).simulate()
-    known = np.array([changed[name][-1] for name, _ in circuit.model.outputs])
-    assert np.max(np.abs(found[8:] - known) / (np.abs(known) + 1e-9)) < 1e-6
+    expected = np.array([changed[name][-1] for name, _ in circuit.model.outputs])
+    assert np.max(np.abs(outputs[8:] - expected) / (np.abs(expected) + 1e-9)) < 1e-6
 
 
-def test_an_input_that_is_no_number_ends_a_step(tmp_path):
+def test_an_input_of_nan_ends_a_step(tmp_path):
     circuit = check_and_relief()
-    place = circuit.instance.input_names.index("line.pressure")
-    body = f"""it_fixed_begin(&m); m.by_host[{place}] = 1; m.u[{place}] = 2e5; it_fixed_step(&m, 0.01);
-      m.u[{place}] = HUGE_VAL - HUGE_VAL; printf("%d ", it_fixed_step(&m, 0.02)); for (k = 0; k < IT_STATES; k++)
+    index = circuit.instance.input_names.index("line.pressure")
+    body = f"""it_fixed_begin(&m); m.by_host[{index}] = 1; m.u[{index}] = 2e5; it_fixed_step(&m, 0.01);
+      m.u[{index}] = HUGE_VAL - HUGE_VAL; printf("%d ", it_fixed_step(&m, 0.02)); for (k = 0; k < IT_STATES; k++)
       printf("%.17g ", m.x[k]);"""
     status, *states = driven(circuit, tmp_path, body)
     assert status == 1
     assert np.all(np.isfinite(states))
 
 
-def test_an_input_is_driven_by_the_host_as_by_its_signal(tmp_path):
+def test_an_input_of_the_host_replaces_its_signal(tmp_path):
     circuit = check_and_relief()
-    place = circuit.instance.input_names.index("line.pressure")
+    index = circuit.instance.input_names.index("line.pressure")
     signal = circuit.signals["line.pressure"]
     step = "it_fixed_begin(&m);\nfor (k = 0; k < 500; k++) { %s if (it_fixed_step(&m, (k + 1) * 0.01)) return 1; }"
-    own = driven(circuit, tmp_path, step % "" + END)
+    by_signal = driven(circuit, tmp_path, step % "" + END)
     by_host = f"""double p0 = k < 200 ? 2e5 + 3000.0 * k : k < 400 ? 8e5 - 3500.0 * (k - 200) : 1e5;
-      m.by_host[{place}] = 1; m.u[{place}] = p0;
-      m.slopes[{place}] = k < 200 ? 3e5 : k < 400 ? -3.5e5 : 0.0;"""
+      m.by_host[{index}] = 1; m.u[{index}] = p0;
+      m.slopes[{index}] = k < 200 ? 3e5 : k < 400 ? -3.5e5 : 0.0;"""
     assert float(signal.evaluate(1.0)) == 5e5
-    found = driven(circuit, tmp_path, step % by_host + END)
-    assert np.max(np.abs(found - own) / (np.abs(own) + 1e-9)) < 1e-9
+    outputs = driven(circuit, tmp_path, step % by_host + END)
+    assert np.max(np.abs(outputs - by_signal) / (np.abs(by_signal) + 1e-9)) < 1e-9
 
 
-def test_the_command_writes_a_folder(tmp_path, monkeypatch, capsys):
+def test_export_command_writes_a_folder(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     file = str(EXAMPLES / "two_tanks.toml")
     assert run(["export", "c", file, "-o", "tanks"]) == 0
@@ -226,7 +228,7 @@ def test_the_command_writes_a_folder(tmp_path, monkeypatch, capsys):
     assert "export c" in capsys.readouterr().out
 
 
-def test_a_run_that_never_ends_is_refused_before_anything_is_written():
+def test_a_circuit_without_duration_is_refused_before_writing():
     circuit = smooth()
     with refused("fields.missing", "run.duration"):
         c_project(replace(circuit, run=replace(circuit.run, duration=None)))

@@ -1,4 +1,4 @@
-"""What targets carry: places, start values, and which numbers may be changed where they have gone to."""
+"""Tests of the export model: indices, start values, and parameters that can change."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ def of(name: str) -> ExportModel:
 
 
 @pytest.mark.parametrize("name", ["fill_staircase", "datasheet_valve", "pressure_control"])
-def test_a_free_number_changes_nothing_else(name):
-    circuit, found = load(EXAMPLES / f"{name}.toml"), of(name)
+def test_a_free_parameter_changes_no_other_parameter(name):
+    circuit, export_model = load(EXAMPLES / f"{name}.toml"), of(name)
     kernel = circuit.kernel
-    free = {k: number for k, number in enumerate(found.parameters) if number.is_free}
+    free = {k: number for k, number in enumerate(export_model.parameters) if number.is_free}
     assert len(free) >= 8
     for k, number in free.items():
         value = number.value * (1.0 - 1e-3) if number.value else 1e-3
-        p = found.problem.p.copy()
+        p = export_model.problem.p.copy()
         p[k] = value
         x = kernel.start(p)
         known_x, known_p = circuit.with_values({number.address: value}).instance.start()
@@ -61,7 +61,7 @@ def test_tied_parameters_agree_with_a_change_of_the_whole_circuit(name):
     assert len(tied) >= 5
 
 
-def test_numbers_say_why_they_are_fixed():
+def test_fixed_parameters_have_a_reason():
     numbers = {number.address: number.fixed for number in of("datasheet_valve").parameters}
     assert numbers["valve.critical_ratio"] == numbers["ambient.pressure"] == "tied"
     assert numbers["valve.delay"] == "delay"
@@ -70,34 +70,34 @@ def test_numbers_say_why_they_are_fixed():
 
 
 @pytest.mark.parametrize("name", ["fill_staircase", "pressure_regulator"])
-def test_limits_are_the_outermost_numbers_that_python_takes(name):
+def test_limits_are_the_extreme_valid_values(name):
     """A volume of 0 gives temperatures that are no numbers."""
-    specs, found = number_specs(load(EXAMPLES / f"{name}.toml")), of(name)
-    free = [number for number in found.parameters if number.is_free and number.address in specs]
+    specs, export_model = number_specs(load(EXAMPLES / f"{name}.toml")), of(name)
+    free = [number for number in export_model.parameters if number.is_free and number.address in specs]
     assert len(free) > 10
     for number in free:
         spec = specs[number.address]
-        for end, way in ((number.low, -1.0), (number.high, 1.0)):
-            beyond = end + way * max(2.0 * np.finfo(float).eps * abs(end), 2.0 * np.finfo(float).tiny)
-            assert not np.isfinite(end) or (spec.holds(end) and not spec.holds(beyond)), number.address
+        for end, direction in ((number.low, -1.0), (number.high, 1.0)):
+            outside = end + direction * max(2.0 * np.finfo(float).eps * abs(end), 2.0 * np.finfo(float).tiny)
+            assert not np.isfinite(end) or (spec.holds(end) and not spec.holds(outside)), number.address
 
 
-def test_everything_stands_in_the_order_of_the_model():
-    found = of("pressure_control")
-    model, problem = found.model, found.problem
-    assert tuple(number.address for number in found.parameters) == model.parameters
-    assert [number.value for number in found.parameters] == problem.p[: len(found.parameters)].tolist()
-    assert [state.value for state in found.states] == problem.x0[: len(found.states)].tolist()
-    assert [each.value for each in found.memory] == problem.p[len(found.parameters) :].tolist()
-    assert [(each.address, each.unit) for each in found.outputs] == list(model.outputs)
-    (setpoint,) = (item for item in found.inputs if item.address == "regulator.setpoint")
+def test_quantities_have_the_order_of_the_model():
+    export_model = of("pressure_control")
+    model, problem = export_model.model, export_model.problem
+    assert tuple(number.address for number in export_model.parameters) == model.parameters
+    assert [number.value for number in export_model.parameters] == problem.p[: len(export_model.parameters)].tolist()
+    assert [state.value for state in export_model.states] == problem.x0[: len(export_model.states)].tolist()
+    assert [quantity.value for quantity in export_model.memory] == problem.p[len(export_model.parameters) :].tolist()
+    assert [(quantity.address, quantity.unit) for quantity in export_model.outputs] == list(model.outputs)
+    (setpoint,) = (item for item in export_model.inputs if item.address == "regulator.setpoint")
     assert setpoint.is_driven
-    held = {item.address: item for item in found.inputs if item.parameter >= 0 and not item.is_driven}
-    assert held.keys() == {"supply.pressure", "supply.temperature"}
-    assert all(item.value == found.parameters[item.parameter].value for item in held.values())
+    constant_inputs = {item.address: item for item in export_model.inputs if item.parameter >= 0 and not item.is_driven}
+    assert constant_inputs.keys() == {"supply.pressure", "supply.temperature"}
+    assert all(item.value == export_model.parameters[item.parameter].value for item in constant_inputs.values())
 
 
-def test_a_run_without_end_and_signals_without_number_are_refused():
+def test_missing_duration_and_too_many_segments_are_refused():
     circuit = load(EXAMPLES / "fill_staircase.toml")
     with refused("fields.missing", "run.duration"):
         build_export_model(replace(circuit, run=replace(circuit.run, duration=None)))

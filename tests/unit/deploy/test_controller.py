@@ -1,4 +1,4 @@
-"""The program of controllers alone: at every sample the same commands as in the house's own run, and mistakes."""
+"""Tests of controller programs: commands equal those of a simulation; invalid parts are refused."""
 
 from __future__ import annotations
 
@@ -36,62 +36,62 @@ CASES = {
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_a_program_gives_the_commands_of_the_run(case):
+def test_program_gives_the_commands_of_the_run(case):
     file, parts, sensors, duration = CASES[case]
     circuit = load(EXAMPLES / f"{file}.toml")
     program = controller_program(circuit, parts)
     # A row then shows what the program saw at its instant: no step passes over one.
-    near = circuit.with_values({"run.maximum_step": program.cycle / 2.0})
-    run = near.simulate(duration, program.cycle)
-    u = np.array([run[sensors.get(each.address, each.address)] for each in program.inputs]).T[:-1]
-    found = program.run(u)
+    step_limited = circuit.with_values({"run.maximum_step": program.cycle / 2.0})
+    run = step_limited.simulate(duration, program.cycle)
+    u = np.array([run[sensors.get(item.address, item.address)] for item in program.inputs]).T[:-1]
+    commands = program.run(u)
     assert len(program.outputs) >= 2
     for k, output in enumerate(program.outputs):
-        known = run[output.address][:-1]
-        assert np.allclose(found[:, k], known, rtol=1e-11, atol=1e-11 * np.abs(known).max()), output.address
-    assert np.ptp(found, axis=0).astype(bool).sum() >= 2
+        expected = run[output.address][:-1]
+        assert np.allclose(commands[:, k], expected, rtol=1e-11, atol=1e-11 * np.abs(expected).max()), output.address
+    assert np.ptp(commands, axis=0).astype(bool).sum() >= 2
 
 
-def test_sensors_are_outside_and_connections_inside():
+def test_program_excludes_sensors_and_includes_connections():
     program = controller_program(load(EXAMPLES / "muscle_joint.toml"), ["position", "inverse", "valve"])
-    inputs = [each.address for each in program.inputs]
+    inputs = [quantity.address for quantity in program.inputs]
     assert "position.setpoint" in inputs
     assert not {"inverse.force", "valve.setpoint"} & set(inputs)
-    assert not any("sensor" in each.address for each in (*program.parameters, *program.outputs))
+    assert not any("sensor" in quantity.address for quantity in (*program.parameters, *program.outputs))
     assert {name: f.n_in() for name, f in program.functions.items()} == {"start": 1, "update": 5, "outputs": 3}
     assert [*program.functions] == [*SIGNATURES]
 
 
-def test_an_offset_of_the_sensor_reaches_the_program_by_its_input():
+def test_sensor_offset_is_part_of_the_input():
     circuit = load(EXAMPLES / "pressure_control.toml")
-    moved = circuit.with_values({"regulator.sensor.offset": "0.2 bar"})
+    offset_circuit = circuit.with_values({"regulator.sensor.offset": "0.2 bar"})
     u = np.array([[4e5, 3e5, 1.0, 0.0], [4e5, 3.1e5, 1.0, 0.0]])
-    assert np.array_equal(controller_program(circuit).run(u), controller_program(moved).run(u))
+    assert np.array_equal(controller_program(circuit).run(u), controller_program(offset_circuit).run(u))
 
 
-def test_numbers_are_free_and_the_cycle_is_the_shortest_sample_time():
+def test_parameters_are_free_and_the_cycle_is_the_shortest_sample_time():
     circuit = load(EXAMPLES / "pressure_control.toml").with_values({"regulator.acts": "at_once"})
     program = controller_program(circuit)
     assert program.cycle == 2e-3
-    places = {each.address: k for k, each in enumerate(program.parameters)}
-    p = np.array([each.value for each in program.parameters])
+    indices = {parameter.address: k for k, parameter in enumerate(program.parameters)}
+    p = np.array([parameter.value for parameter in program.parameters])
     # Held between samples: called four times in each sample time.
     u = np.array([[4e5, 3e5 + 1e3 * k, 1.0, 0.0] for k in range(12)])
     slow = program.run(u, cycle=program.cycle / 4.0)
     assert np.array_equal(slow[:4], np.repeat(slow[:1], 4, axis=0))
     assert np.array_equal(slow[::4], program.run(u[::4]))
-    p[places["regulator.gain"]] *= 0.5
+    p[indices["regulator.gain"]] *= 0.5
     changed = controller_program(circuit.with_values({"regulator.gain": "4.605 1/bar"})).run(u)
     assert np.allclose(program.run(u, p), changed, rtol=1e-15)
 
 
-def test_what_has_no_program_is_refused():
+def test_parts_without_a_program_are_refused():
     control, joint = load(EXAMPLES / "pressure_control.toml"), load(EXAMPLES / "muscle_joint.toml")
     with refused("deploy.controller.none"):
         controller_program(load(EXAMPLES / "two_tanks.toml"))
     with refused("deploy.controller.several", known=["valve", "position", "inverse"]):
         controller_program(joint)
-    with refused("deploy.controller.unknown", "regulater"):
+    with refused("names.unknown", "regulater"):
         controller_program(control, ["regulater"])
     with refused("deploy.controller.other", "tank", known=["regulator"]):
         controller_program(control, ["tank"])
@@ -99,16 +99,18 @@ def test_what_has_no_program_is_refused():
         controller_program(joint, ["inverse"])
 
 
-def test_an_input_without_a_number_may_be_left_alone():
+def test_an_undriven_input_has_its_default_value():
     """Its default is a value of its own; the note that nobody drives it shows that."""
     circuit = load(EXAMPLES / "muscle_joint.toml")
-    alone = Circuit({"inverse": circuit.parts["inverse"]})
-    found = {note.address: note.facts["value"] for note in alone.static_notes if note.code == "circuit.uncontrolled"}
-    assert found["inverse.contraction"] == 0.0
+    inverse_only = Circuit({"inverse": circuit.parts["inverse"]})
+    defaults = {
+        note.address: note.facts["value"] for note in inverse_only.static_notes if note.code == "circuit.uncontrolled"
+    }
+    assert defaults["inverse.contraction"] == 0.0
 
 
 class Slow(Proportional):
-    """With a filter that runs between the samples."""
+    """Controller with a filter that has a continuous state."""
 
     def states(self) -> tuple[State, ...]:
         return (State("filtered", "1", 1.0),)
@@ -121,6 +123,6 @@ class Slow(Proportional):
         return ControlOutputs(super().control(scope).outputs, {"filtered": rate})
 
 
-def test_what_runs_between_samples_is_refused():
+def test_a_controller_with_continuous_states_is_refused():
     with refused("deploy.controller.continuous", "slow.filtered"):
         controller_program(Circuit({"slow": Slow()}))

@@ -1,4 +1,4 @@
-"""What an export writes: identifiers, texts that stay texts, and nothing outside its folder."""
+"""Tests of exported files: identifiers, comments, string literals and folders."""
 
 from __future__ import annotations
 
@@ -15,36 +15,41 @@ HOSTILE = "*/ int main; /* \\\n // (* *) ??/ <script>&\"'%s \u202e µ"
 
 
 @given(st.lists(st.text(max_size=12), max_size=6))
-def test_identifiers_are_identifiers_and_differ(texts):
-    found = identifiers(texts)
-    assert all(re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) for name in found)
-    assert len({name.lower() for name in found}) == len(texts)
-    assert not any("__" in name for name in found)
+def test_identifiers_are_valid_and_distinct(texts):
+    names = identifiers(texts)
+    assert all(re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name) for name in names)
+    assert len({name.lower() for name in names}) == len(texts)
+    assert not any("__" in name for name in names)
 
 
 @given(st.text(max_size=80))
-def test_a_comment_cannot_be_left(text):
-    found = comment_text(text)
-    assert not any(end in found for end in ("*/", "/*", "//", "*)", "(*", "??", "\\", "\n"))
-    assert re.fullmatch(r"[ -~]*", found)
+def test_comment_text_cannot_end_the_comment(text):
+    comment = comment_text(text)
+    assert not any(end in comment for end in ("*/", "/*", "//", "*)", "(*", "??", "\\", "\n"))
+    assert re.fullmatch(r"[ -~]*", comment)
 
 
 @given(st.text(max_size=80))
-def test_a_string_of_c_holds_the_bytes(text):
-    inside = c_string(text)[1:-1]
-    read = re.sub(r"\\([0-7]{3})", lambda m: chr(int(m[1], 8)), inside)
+def test_c_string_contains_all_bytes(text):
+    content = c_string(text)[1:-1]
+    read = re.sub(r"\\([0-7]{3})", lambda m: chr(int(m[1], 8)), content)
     assert read.encode("latin-1") == text.encode()
-    assert '"' not in inside
-    assert inside.isascii()
-    assert "??" not in inside
+    assert '"' not in content
+    assert content.isascii()
+    assert "??" not in content
 
 
-def test_words_of_languages_are_no_identifiers():
-    assert [identifier(word) for word in ("int", "While", "END_", "class")] == ["int_v", "While_v", "END_v", "class_v"]
+def test_reserved_words_are_no_identifiers():
+    assert [identifier(reserved) for reserved in ("int", "While", "END_", "class")] == [
+        "int_v",
+        "While_v",
+        "END_v",
+        "class_v",
+    ]
     assert identifier(HOSTILE).isidentifier()
 
 
-def test_a_folder_appears_whole_and_is_written_again(tmp_path):
+def test_a_folder_is_written_completely_and_can_be_rewritten(tmp_path):
     folder = tmp_path / "valve"
     write_folder(folder, {"a.c": "1", "sub/b.h": b"2"}, "x = 1\n")
     assert sorted(p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()) == sorted(
@@ -57,7 +62,7 @@ def test_a_folder_appears_whole_and_is_written_again(tmp_path):
     assert [p.name for p in tmp_path.iterdir()] == ["valve"]
 
 
-def test_a_folder_of_somebody_else_is_refused(tmp_path):
+def test_a_folder_with_other_files_is_refused(tmp_path):
     (tmp_path / "theirs").mkdir()
     (tmp_path / "theirs" / "thesis.txt").write_text("years")
     with refused("deploy.folder_taken"):
@@ -68,21 +73,21 @@ def test_a_folder_of_somebody_else_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize("path", ["../a.c", "/etc/a.c", "a/../../b", "a\\b", "", ".hidden", "C:a", "a/", "con."])
-def test_nothing_lies_outside(tmp_path, path):
+def test_paths_outside_the_folder_are_refused(tmp_path, path):
     with refused("deploy.outside", path=path):
         write_folder(tmp_path / "own", {path: "1"}, "")
     assert list(tmp_path.iterdir()) == []
 
 
-def test_links_lead_nowhere(tmp_path):
-    folder, outside = tmp_path / "own", tmp_path / "outside"
-    outside.mkdir()
-    (outside / "a.c").write_text("theirs")
+def test_links_out_of_the_folder_are_not_followed(tmp_path):
+    folder, link_target = tmp_path / "own", tmp_path / "outside"
+    link_target.mkdir()
+    (link_target / "a.c").write_text("theirs")
     write_folder(folder, {"b.c": "1"}, "")
-    (folder / "sub").symlink_to(outside)
+    (folder / "sub").symlink_to(link_target)
     with refused("deploy.outside", path="sub/a.c"):
         write_folder(folder, {"sub/a.c": "1"}, "")
-    (folder / "a.c").symlink_to(outside / "a.c")
+    (folder / "a.c").symlink_to(link_target / "a.c")
     write_folder(folder, {"a.c": "mine"}, "")
-    assert (outside / "a.c").read_text() == "theirs"
+    assert (link_target / "a.c").read_text() == "theirs"
     assert (folder / "a.c").read_text() == "mine"

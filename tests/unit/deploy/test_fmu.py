@@ -1,4 +1,4 @@
-"""FMUs in a host: the numbers of Python, and what a host may do with an instance."""
+"""Tests of FMUs in importers: values equal those of Python; functions of FMI."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ SHOWN = ("tank.pressure", "tank.mass", "valve.stroke", "valve.supply_mass_flow_r
 @pytest.mark.parametrize(
     ("name", "duration"), [("fill_staircase", None), ("pressure_control", 2.0), ("two_tanks", None)]
 )
-def test_cosimulation_has_the_numbers_and_steps_of_the_kernel(fmi: int, name: str, duration: float | None) -> None:
+def test_cosimulation_has_the_values_and_steps_of_the_kernel(fmi: int, name: str, duration: float | None) -> None:
     row = held(built(name, fmi, duration), example(name, duration), "fmu cs", fmi)
     assert row.why is None
     assert len(row.differences) > 8
@@ -49,8 +49,8 @@ def test_model_exchange_by_cvode(fmi: int, name: str, duration: float | None) ->
 
 
 @pytest.mark.parametrize(("name", "duration"), [("fill_staircase", 3.0), ("pressure_control", 0.2)])
-def test_a_second_host_gives_the_same_bits(name: str, duration: float) -> None:
-    """libcosim, whose steps end where the rows of Python are."""
+def test_a_second_importer_gives_the_same_bits(name: str, duration: float) -> None:
+    """The steps of libcosim end at the output times of Python."""
     pytest.importorskip("libcosimpy", reason="the second host of FMUs is not installed")
     row = held(built(name, 2, duration), example(name, duration), "fmu cs (second host)")
     assert row.why is None
@@ -58,75 +58,75 @@ def test_a_second_host_gives_the_same_bits(name: str, duration: float) -> None:
 
 
 @FMI
-def test_one_step_over_the_whole_run_is_the_run(fmi: int) -> None:
+def test_one_long_step_equals_the_run(fmi: int) -> None:
     circuit = example("fill_staircase")
     run = Call(circuit.problem(circuit.run)).run()
     with Host(built("fill_staircase", fmi)).begin() as host:
         host.step(0.0, 120.0)
-        place = circuit.model.columns[0].index("tank.pressure")
-        assert host.get("tank.pressure")[0] == pytest.approx(run.values[place, -1], rel=1e-12)
+        index = circuit.model.columns[0].index("tank.pressure")
+        assert host.get("tank.pressure")[0] == pytest.approx(run.values[index, -1], rel=1e-12)
 
 
 @FMI
 def test_reset_and_two_instances(fmi: int) -> None:
     path = built("fill_staircase", fmi, 3.0)
     with Host(path).begin() as first, Host(path).begin() as second:
-        alone = first.run(POINTS, *SHOWN)
+        single_run = first.run(POINTS, *SHOWN)
         # The second begins while the first has a run behind it, and the first anew beside it.
         first.fmu.reset()
         first.begin()
-        both = [(first.run(p, *SHOWN)[0], second.run(p, *SHOWN)[0]) for p in map(list, pairwise(POINTS))]
-    assert [a for a, _ in both] == alone
-    assert [b for _, b in both] == alone
+        parallel_runs = [(first.run(p, *SHOWN)[0], second.run(p, *SHOWN)[0]) for p in map(list, pairwise(POINTS))]
+    assert [a for a, _ in parallel_runs] == single_run
+    assert [b for _, b in parallel_runs] == single_run
 
 
 @FMI
-def test_going_back_is_exact(fmi: int) -> None:
+def test_a_restored_state_continues_exactly(fmi: int) -> None:
     with Host(built("pressure_control", fmi, 2.0)).begin() as host:
         names = [v.name for v in host.description.modelVariables if v.causality in ("output", "local")]
         host.run(POINTS[:8], *names)
-        own = "FMUstate" if fmi == 2 else "FMUState"
-        get, put = getattr(host.fmu, f"get{own}"), getattr(host.fmu, f"set{own}")
-        kept = get()
+        suffix = "FMUstate" if fmi == 2 else "FMUState"
+        get, put = getattr(host.fmu, f"get{suffix}"), getattr(host.fmu, f"set{suffix}")
+        state = get()
         first = host.run(POINTS[7:15], *names)
-        put(kept)
+        put(state)
         assert host.run(POINTS[7:15], *names) == first
         # Over bytes, into the same instance.
-        serialise = getattr(host.fmu, f"serialize{own}")
-        back = getattr(host.fmu, f"{'deSerialize' if fmi == 2 else 'deserialize'}{own}")
-        put(back(serialise(kept)))
+        serialise = getattr(host.fmu, f"serialize{suffix}")
+        back = getattr(host.fmu, f"{'deSerialize' if fmi == 2 else 'deserialize'}{suffix}")
+        put(back(serialise(state)))
         assert host.run(POINTS[7:15], *names) == first
 
 
 @FMI
-def test_steps_of_other_lengths_come_to_the_same(fmi: int) -> None:
+def test_results_do_not_depend_on_the_length_of_steps(fmi: int) -> None:
     path = built("fill_staircase", fmi, 3.0)
     with Host(path).begin() as even, Host(path).begin() as uneven:
         (expected,) = even.run(POINTS, *SHOWN)[-1:]
-        (found,) = uneven.run([0.0, 0.001, 0.4, 0.41, 1.7, 2.999, 3.0], *SHOWN)[-1:]
-    np.testing.assert_allclose(found, expected, rtol=1e-5)
+        (final,) = uneven.run([0.0, 0.001, 0.4, 0.41, 1.7, 2.999, 3.0], *SHOWN)[-1:]
+    np.testing.assert_allclose(final, expected, rtol=1e-5)
 
 
 @FMI
-def test_numbers_changed_between_runs_and_within_one(fmi: int) -> None:
+def test_parameters_change_between_runs_and_within_a_run(fmi: int) -> None:
     circuit = example("two_tanks")
     changed = circuit.with_values({"high.volume": 0.02})
     names, _ = circuit.model.columns
     k, end = names.index("high.pressure"), float(circuit.run.grid()[-1])
     with Host(built("two_tanks", fmi), follows=False).begin() as host:
         host.step(0.0, end)
-        before = host.get("high.pressure")[0]
+        old_pressure = host.get("high.pressure")[0]
         host.fmu.reset()
         host.begin(high__volume=0.02)
         host.step(0.0, end)
-        after = host.get("high.pressure")[0]
+        new_pressure = host.get("high.pressure")[0]
         # A start value, which is of no use any more once a run has begun.
         with pytest.raises(Exception, match="status 3"):
             host.set("high.initial_pressure", 3e5)
-    run, other = (Call(each.problem(each.run)).run() for each in (circuit, changed))
-    assert before == pytest.approx(run.values[k, -1], rel=1e-12)
-    assert after == pytest.approx(other.values[k, -1], rel=1e-12)
-    assert abs(after - before) > 1.0
+    run, changed_run = (Call(variant.problem(variant.run)).run() for variant in (circuit, changed))
+    assert old_pressure == pytest.approx(run.values[k, -1], rel=1e-12)
+    assert new_pressure == pytest.approx(changed_run.values[k, -1], rel=1e-12)
+    assert abs(new_pressure - old_pressure) > 1.0
 
 
 @FMI
@@ -137,7 +137,7 @@ def test_numbers_changed_between_runs_and_within_one(fmi: int) -> None:
         ("pressure_control", {"tank.volume": 0.002, "tank.initial_pressure": 1.7e5, "regulator.gain": 4e-5}),
     ],
 )
-def test_changed_numbers_are_those_of_with_values(fmi: int, name: str, changes: dict[str, float]) -> None:
+def test_changed_parameters_act_like_with_values(fmi: int, name: str, changes: dict[str, float]) -> None:
     duration = 3.0 if name == "fill_staircase" else 2.0
     end = 0.9995 * duration  # at no instant: a host is shown what comes after it
     circuit = example(name).with_values({**changes, "run.duration": end, "run.output_step": end})
@@ -145,15 +145,15 @@ def test_changed_numbers_are_those_of_with_values(fmi: int, name: str, changes: 
     with Host(built(name, fmi, duration)).begin(**changes) as host:
         outputs = [v.name for v in host.description.modelVariables if v.causality == "output" and v.name in names]
         host.step(0.0, end)
-        found = host.get(*outputs)
-    series = [run.values[names.index(each)] for each in outputs]
+        last_values = host.get(*outputs)
+    series = [run.values[names.index(output)] for output in outputs]
     assert len(series) > 3
-    for value, expected in zip(found, series, strict=True):
+    for value, expected in zip(last_values, series, strict=True):
         assert value == pytest.approx(expected[-1], rel=1e-9, abs=1e-9 * np.max(np.abs(expected)))
 
 
 @FMI
-def test_numbers_that_make_no_model_end_in_a_status_that_is_told(fmi: int) -> None:
+def test_invalid_parameters_give_an_error_status_and_a_message(fmi: int) -> None:
     path = built("fill_staircase", fmi, 3.0)
     with Host(path) as host:
         wrong = (-1.0, 0.0, 1e-300, 1e300, float("nan"), float("inf"))
@@ -190,7 +190,7 @@ def test_numbers_that_make_no_model_end_in_a_status_that_is_told(fmi: int) -> No
 
 
 @FMI
-def test_a_number_that_is_refused_stays_as_it_was(fmi: int) -> None:
+def test_a_refused_parameter_keeps_its_value(fmi: int) -> None:
     """Between events of model exchange nothing but inputs may change."""
     with Host(built("fill_staircase", fmi, 3.0, ("tank.volume", "bleed.opening")), "ModelExchange").begin() as host:
         host.fmu.enterContinuousTimeMode()
@@ -205,7 +205,7 @@ def test_a_number_that_is_refused_stays_as_it_was(fmi: int) -> None:
 
 
 @FMI
-def test_a_kept_state_goes_on_in_another_instance_of_its_kind(fmi: int) -> None:
+def test_a_saved_state_continues_in_another_instance(fmi: int) -> None:
     path = built("pressure_control", fmi, 2.0)
     own = "FMUstate" if fmi == 2 else "FMUState"
     back = f"{'deSerialize' if fmi == 2 else 'deserialize'}{own}"
@@ -228,7 +228,7 @@ def test_the_log_has_its_categories(fmi: int) -> None:
     path = built("fill_staircase", fmi, 3.0)
     with zipfile.ZipFile(path) as archive:
         root = ElementTree.fromstring(archive.read("modelDescription.xml"))
-    names = [each.get("name") for each in root.find("LogCategories")]  # type: ignore[union-attr]
+    names = [category.get("name") for category in root.find("LogCategories")]  # type: ignore[union-attr]
     with Host(path) as host:
         host.fmu.setDebugLogging(True, names)
         assert host.log == []
@@ -242,12 +242,12 @@ def test_the_log_has_its_categories(fmi: int) -> None:
 
 @FMI
 def test_inputs_of_the_host(fmi: int) -> None:
-    """What the host sets acts from there on, as a step of a signal does in Python; so does a number that it drives."""
+    """An input or parameter that the host sets acts like a step of a signal in Python."""
     circuit = example("fill_staircase", 3.0)
     with Host(built("fill_staircase", fmi, 3.0, ("tank.volume", "bleed.opening")), follows=False).begin() as host:
         kinds = {v.name: v.causality for v in host.description.modelVariables}
         assert kinds["tank.volume"] == kinds["bleed.opening"] == kinds["valve.pilot_pressure"] == "input"
-        before = host.get("tank.pressure")[0]
+        old_pressure = host.get("tank.pressure")[0]
         host.step(0.0, 1.0)
         resting = host.get("tank.pressure")[0]
         host.set("valve.pilot_pressure", 5e5)
@@ -259,7 +259,7 @@ def test_inputs_of_the_host(fmi: int) -> None:
             host.set("bleed.opening", 1.5)
         with pytest.raises(Exception, match="status 3"):
             host.set("valve.pilot_pressure", float("nan"))
-    assert before == pytest.approx(circuit.parameters["tank.initial_pressure"])
+    assert old_pressure == pytest.approx(circuit.parameters["tank.initial_pressure"])
     assert filling > resting + 1000.0
 
 
@@ -268,21 +268,21 @@ def test_derivatives_along_a_direction(fmi: int) -> None:
     with Host(built("fill_staircase", fmi, 3.0), "ModelExchange").begin() as host:
         state, rate = host.references["tank.pressure"], host.references["der(tank.pressure)"]
         arguments = ([rate], [state], [1.0])
-        found = host.fmu.getDirectionalDerivative(*arguments)[0]
+        derivative = host.fmu.getDirectionalDerivative(*arguments)[0]
         names = [v.name for v in host.description.modelVariables if v.causality != "independent"]
         x = host.get(*(v.name for v in host.description.modelVariables if f"der({v.name})" in names))
-        place = [v.name for v in host.description.modelVariables if f"der({v.name})" in names].index("tank.pressure")
+        index = [v.name for v in host.description.modelVariables if f"der({v.name})" in names].index("tank.pressure")
         slopes = []
         for sign in (1.0, -1.0):
-            moved = np.array(x)
-            moved[place] += sign * 1.0
-            host.fmu.setContinuousStates(moved.ctypes.data_as(ctypes.POINTER(ctypes.c_double)), len(moved))
+            shifted = np.array(x)
+            shifted[index] += sign * 1.0
+            host.fmu.setContinuousStates(shifted.ctypes.data_as(ctypes.POINTER(ctypes.c_double)), len(shifted))
             slopes.append(host.get("der(tank.pressure)")[0])
-    assert found == pytest.approx((slopes[0] - slopes[1]) / 2.0, rel=1e-4)
+    assert derivative == pytest.approx((slopes[0] - slopes[1]) / 2.0, rel=1e-4)
 
 
 @FMI
-def test_calls_that_are_not_allowed_are_answered(fmi: int) -> None:
+def test_calls_that_are_not_allowed_return_an_error(fmi: int) -> None:
     with Host(built("fill_staircase", fmi, 3.0)) as host:
         for wrong in (lambda: host.step(0.0, 0.1), host.fmu.exitInitializationMode, lambda: host.get("tank.pressure")):
             with pytest.raises(Exception, match="status 3"):
@@ -329,7 +329,7 @@ def test_a_stop_condition_ends_a_step_early(fmi: int, tmp_path: Path) -> None:
 
 
 @FMI
-def test_time_may_begin_anywhere(fmi: int) -> None:
+def test_start_time_is_arbitrary(fmi: int) -> None:
     """Signals begin where the run does."""
     path = built("fill_staircase", fmi, 3.0)
     rows = []
@@ -342,26 +342,26 @@ def test_time_may_begin_anywhere(fmi: int) -> None:
     np.testing.assert_allclose(rows[1], rows[0], rtol=1e-9)
 
 
-def test_inputs_move_along_the_slope_of_the_host(tmp_path: Path) -> None:
+def test_inputs_follow_the_derivative_that_the_importer_sets(tmp_path: Path) -> None:
     """A ramp that the host gives by slopes over long steps is the ramp of a signal in Python."""
     circuit = check_and_relief()
     path = build(circuit, 2, tmp_path / "ramp.fmu")
     ends = [2.0, 4.0, 5.0]
     with Host(path, follows=False).begin() as host:
-        reference, at = host.references["line.pressure"], 0.0
+        reference, time = host.references["line.pressure"], 0.0
         for end, begin, slope in zip(ends, (2e5, 8e5, 1e5), (3e5, -3.5e5, 0.0), strict=True):
             host.set("line.pressure", begin)
             host.fmu.setRealInputDerivatives([reference], [1], [slope])
-            host.step(at, end - at)
-            at = end
+            host.step(time, end - time)
+            time = end
         with pytest.raises(Exception, match="status 3"):
             host.fmu.setRealInputDerivatives([reference], [2], [1.0])
-        found = host.get("vessel.pressure")[0]
-    assert found == pytest.approx(circuit.simulate()["vessel.pressure"][-1], rel=1e-6)
+        pressure = host.get("vessel.pressure")[0]
+    assert pressure == pytest.approx(circuit.simulate()["vessel.pressure"][-1], rel=1e-6)
 
 
 @FMI
-def test_models_that_are_linked_together_share_no_name(fmi: int, tmp_path: Path) -> None:
+def test_linked_models_share_no_symbol(fmi: int, tmp_path: Path) -> None:
     """Sources with the function prefix of the standard, as C++ too."""
     assert COMPILER is not None
     if shutil.which("nm") is None:
@@ -375,20 +375,20 @@ def test_models_that_are_linked_together_share_no_name(fmi: int, tmp_path: Path)
         for source in (f"fmi{fmi}.c", "model.c"):
             command = [COMPILER, *options, "-Wall", "-Werror", f"-DFMI{fmi}_FUNCTION_PREFIX={prefix}", "-c", source]
             subprocess.run([*command, "-o", f"{prefix}{source}.o"], cwd=tmp_path, check=True)
-            told = subprocess.run(
+            listing = subprocess.run(
                 ["nm", "--defined-only", "--extern-only", f"{prefix}{source}.o"], cwd=tmp_path, capture_output=True,
                 text=True, check=True,
             )  # fmt: skip
-            own = {line.split()[-1] for line in told.stdout.splitlines()}
-            assert own
+            symbols = {line.split()[-1] for line in listing.stdout.splitlines()}
+            assert symbols
             # A name of C++ without C linkage would be mangled.
-            assert all(name.startswith(prefix) for name in own), own
-            names |= own
+            assert all(name.startswith(prefix) for name in symbols), symbols
+            names |= symbols
     assert len(names) > 60
 
 
 @FMI
-def test_calls_out_of_place_are_answered(fmi: int) -> None:
+def test_calls_in_a_wrong_state_return_an_error(fmi: int) -> None:
     """Functions of one kind in an instance of the other, and without an instance."""
     names = ["EnterEventMode", "EnterContinuousTimeMode", *(["GetDerivatives"] if fmi == 2 else [])]
     with Host(built("fill_staircase", fmi, 3.0)).begin() as steps:
@@ -396,20 +396,20 @@ def test_calls_out_of_place_are_answered(fmi: int) -> None:
             for instance in (steps.fmu.component, None):
                 function = getattr(steps.fmu.dll, f"fmi{fmi}{name}")
                 function.argtypes = None
-                room = (ctypes.c_double * 99)()
-                assert function(ctypes.c_void_p(instance), room, ctypes.c_size_t(99)) == 3, name
+                buffer = (ctypes.c_double * 99)()
+                assert function(ctypes.c_void_p(instance), buffer, ctypes.c_size_t(99)) == 3, name
         assert steps.get("tank.pressure")[0] > 0.0
     with Host(built("fill_staircase", fmi, 3.0), "ModelExchange").begin() as exchange:
         step = getattr(exchange.fmu.dll, f"fmi{fmi}DoStep")
         step.argtypes = None
-        told = [ctypes.byref(ctypes.c_double()) for _ in range(4)]
+        results = [ctypes.byref(ctypes.c_double()) for _ in range(4)]
         begin, length = ctypes.c_double(0.0), ctypes.c_double(0.1)
-        assert step(ctypes.c_void_p(exchange.fmu.component), begin, length, 0, *told) == 3
+        assert step(ctypes.c_void_p(exchange.fmu.component), begin, length, 0, *results) == 3
         with pytest.raises(Exception, match="status 3"):
             exchange.fmu.setTime(float("nan"))
 
 
-def test_an_fmu_is_held_beside_the_circuit_that_it_carries(
+def test_an_fmu_is_compared_with_the_circuit_that_it_contains(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("poppet.deploy.fmu.binaries.has_zig", lambda: False)
@@ -419,9 +419,9 @@ def test_an_fmu_is_held_beside_the_circuit_that_it_carries(
     assert read_circuit(path).parameters["high.volume"] == 0.02
     capsys.readouterr()
     assert run_command(["export", "check", str(path), "--only", "fmu cs,scipy"]) == 0
-    shown = capsys.readouterr().out
-    assert "fmu cs" in shown
-    assert "scipy" not in shown
+    output = capsys.readouterr().out
+    assert "fmu cs" in output
+    assert "scipy" not in output
     # Held beside another circuit it is found out.
     assert run_command(["export", "check", str(path), "--circuit", file, "--duration", "10 s", "--only", "fmu cs"]) == 1
     with refused("deploy.fmu.no_circuit", name="two_tanks.fmu"):
@@ -432,8 +432,8 @@ def test_an_fmu_is_held_beside_the_circuit_that_it_carries(
 def test_the_same_circuit_gives_the_same_bytes(fmi: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("poppet.deploy.fmu.binaries.has_zig", lambda: False)
     built("two_tanks", fmi)
-    once, again = (pack(build_fmu(example("two_tanks"), fmi=fmi).content) for _ in range(2))
-    assert once == again == built("two_tanks", fmi).read_bytes()
+    first, second = (pack(build_fmu(example("two_tanks"), fmi=fmi).content) for _ in range(2))
+    assert first == second == built("two_tanks", fmi).read_bytes()
 
 
 @FMI
@@ -453,7 +453,7 @@ def test_description(fmi: int) -> None:
     assert by_name["tank.mass"].get("initial") == "calculated"
 
 
-def test_hostile_names_stay_text_and_wrong_wishes_are_refused() -> None:
+def test_special_characters_are_escaped_and_invalid_inputs_are_refused() -> None:
     text = (EXAMPLES / "two_tanks.toml").read_text()
     title = "'/><script>&]]>../x"
     circuit = loads(f'title = "{title}"\n' + "\n".join(x for x in text.splitlines() if not x.startswith("title")))
@@ -471,7 +471,7 @@ def test_hostile_names_stay_text_and_wrong_wishes_are_refused() -> None:
         build_fmu(example("fill_staircase", 3.0), inputs=("ambient.pressure",), platforms=())
 
 
-def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_without_a_compiler_the_fmu_has_sources_and_a_note(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("poppet.deploy.fmu.package.link_commands", lambda platform: [])
     fmu = build_fmu(example("two_tanks"), platforms=("linux64", "win64"))
     assert [(note.code, note.facts["platform"]) for note in fmu.notes] == [
@@ -484,7 +484,7 @@ def test_without_a_compiler_the_rest_is_written_and_said(monkeypatch: pytest.Mon
 
 @FMI
 @pytest.mark.parametrize("standard", ["c99", "c90"])
-def test_sources_make_the_same_binary_on_a_host_that_compiles(fmi: int, standard: str, tmp_path: Path) -> None:
+def test_compiled_sources_give_the_same_results(fmi: int, standard: str, tmp_path: Path) -> None:
     path = built("fill_staircase", fmi, 3.0)
     with zipfile.ZipFile(path) as archive:
         content = {name: archive.read(name) for name in archive.namelist()}
@@ -494,20 +494,20 @@ def test_sources_make_the_same_binary_on_a_host_that_compiles(fmi: int, standard
     strict = ["-Wall", "-Werror", *(["-pedantic"] if standard == "c90" and fmi == 2 else [])]
     flags = [f"-std={standard}", "-O1", "-fPIC", "-shared", "-fvisibility=hidden", "-ffp-contract=off", *strict]
     assert COMPILER is not None
-    made = [COMPILER, *flags, "-o", "own.so", f"fmi{fmi}.c", "model.c", "-lm"]
-    subprocess.run(made, cwd=tmp_path, check=True)
+    command = [COMPILER, *flags, "-o", "own.so", f"fmi{fmi}.c", "model.c", "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True)
     (binary,) = (name for name in content if name.startswith("binaries/"))
-    own = tmp_path / "own.fmu"
-    own.write_bytes(pack({**content, binary: (tmp_path / "own.so").read_bytes()}))
-    row = held(own, example("fill_staircase", 3.0), "fmu cs", fmi)
+    compiled = tmp_path / "own.fmu"
+    compiled.write_bytes(pack({**content, binary: (tmp_path / "own.so").read_bytes()}))
+    row = held(compiled, example("fill_staircase", 3.0), "fmu cs", fmi)
     assert row.overall == 0.0
 
 
 def exported(library: bytes) -> set[str]:
     """Names that a Windows library exports, from the table of its file."""
 
-    def number(at: int, size: int = 4) -> int:
-        return int.from_bytes(library[at : at + size], "little")
+    def number(offset: int, size: int = 4) -> int:
+        return int.from_bytes(library[offset : offset + size], "little")
 
     head = number(0x3C)
     optional = head + 24
@@ -527,14 +527,14 @@ def exported(library: bytes) -> set[str]:
 
 @FMI
 @pytest.mark.slow
-def test_the_windows_library_exports_what_the_one_for_linux_does(fmi: int) -> None:
+def test_windows_and_linux_libraries_export_the_same_functions(fmi: int) -> None:
     """Symbol by symbol; test_fmu_windows.py runs it where there is Wine."""
     pytest.importorskip("ziglang", reason="the extra fmu is not installed")
     fmu = build_fmu(example("two_tanks"), fmi=fmi, platforms=("linux64", "win64"))
     assert fmu.platforms == ("linux64", "win64")
     linux, windows = (next(v for k, v in fmu.content.items() if k.endswith(ending)) for ending in (".so", ".dll"))
-    found = exported(windows)
-    assert {name[:4] for name in found} == {f"fmi{fmi}"}
+    symbols = exported(windows)
+    assert {name[:4] for name in symbols} == {f"fmi{fmi}"}
     header = fmu.content[f"sources/fmi{fmi}Functions.h"].decode()
-    assert found == set(re.findall(rf"FMI{fmi}_Export fmi{fmi}\w+TYPE\s+(fmi{fmi}\w+);", header))
-    assert all(name.encode() in linux for name in found)
+    assert symbols == set(re.findall(rf"FMI{fmi}_Export fmi{fmi}\w+TYPE\s+(fmi{fmi}\w+);", header))
+    assert all(name.encode() in linux for name in symbols)

@@ -1,4 +1,4 @@
-"""The Windows library of an FMU, run by Wine: a host in C loads it, and gets the numbers of the one for Linux."""
+"""Test of the Windows library of an FMU in Wine: its values equal those of the Linux library."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ OUTPUTS = {
 @pytest.mark.slow
 @pytest.mark.parametrize("fmi", [2, 3])
 @pytest.mark.parametrize("name", OUTPUTS)
-def test_the_windows_library_gives_the_numbers_of_the_one_for_linux(name: str, fmi: int, tmp_path: Path) -> None:
+def test_windows_and_linux_libraries_give_the_same_values(name: str, fmi: int, tmp_path: Path) -> None:
     pytest.importorskip("ziglang", reason="the extra fmu is not installed")
     if WINE is None:
         pytest.skip("there is no Wine on this machine")

@@ -1,4 +1,4 @@
-"""The kernel as WebAssembly: what the linker makes of an object, and that a browser's engine computes the same."""
+"""Tests of the WebAssembly kernel: linker, and comparison with the native kernel."""
 
 from __future__ import annotations
 
@@ -40,24 +40,24 @@ def small(text: str = SMALL, **given) -> Module:
 
 
 def sections(code: bytes) -> list[int]:
-    at, found = 8, []
-    while at < len(code):
-        found.append(code[at])
-        at += 1
+    offset, kinds = 8, []
+    while offset < len(code):
+        kinds.append(code[offset])
+        offset += 1
         size = shift = 0
         while True:
-            byte = code[at]
-            at += 1
+            byte = code[offset]
+            offset += 1
             size |= (byte & 0x7F) << shift
             shift += 7
             if byte < 0x80:
                 break
-        at += size
-    assert at == len(code)
-    return found
+        offset += size
+    assert offset == len(code)
+    return kinds
 
 
-def test_a_module_owns_what_an_object_asks_for():
+def test_a_module_defines_the_imports_of_the_object():
     module = small()
     assert module.code.startswith(b"\0asm\1\0\0\0")
     # Types, imports, functions, table, memory, globals, exports, elements, code and data, in this order.
@@ -70,7 +70,7 @@ def test_a_module_owns_what_an_object_asks_for():
 
 
 @needs_node
-def test_addresses_of_data_are_moved_behind_the_stack(tmp_path):
+def test_data_follows_the_stack(tmp_path):
     import subprocess
 
     (tmp_path / "m.wasm").write_bytes(small().code)
@@ -79,11 +79,11 @@ def test_addresses_of_data_are_moved_behind_the_stack(tmp_path):
     WebAssembly.instantiate(bytes, {{ env: {{ sin: x => x + 100 }} }}).then(({{ instance: {{ exports: e }} }}) =>
       console.log(e.second(), e.wave(0), e.wave(1), e.memory.buffer.byteLength));
     """
-    told = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)
-    assert told.stdout.split() == ["5", "102", "105", "65536"]
+    output = subprocess.run(["node", "-e", script], capture_output=True, text=True, check=True)
+    assert output.stdout.split() == ["5", "102", "105", "65536"]
 
 
-def test_what_the_linker_does_not_know_it_refuses():
+def test_unsupported_objects_are_refused():
     text = SMALL.replace("load volatile ptr, ptr @place", "load volatile ptr, ptr @elsewhere")
     with pytest.raises(LinkError):
         small("@elsewhere = external global double\n" + text)
@@ -100,7 +100,7 @@ def test_the_module_of_the_paper_is_small():
 
 @needs_node
 @pytest.mark.parametrize("name", TEN)
-def test_a_browser_computes_the_same_bits(name, tmp_path, monkeypatch):
+def test_wasm_kernel_gives_the_same_bits(name, tmp_path, monkeypatch):
     circuit = TEN[name]()
     expected = unfused(circuit, monkeypatch, tmp_path)
     ended, table = with_functions_of_this_machine(expected.problem, tmp_path, monkeypatch)
@@ -109,38 +109,38 @@ def test_a_browser_computes_the_same_bits(name, tmp_path, monkeypatch):
     assert np.array_equal(table, expected.table)
 
 
-def difference(circuit, table, own) -> np.ndarray:
-    """Of each output that is no code, over the greatest value of its series, row by row."""
+def difference(circuit, table, reference) -> np.ndarray:
+    """Return the maximum difference in each row, relative to the maximum of each output that is no code."""
     numbers = np.array([not name.endswith("regime") for name, _ in circuit.model.outputs])
-    size = np.max(np.abs(own), axis=1, keepdims=True)
-    return np.max(np.abs(table - own)[numbers] / np.where(size > 0.0, size, 1.0)[numbers], axis=0)
+    size = np.max(np.abs(reference), axis=1, keepdims=True)
+    return np.max(np.abs(table - reference)[numbers] / np.where(size > 0.0, size, 1.0)[numbers], axis=0)
 
 
 @needs_node
 @pytest.mark.parametrize("name", [name for name in TEN if name not in SENSITIVE])
-def test_of_the_kernel_of_this_machine_it_differs_by_rounding(name, tmp_path):
+def test_wasm_differs_from_the_native_kernel_by_rounding(name, tmp_path):
     circuit = TEN[name]()
-    own = Call(circuit.problem(circuit.run))
-    own.repeat()
-    ended, table = run_in_node(own.problem, tmp_path)
-    assert [ended["accepted"], ended["attempts"]] == own.counts[:2].tolist()
-    assert np.max(difference(circuit, table, own.table)) <= 1e-10
+    reference = Call(circuit.problem(circuit.run))
+    reference.repeat()
+    ended, table = run_in_node(reference.problem, tmp_path)
+    assert [ended["accepted"], ended["attempts"]] == reference.counts[:2].tolist()
+    assert np.max(difference(circuit, table, reference.table)) <= 1e-10
 
 
 @needs_node
 @pytest.mark.parametrize("name", SENSITIVE)
-def test_where_it_differs_more_so_does_a_kernel_that_is_moved_by_rounding(name, tmp_path):
+def test_larger_differences_have_the_size_of_the_effect_of_rounding(name, tmp_path):
     circuit = TEN[name]()
     problem = circuit.problem(circuit.run)
-    own = Call(problem)
-    own.repeat()
+    reference = Call(problem)
+    reference.repeat()
     _, table = run_in_node(problem, tmp_path)
-    page, moved = difference(circuit, table, own.table), np.zeros(problem.grid.size)
+    page, effects = difference(circuit, table, reference.table), np.zeros(problem.grid.size)
     for share in (1.0 + 1e-14, 1.0 - 1e-14):
-        other = Call(replace(problem, x0=share * problem.x0, coefficients=share * problem.coefficients))
-        other.repeat()
-        moved = np.maximum(moved, difference(circuit, other.table, own.table))
-    print(f"{name}: page {page.max():.1e}, moved {moved.max():.1e}")
-    assert 1e-10 < page.max() < 10.0 * moved.max()
+        changed_run = Call(replace(problem, x0=share * problem.x0, coefficients=share * problem.coefficients))
+        changed_run.repeat()
+        effects = np.maximum(effects, difference(circuit, changed_run.table, reference.table))
+    print(f"{name}: page {page.max():.1e}, moved {effects.max():.1e}")
+    assert 1e-10 < page.max() < 10.0 * effects.max()
     # Until they part, they are the same.
-    assert np.all(page[: np.argmax(moved > 1e-11)] < 1e-10)
+    assert np.all(page[: np.argmax(effects > 1e-11)] < 1e-10)

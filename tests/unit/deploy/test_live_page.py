@@ -1,4 +1,4 @@
-"""The live page: what it carries, what it refuses, and in a browser that it computes and shows what Python computes."""
+"""Tests of the live page: content, refused sliders, and its results in a browser."""
 
 from __future__ import annotations
 
@@ -55,49 +55,49 @@ def header(page: str) -> dict:
 
 
 def sliders(circuit: Circuit, *texts: str) -> dict:
-    return {each.address: each for each in select_sliders(build_export_model(circuit), circuit, texts)}
+    return {slider.address: slider for slider in select_sliders(build_export_model(circuit), circuit, texts)}
 
 
 # --- what it carries ---
 
 
-def test_a_page_is_small_and_needs_nothing_else():
+def test_a_page_is_small_and_self_contained():
     page = live_page(load(STAIRCASE))
     assert len(page.encode()) < 200_000
     needs_nothing_else(page)
-    shown = header(page)
-    assert [panel["y"]["label"].partition(" ")[0] for panel in shown["panels"]] == [
+    content = header(page)
+    assert [panel["y"]["label"].partition(" ")[0] for panel in content["panels"]] == [
         "pressure",
         "temperature",
         "stroke",
         "mass",
     ]
-    assert [band["label"] for band in shown["bands"]] == ["valve: supply", "valve: exhaust", "bleed", "valve"]
-    assert [mover["kind"] for mover in shown["drawing"]["movers"]] == ["poppet"]
-    assert "valve.pilot_pressure" in [each["address"] for each in shown["sliders"]]
+    assert [band["label"] for band in content["bands"]] == ["valve: supply", "valve: exhaust", "bleed", "valve"]
+    assert [mover["kind"] for mover in content["drawing"]["movers"]] == ["poppet"]
+    assert "valve.pilot_pressure" in [slider["address"] for slider in content["sliders"]]
 
 
-def test_hostile_titles_stay_text():
+def test_special_characters_in_titles_are_escaped():
     page = live_page(loads(TANK.replace('"A tank runs empty"', json.dumps(HOSTILE))))
     assert "alert(1)</script>" not in page
     assert "<img" not in page
     needs_nothing_else(page)
 
 
-def test_ranges_and_units_are_those_of_the_user():
-    found = sliders(
+def test_sliders_have_the_ranges_and_units_of_the_user():
+    by_address = sliders(
         loads(TANK), "tank.volume=1 l..5 l", "tank.initial_pressure=1 bar g..4 bar g", "tank.wall_conductance"
     )
-    volume, pressure, wall = found.values()
+    volume, pressure, wall = by_address.values()
     assert (volume.low, volume.high, volume.unit) == (1e-3, 5e-3, "l")
     assert (pressure.low, pressure.high) == (2e5, 5e5)
     assert (wall.low, wall.high, wall.is_assumed) == (0.5, 2.0, True)
     assert "a guess" in wall.source
 
 
-def test_a_run_of_many_rows_is_shown_with_fewer():
-    shown = header(live_page(loads(TANK.replace("20 ms", "0.01 ms"))))
-    assert shown["lengths"]["n_rows"] == 2001
+def test_a_long_run_is_shown_with_fewer_rows():
+    content = header(live_page(loads(TANK.replace("20 ms", "0.01 ms"))))
+    assert content["lengths"]["n_rows"] == 2001
 
 
 @pytest.mark.parametrize(
@@ -109,14 +109,16 @@ def test_a_run_of_many_rows_is_shown_with_fewer():
         (("tank.volume=1 bar..2 bar",), "quantity.other_quantity"),
     ],
 )
-def test_what_cannot_be_chosen_is_refused(texts, code):
+def test_invalid_sliders_are_refused(texts, code):
     with refused(code):
         sliders(loads(TANK), *texts)
 
 
-def test_a_number_that_follows_from_others_is_refused():
+def test_a_derived_parameter_is_refused():
     circuit = loads(TANK)
-    follows = next(each.address for each in build_export_model(circuit).parameters if each.fixed == "derived")
+    follows = next(
+        parameter.address for parameter in build_export_model(circuit).parameters if parameter.fixed == "derived"
+    )
     with refused("deploy.live.derived", address=follows):
         sliders(circuit, follows)
 
@@ -134,9 +136,9 @@ def test_a_delay_and_a_guided_body_are_refused():
             sliders(guided, address)
 
 
-def test_numbers_from_which_others_follow_are_refused(tmp_path):
+def test_tied_parameters_are_refused(tmp_path):
     circuit = load(EXAMPLES / "pressure_regulator.toml")
-    fixed = {each.fixed: each.address for each in build_export_model(circuit).parameters}
+    fixed = {parameter.fixed: parameter.address for parameter in build_export_model(circuit).parameters}
     assert "tied" in fixed
     with refused("deploy.live.tied", address=fixed["tied"]):
         write_live(circuit, tmp_path / "page.html", parameters=[fixed["tied"]])
@@ -175,8 +177,8 @@ def opened(browser: Browser, path: Path, **how) -> None:
 
 
 def series(browser: Browser, circuit: Circuit, address: str) -> np.ndarray:
-    place = [name for name, _ in circuit.model.outputs].index(address)
-    return np.array(browser(f"Array.from(live.kernel.series({place}))"))
+    index = [name for name, _ in circuit.model.outputs].index(address)
+    return np.array(browser(f"Array.from(live.kernel.series({index}))"))
 
 
 def differs(browser: Browser, circuit: Circuit, expected: Recording) -> float:
@@ -206,10 +208,10 @@ def typed(browser: Browser, label: str, text: str) -> None:
 @pytest.mark.parametrize(
     ("address", "value"), [("tank.volume", 0.13), ("valve.pilot_pressure", 2.5e5), ("supply.pressure", 5.5e5)]
 )
-def test_a_slider_moves_the_curves_to_what_python_computes(browser, tmp_path, address, value):
+def test_a_slider_gives_the_curves_of_python(browser, tmp_path, address, value):
     circuit = load(STAIRCASE)
     opened(browser, write_live(circuit, tmp_path / "page.html"))
-    k = [each["address"] for each in browser("live.header.sliders")].index(address)
+    k = [entry["address"] for entry in browser("live.header.sliders")].index(address)
     browser(f"""(() => {{ const range = document.querySelectorAll("#sliders input[type=range]")[{k}];
         const s = live.header.sliders[{k}]; range.value = {value} * s.factor + s.shift;
         range.dispatchEvent(new Event("input")); }})()""")
@@ -223,20 +225,20 @@ def test_a_slider_moves_the_curves_to_what_python_computes(browser, tmp_path, ad
         table = None
         expected = circuit.with_values({address: value}).simulate()
     for name in ("tank.pressure", "tank.temperature"):
-        place = [each for each, _ in circuit.model.outputs].index(name)
-        python = table[place] if table is not None else expected[name]
+        index = [entry for entry, _ in circuit.model.outputs].index(name)
+        python = table[index] if table is not None else expected[name]
         assert np.max(np.abs(series(browser, circuit, name) / python - 1.0)) < 1e-6
 
 
-def test_no_request_leaves_and_hostile_names_stay_text(browser, tmp_path):
+def test_a_page_sends_no_request_and_escapes_names(browser, tmp_path):
     circuit = loads(TANK.replace('"A tank runs empty"', json.dumps(HOSTILE)))
     path = write_live(circuit, tmp_path / "page.html")
     browser.events.clear()
     opened(browser, path)
     assert browser("document.querySelector('h1').textContent") == HOSTILE
     assert browser("document.images.length") == 0
-    asked = [e["params"]["request"]["url"] for e in browser.events if e["method"] == "Network.requestWillBeSent"]
-    assert [url for url in asked if not url.startswith(("file:", "data:", "about:"))] == []
+    urls = [e["params"]["request"]["url"] for e in browser.events if e["method"] == "Network.requestWillBeSent"]
+    assert [url for url in urls if not url.startswith(("file:", "data:", "about:"))] == []
     assert not [e for e in browser.events if e["method"] == "Runtime.exceptionThrown"]
     hostile = json.dumps("time [s],<img src=x onerror=alert(1)> [bar]\n0,3\n0.5,2\n1,1\n")
     browser(f"live.measured('<b>file</b>', {hostile})")
@@ -244,7 +246,7 @@ def test_no_request_leaves_and_hostile_names_stay_text(browser, tmp_path):
     assert browser("document.images.length") == 0
 
 
-def test_a_link_brings_back_numbers_and_variants(browser, tmp_path):
+def test_a_link_restores_parameters_and_variants(browser, tmp_path):
     path = write_live(load(STAIRCASE), tmp_path / "page.html")
     opened(browser, path)
     browser("live.change('tank.volume', 0.3)")
@@ -253,7 +255,7 @@ def test_a_link_brings_back_numbers_and_variants(browser, tmp_path):
     browser.settle()
     browser("live.change('tank.volume', 0.1)")
     browser.settle()
-    link, before = browser("live.remember(), location.hash"), browser("Array.from(live.kernel.series(5))")
+    link, old_series = browser("live.remember(), location.hash"), browser("Array.from(live.kernel.series(5))")
     browser("location.href = 'about:blank'")
     opened(browser, path)
     browser(f"location.hash = {json.dumps(link + '&tank.volme=1&supply.pressure=NaN')}")
@@ -261,10 +263,10 @@ def test_a_link_brings_back_numbers_and_variants(browser, tmp_path):
     browser.settle()
     assert browser("Array.from(live.state.changed)") == [["tank.volume", 0.1]]
     assert browser("Array.from(live.state.kept)") == [["tank.volume", 0.3]]
-    assert browser("Array.from(live.kernel.series(5))") == before
+    assert browser("Array.from(live.kernel.series(5))") == old_series
 
 
-def test_what_is_written_is_read_back(browser, tmp_path):
+def test_exported_values_can_be_imported(browser, tmp_path):
     circuit = load(STAIRCASE)
     opened(browser, write_live(circuit, tmp_path / "page.html"))
     browser("live.change('tank.volume', 0.1234567890123)")
@@ -311,7 +313,7 @@ def dragged(browser: Browser, frames: int, each: int = 1) -> tuple[int, float]:
     return updates, took
 
 
-def test_an_update_for_each_picture_of_the_screen(browser, tmp_path):
+def test_a_page_updates_once_per_frame(browser, tmp_path):
     """How fast these come is a matter of machine and load; those of an empty page stand beside it."""
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     dragged(browser, 30)
@@ -332,25 +334,25 @@ def test_an_update_for_each_picture_of_the_screen(browser, tmp_path):
     print(f"{1e3 * updates / took:.1f} updates a second, {60e3 / empty:.1f} frames of an empty page")
 
 
-def test_ten_moves_in_a_frame_are_one_update_to_the_last(browser, tmp_path):
+def test_ten_moves_in_a_frame_give_one_update(browser, tmp_path):
     """No queue grows: what a hand has left behind is never computed."""
     circuit = load(STAIRCASE)
     opened(browser, write_live(circuit, tmp_path / "page.html"))
     updates, _ = dragged(browser, 20, each=10)
     assert 19 <= updates <= 21
     browser.settle()
-    before = browser("live.state.count")
+    old_count = browser("live.state.count")
     browser.settle()
-    assert browser("live.state.count") == before
+    assert browser("live.state.count") == old_count
     (address, value), *_ = browser("Array.from(live.state.changed)")
-    slider = next(each for each in browser("live.header.sliders") if each["address"] == address)
+    slider = next(entry for entry in browser("live.header.sliders") if entry["address"] == address)
     assert value == pytest.approx(slider["low"] + (slider["high"] - slider["low"]) * 20.9 / 21.0)
     signals = {**circuit.signals, address: Constant(value)}
     expected = replace(circuit, signals=signals).simulate()
     assert differs(browser, circuit, expected) < 1e-6
 
 
-def test_a_panel_out_of_sight_is_drawn_when_it_comes(browser, tmp_path):
+def test_an_invisible_panel_is_drawn_when_it_becomes_visible(browser, tmp_path):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     browser(f"""(() => {{ for (const panel of {PANELS}) {{
         const paint = panel.paint;
@@ -376,7 +378,7 @@ def test_a_panel_out_of_sight_is_drawn_when_it_comes(browser, tmp_path):
     assert browser(f"{PANELS}.at(-1).painted") == 2
 
 
-def test_a_line_is_drawn_with_few_points_and_within_a_fifth_of_one_of_the_screen(browser, tmp_path):
+def test_a_line_has_few_points_and_an_error_below_a_fifth_of_a_pixel(browser, tmp_path):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     for x, y in (
         (np.linspace(0.0, 900.0, 1201), 100.0 * np.tanh(np.linspace(-40.0, 8.0, 1201))),
@@ -398,7 +400,7 @@ def test_a_line_is_drawn_with_few_points_and_within_a_fifth_of_one_of_the_screen
 
 
 @pytest.mark.parametrize("width", [1300, 360])
-def test_it_fits_wide_and_narrow(browser, tmp_path, width):
+def test_a_page_fits_wide_and_narrow_windows(browser, tmp_path, width):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"), width=width, scheme="dark")
     assert browser("document.documentElement.scrollWidth <= innerWidth")
     assert browser("document.querySelectorAll('#sliders .row').length") == 8
@@ -407,7 +409,7 @@ def test_it_fits_wide_and_narrow(browser, tmp_path, width):
 # --- by keys, over time, beside each other ---
 
 
-def test_everything_is_reached_by_keys(browser, tmp_path):
+def test_all_controls_are_reachable_by_keyboard(browser, tmp_path):
     circuit = load(STAIRCASE)
     opened(browser, write_live(circuit, tmp_path / "page.html"))
     focus(browser, "tank.volume")
@@ -437,7 +439,7 @@ def test_everything_is_reached_by_keys(browser, tmp_path):
         focus(browser, name)
 
 
-def test_play_runs_through_the_drawing_and_rests_when_told(browser, tmp_path):
+def test_play_animates_the_drawing_and_can_be_paused(browser, tmp_path):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     shown = "[document.querySelector('.mover').getAttribute('transform'), +document.getElementById('time').value]"
     browser("live.state.at = 19.5")
@@ -463,7 +465,7 @@ def test_play_runs_through_the_drawing_and_rests_when_told(browser, tmp_path):
 
 
 @pytest.mark.parametrize("kind", [Steps, Points])
-def test_an_input_takes_a_course_that_is_typed(browser, tmp_path, kind):
+def test_an_input_follows_a_typed_signal(browser, tmp_path, kind):
     circuit = load(STAIRCASE)
     opened(browser, write_live(circuit, tmp_path / "page.html"))
     address = "valve.pilot_pressure"
@@ -496,7 +498,7 @@ def test_an_input_takes_a_course_that_is_typed(browser, tmp_path, kind):
     assert {key: list(getattr(signal, key)) for key in table} == table
 
 
-def test_a_course_that_is_none_is_marked_and_does_nothing(browser, tmp_path):
+def test_an_invalid_signal_is_marked_and_ignored(browser, tmp_path):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     focus(browser, "over time")
     browser.press("Enter")
@@ -512,7 +514,7 @@ def test_a_course_that_is_none_is_marked_and_does_nothing(browser, tmp_path):
     assert browser("live.state.changed.size") == 0
 
 
-def test_courses_come_beside_other_inputs_and_later_by_a_delay(browser, tmp_path):
+def test_typed_signals_are_delayed_and_combined_with_other_inputs(browser, tmp_path):
     circuit = load(EXAMPLES / "datasheet_valve.toml")
     (driven,) = circuit.signals
     opened(browser, write_live(circuit, tmp_path / "page.html", parameters=[driven, "supply.pressure"]))
@@ -530,7 +532,7 @@ def test_courses_come_beside_other_inputs_and_later_by_a_delay(browser, tmp_path
             assert np.max(np.abs(series(browser, circuit, name) - expected[name])) <= 1e-6 * size + 1e-14, name
 
 
-def test_what_a_page_writes_is_what_the_command_line_gives(browser, tmp_path):
+def test_exports_of_a_page_equal_those_of_the_command_line(browser, tmp_path):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     browser("live.change('tank.volume', 0.11); live.change('valve.pilot_pressure', 251234.5)")
     browser.settle()
@@ -547,7 +549,7 @@ def test_what_a_page_writes_is_what_the_command_line_gives(browser, tmp_path):
         assert np.allclose(page[name], own[name], rtol=1e-6, atol=1e-12), name
 
 
-def test_a_measured_file_is_dropped_and_taken_away(browser, tmp_path):
+def test_a_measured_file_can_be_added_and_removed(browser, tmp_path):
     circuit = load(STAIRCASE)
     opened(browser, write_live(circuit, tmp_path / "page.html"))
     text = "time [s],tank.pressure [bar],other [bar]\n0,1.5,1\n60,2.5,1\n120,1.5,1\n"
@@ -574,7 +576,7 @@ def test_a_measured_file_is_dropped_and_taken_away(browser, tmp_path):
     assert browser(f"{lines}.length") == 0
 
 
-def test_two_variants_stand_beside_each_other(browser, tmp_path):
+def test_two_variants_are_compared(browser, tmp_path):
     opened(browser, write_live(load(STAIRCASE), tmp_path / "page.html"))
     panels = "document.querySelector('#curves').plot.panels"
     of_a = f"Array.from({panels}[0].spec.lines.find(line => line.label == 'tank (A)').y)"

@@ -1,4 +1,4 @@
-"""Plain functions, CasADi and python-control give the numbers of the house; derivatives stay finite; mistakes."""
+"""Tests of `to_ode`, `to_casadi` and `to_control`: values, derivatives, invalid arguments."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def vented():
 # --- Plain functions -------------------------------------------------------------------------------------------------
 
 
-def test_any_solver_gives_the_run(vented):
+def test_solve_ivp_gives_the_run_with_any_solver(vented):
     ode, known = vented.to_ode("1 s"), vented.simulate("1 s", relative_tolerance=1e-10)
     assert ode.states == ("tank.pressure", "tank.mass")
     assert ode.units["tank.mass"] == "kg"
@@ -48,7 +48,7 @@ def test_any_solver_gives_the_run(vented):
         assert np.allclose(found[name], known[name], rtol=3e-7), np.abs(found[name] / known[name] - 1.0).max()
 
 
-def test_stretches_end_where_signals_jump_and_keep_all_digits(vented):
+def test_stretches_end_at_jumps_of_signals(vented):
     ode, known = vented.to_ode("1 s"), vented.simulate("1 s", relative_tolerance=1e-11)
     t, x, ends = 0.0, ode.x0, []
     while t < ode.end:
@@ -62,7 +62,7 @@ def test_stretches_end_where_signals_jump_and_keep_all_digits(vented):
     assert np.isclose(x[0], known["tank.pressure"][-1], rtol=1e-9)
 
 
-def test_jacobians_are_those_of_the_rates(vented):
+def test_jacobian_equals_the_difference_quotients_of_the_rates(vented):
     ode = vented.to_ode("1 s")
     x, matrix = ode.x0, ode.jac(0.5, ode.x0)
     for k, size in enumerate(1e-5 * x):
@@ -71,7 +71,7 @@ def test_jacobians_are_those_of_the_rates(vented):
         assert np.allclose(matrix[:, k], slope, rtol=1e-6)
 
 
-def test_sampled_circuits_go_from_instant_to_instant():
+def test_sampled_circuits_are_integrated_between_instants():
     circuit = example("pressure_control")
     ode, known = circuit.to_ode("0.52 s"), circuit.simulate("0.52 s", relative_tolerance=1e-10)
     with refused("tools.has_instants", "regulator.sample"):
@@ -88,7 +88,7 @@ def test_sampled_circuits_go_from_instant_to_instant():
 # --- CasADi ----------------------------------------------------------------------------------------------------------
 
 
-def test_casadi_functions_are_those_of_the_circuit():
+def test_casadi_functions_equal_the_circuit():
     model = example("pressure_control").to_casadi(
         inputs=["fill.opening", "vent.opening"], numbers=["tank.volume"], without="regulator"
     )
@@ -139,7 +139,7 @@ def test_derivatives_of_both_orders_are_finite_at_every_corner(name, without):
     assert points > 20
 
 
-def test_what_casadi_cannot_take_is_refused():
+def test_invalid_arguments_of_to_casadi_are_refused():
     circuit = example("pressure_control")
     with refused("tools.sampled", "regulator.sample"):
         circuit.to_casadi()
@@ -173,7 +173,7 @@ def test_python_control_gives_the_run():
         assert np.allclose(found, known["tank.pressure"], rtol=1e-6)
 
 
-def test_python_control_gets_linear_models_too():
+def test_linear_models_convert_to_python_control():
     pytest.importorskip("control")
     circuit = example("pressure_control")
     plant = circuit.to_control(linear=True, without="regulator")

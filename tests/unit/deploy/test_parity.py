@@ -1,4 +1,4 @@
-"""The table of parity: every target within its limit, one that is wrong found out, one that cannot run says why."""
+"""Tests of the parity table: targets within limits, wrong targets, targets that are not run."""
 
 from __future__ import annotations
 
@@ -13,8 +13,7 @@ from poppet.cli.main import run
 from poppet.deploy import comparison
 from poppet.deploy.parity import host_runs, parity_table
 from poppet.deploy.parity.parity_check import NotRunError, TargetResult
-from poppet.deploy.parity.parity_report import parity_page
-from poppet.deploy.parity.parity_table import all_checks, compare_targets, run_kernel
+from poppet.deploy.parity.parity_table import all_checks, compare_targets, parity_page, run_kernel
 from refusals import refused
 
 EXAMPLES = Path(__file__).parents[3] / "examples"
@@ -50,7 +49,7 @@ def test_every_target_is_within_its_limit():
     assert rows["controllers"].differences["regulator.command"] < 1e-12
 
 
-def test_another_method_is_held_to_what_its_tolerance_is_worth():
+def test_another_solver_is_within_its_limit():
     (row,) = compare_targets(short("two_tanks", "1 s"), only=["cvodes"]).rows
     assert (row.verdict, row.until, row.share) == ("within", 1.0, 1.0)
     assert 0.0 < row.overall < 1e-5
@@ -65,7 +64,7 @@ def make_check(change_rows, **fields):
     return all_checks()["scipy"]._replace(run=run, **fields)
 
 
-def test_a_target_that_is_wrong_is_found_out(monkeypatch):
+def test_a_wrong_target_is_beyond_its_limit(monkeypatch):
     def wrong(values, reference):
         values[reference.names.index("tank.pressure")] *= 1.0 + 1e-6
         values[reference.names.index("tank.temperature"), 3] = np.nan
@@ -84,7 +83,7 @@ def test_a_target_that_is_wrong_is_found_out(monkeypatch):
     assert not found.is_within_limits
 
 
-def test_what_rounding_becomes_is_allowed_output_by_output():
+def test_effects_of_rounding_are_allowed_for_each_output():
     """Ten times what small changes become may be there, in that output, and no more."""
     problem = short().problem(short().run)
     of = comparison.run_reference(problem, problem.grid.size - 1)
@@ -99,7 +98,7 @@ def test_what_rounding_becomes_is_allowed_output_by_output():
     assert found.max_ratios().max() == pytest.approx(30.0, rel=1e-3)
 
 
-def test_a_run_is_compared_as_long_as_the_kernel_stays_by_itself():
+def test_the_comparison_ends_when_changed_kernels_diverge():
     problem = short().problem(short().run)
     of = comparison.run_reference(problem, problem.grid.size - 1)
     every = np.ones(of.values.shape, dtype=bool)
@@ -118,8 +117,8 @@ def test_a_run_is_compared_as_long_as_the_kernel_stays_by_itself():
     assert found.max_differences(whole_run=True).max() == pytest.approx(0.5)
 
 
-def test_a_hunting_loop_is_compared_until_it_leaves_itself():
-    """With other rounding the valve of the joint takes another course after 65 ms; until then it is the same."""
+def test_a_limit_cycle_is_compared_until_changed_kernels_diverge():
+    """A change of the size of rounding leads to another run of the valve after 65 ms."""
     reference = run_kernel(load(EXAMPLES / "muscle_joint.toml").with_values({"run.duration": "0.2 s"}))
     of = reference.rows
     moved = comparison.change_effects(of, comparison.rounding_changes(reference.separate))
@@ -129,7 +128,7 @@ def test_a_hunting_loop_is_compared_until_it_leaves_itself():
     assert found.max_differences().max() < 1e-5 < found.max_differences(whole_run=True).max()
 
 
-def test_the_rest_of_such_a_run_is_as_far_away_as_the_kernel_is_from_itself(monkeypatch):
+def test_the_rest_of_a_run_is_compared_with_the_effect_of_changes(monkeypatch):
     """States of the whole run are held to what changes of the kernel make of them; three times that is no mistake."""
     circuit = load(EXAMPLES / "muscle_joint.toml").with_values({"run.duration": "0.3 s"})
 
@@ -153,7 +152,7 @@ def test_the_rest_of_such_a_run_is_as_far_away_as_the_kernel_is_from_itself(monk
     assert near.moved == far.moved > 1e-6
 
 
-def test_what_cannot_run_says_why(monkeypatch):
+def test_targets_that_are_not_run_have_a_reason(monkeypatch):
     monkeypatch.setattr(host_runs.shutil, "which", lambda name: None)
     monkeypatch.setattr(host_runs, "MAX_INSTANTS", 10)
     rows = {row.name: row for row in compare_targets(short(), only=["scipy", "c adaptive"]).rows}
@@ -204,7 +203,7 @@ def test_the_command_and_its_page(tmp_path, capsys, monkeypatch):
     assert "beyond" in capsys.readouterr().out
 
 
-def test_hostile_titles_stay_text():
+def test_special_characters_in_titles_are_escaped():
     from dataclasses import replace
 
     circuit = replace(short("two_tanks", "0.1 s"), title="<script>alert(1)</script>")

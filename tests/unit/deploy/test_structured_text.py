@@ -1,4 +1,4 @@
-"""Function blocks of structured text: bit for bit the program, by our evaluator, and by MATIEC where it is found."""
+"""Tests of function blocks: evaluator and MATIEC give the same bits as the program."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def inputs_of(case, rows=400):
 
 
 @pytest.mark.parametrize("case", CASES)
-def test_a_block_gives_the_bits_of_the_program(case):
+def test_block_gives_the_same_bits_as_the_program(case):
     one, given = program(case), inputs_of(case)
     block = FunctionBlock(function_block(one))
     names = block.names("VAR_INPUT")[: len(one.inputs)]
@@ -67,64 +67,75 @@ def test_a_block_gives_the_bits_of_the_program(case):
 
 
 @pytest.mark.parametrize("case", ["pid", "electronics"])
-def test_a_block_gives_the_commands_of_the_run(case):
-    """From the circuit's own run to the text, without anything of the house between."""
+def test_block_gives_the_commands_of_the_run(case):
+    """Compare the text with a run of the circuit, without the program in between."""
     file, _ = CASES[case]
-    one, circuit = program(case), load(EXAMPLES / f"{file}.toml")
-    run = circuit.with_values({"run.maximum_step": one.cycle / 2.0}).simulate(0.5, one.cycle)
+    controller, circuit = program(case), load(EXAMPLES / f"{file}.toml")
+    run = circuit.with_values({"run.maximum_step": controller.cycle / 2.0}).simulate(0.5, controller.cycle)
     shown = {
         "measurement": "sensor_pressure",
         "outlet_pressure": "outlet_sensor_pressure",
         "pilot_pressure": "pilot_sensor_pressure",
     }
-    block = FunctionBlock(function_block(one))
-    found = []
+    block = FunctionBlock(function_block(controller))
+    commands = []
     for k in range(run.time.size - 1):
-        given = {each.address.partition(".")[2]: each.address for each in one.inputs}
-        values = {name: float(run[f"{a.partition('.')[0]}.{shown.get(name, name)}"][k]) for name, a in given.items()}
-        found.append([value for name, value in block(**values).items() if name != "overrun"])
-    for k, output in enumerate(one.outputs):
-        known = run[output.address][:-1]
-        assert np.allclose(np.array(found)[:, k], known, rtol=1e-11, atol=1e-11 * np.abs(known).max()), output.address
+        addresses = {item.address.partition(".")[2]: item.address for item in controller.inputs}
+        values = {
+            name: float(run[f"{a.partition('.')[0]}.{shown.get(name, name)}"][k]) for name, a in addresses.items()
+        }
+        commands.append([value for name, value in block(**values).items() if name != "overrun"])
+    for k, output in enumerate(controller.outputs):
+        expected = run[output.address][:-1]
+        assert np.allclose(np.array(commands)[:, k], expected, rtol=1e-11, atol=1e-11 * np.abs(expected).max()), (
+            output.address
+        )
 
 
-def test_numbers_are_inputs_and_restart_begins_anew():
-    one = program("pid")
+def test_parameters_are_inputs_and_restart_resets_the_block():
+    controller = program("pid")
     block, changed = (
-        FunctionBlock(function_block(one)),
+        FunctionBlock(function_block(controller)),
         load(EXAMPLES / "pressure_control.toml").with_values({"regulator.gain": "4 1/bar"}),
     )
-    given = inputs_of("pid", 80)
-    names = block.names("VAR_INPUT")[: len(one.inputs)]
-    for gain, known in ((9.21e-5, one.run(given)), (4e-5, controller_program(changed).run(given))):
-        found = [
+    inputs = inputs_of("pid", 80)
+    names = block.names("VAR_INPUT")[: len(controller.inputs)]
+    for gain, expected in ((9.21e-5, controller.run(inputs)), (4e-5, controller_program(changed).run(inputs))):
+        outputs = [
             block(**dict(zip(names, row, strict=True)), gain=gain, restart=not k)["command"]
-            for k, row in enumerate(given)
+            for k, row in enumerate(inputs)
         ]
-        assert np.array_equal(found, known[:, 0])
+        assert np.array_equal(outputs, expected[:, 0])
 
 
-def test_a_block_samples_by_its_own_count_and_says_when_it_cannot():
+def test_block_counts_its_calls_and_reports_overruns():
     block = FunctionBlock(function_block(program("pid")))
-    held = [block(setpoint=4e5, measurement=3e5 + 1e3 * k, cycle_time=5e-4)["integral_1"] for k in range(5)]
-    assert held[:4] == [held[0]] * 4 != [held[4]] * 4
+    integrals = [block(setpoint=4e5, measurement=3e5 + 1e3 * k, cycle_time=5e-4)["integral_1"] for k in range(5)]
+    assert integrals[:4] == [integrals[0]] * 4 != [integrals[4]] * 4
     assert block(sample_time=0.0, restart=True)["overrun"] is True
 
 
-def test_hostile_names_become_valid_and_different_ones():
+def test_special_names_become_valid_and_distinct():
     names = BlockNames()
     texts = [
         "a.b", "A_B", "a__b_", "end_if", "INTEGRAL", "v12", "Fired_1", "now", "1st", "größe", "(* x *)", "x" * 50,
         "x" * 60, "'; DROP", "end_if_", "", "END_FUNCTION_BLOCK",
     ]  # fmt: skip
-    found = [names.add(each) for each in texts]
-    assert len({each.lower() for each in found}) == len(texts)
+    identifiers = [names.add(text) for text in texts]
+    assert len({text.lower() for text in identifiers}) == len(texts)
     # As the standard writes identifiers: no underline at the end, and no two of them.
-    assert all(re.fullmatch(r"[A-Za-z](_?[A-Za-z0-9])*", each) and len(each) <= 32 for each in found)
-    assert not {each.lower() for each in found} & {"end_if", "integral", "v12", "fired_1", "now", "end_function_block"}
+    assert all(re.fullmatch(r"[A-Za-z](_?[A-Za-z0-9])*", text) and len(text) <= 32 for text in identifiers)
+    assert not {text.lower() for text in identifiers} & {
+        "end_if",
+        "integral",
+        "v12",
+        "fired_1",
+        "now",
+        "end_function_block",
+    }
 
 
-def test_hostile_titles_stay_in_their_comment():
+def test_special_characters_in_titles_stay_in_the_comment():
     circuit = load(EXAMPLES / "pressure_control.toml")
     hostile = "x *) END_FUNCTION_BLOCK (* ü\nVAR\n" + "y" * 30
     parts = {("Pid" + "a" * 60): circuit.parts["regulator"]}
@@ -135,15 +146,17 @@ def test_hostile_titles_stay_in_their_comment():
     assert re.search(r"FUNCTION_BLOCK (\w{1,32})\n", text)
 
 
-def test_what_cannot_be_said_is_refused(monkeypatch):
+def test_unsupported_operations_are_refused(monkeypatch):
     x = ca.SX.sym("x")
     for expression in (ca.erf(x), x + ca.SX(float("inf"))):
         with pytest.raises(UnsupportedOperationError):
             Statements([["x"]], [["y"]]).read(instructions(ca.Function("f", [x], [expression])))
-    one = program("pid")
-    monkeypatch.setitem(one.functions, "outputs", ca.Function("outputs", *_with_erf(one.functions["outputs"])))
+    controller = program("pid")
+    monkeypatch.setitem(
+        controller.functions, "outputs", ca.Function("outputs", *_with_erf(controller.functions["outputs"]))
+    )
     with refused("deploy.no_structured_text", "regulator", what="erf"):
-        function_block(one)
+        function_block(controller)
 
 
 def test_a_signal_from_a_file_is_refused_before_anything_is_written(tmp_path, capsys):
@@ -166,8 +179,8 @@ def test_a_signal_from_a_file_is_refused_before_anything_is_written(tmp_path, ca
 
 
 def _with_erf(function):
-    given = function.sx_in()
-    return given, [ca.erf(function(*given))]
+    arguments = function.sx_in()
+    return arguments, [ca.erf(function(*arguments))]
 
 
 @pytest.mark.parametrize(
@@ -178,7 +191,7 @@ def _with_erf(function):
         ("y := 1.0", SyntaxError), ("y := 1;", TypeError),
     ],
 )  # fmt: skip
-def test_the_evaluator_is_stricter_than_a_machine(text, kind):
+def test_evaluator_refuses_invalid_structured_text(text, kind):
     head = "FUNCTION_BLOCK b VAR_OUTPUT y : LREAL; END_VAR VAR z : LREAL; END_VAR "
     with pytest.raises(kind):
         FunctionBlock(f"{head}{text} END_FUNCTION_BLOCK")()
@@ -205,21 +218,21 @@ void run(int n, const double *in, double *out) {
 @pytest.mark.parametrize("case", CASES)
 @pytest.mark.skipif(not MATIEC or COMPILER is None, reason="POPPET_MATIEC names no folder of MATIEC")
 def test_matiec_compiles_a_block_to_the_same_numbers(case, tmp_path):
-    one, given = program(case), inputs_of(case)
-    text = function_block(one)
+    controller, inputs = program(case), inputs_of(case)
+    text = function_block(controller)
     block = FunctionBlock(text)
     (tmp_path / "block.st").write_text(text, encoding="ascii")
     lib = Path(MATIEC) / "lib"
     subprocess.run([Path(MATIEC) / "iec2c", "-I", lib, "-T", tmp_path, tmp_path / "block.st"], check=True)
-    into = [f"b.{n.upper()}.value = *in++;" for n in block.names("VAR_INPUT")[: len(one.inputs)]]
+    into = [f"b.{n.upper()}.value = *in++;" for n in block.names("VAR_INPUT")[: len(controller.inputs)]]
     from_ = [f"*out++ = b.{n.upper()}.value;" for n in block.names("VAR_OUTPUT") if n != "overrun"]
-    words = {"block": block.name.upper(), "into": " ".join(into), "from_": " ".join(from_)}
-    (tmp_path / "host.c").write_text(HARNESS % words, encoding="ascii")
+    fields = {"block": block.name.upper(), "into": " ".join(into), "from_": " ".join(from_)}
+    (tmp_path / "host.c").write_text(HARNESS % fields, encoding="ascii")
     options = ["-w", "-O1", "-ffp-contract=off", "-shared", "-fPIC", f"-I{lib / 'C'}", f"-I{tmp_path}"]
     subprocess.run([COMPILER, *options, "-o", tmp_path / "host.so", tmp_path / "host.c", "-lm"], check=True)
-    found, rows = np.empty((len(given), len(one.outputs))), np.ascontiguousarray(given)
-    pointers = (ctypes.c_void_p(each.ctypes.data) for each in (rows, found))
+    outputs, rows = np.empty((len(inputs), len(controller.outputs))), np.ascontiguousarray(inputs)
+    pointers = (ctypes.c_void_p(array.ctypes.data) for array in (rows, outputs))
     ctypes.CDLL(str(tmp_path / "host.so")).run(len(rows), *pointers)
-    known = one.run(given)
-    assert np.allclose(found, known, rtol=1e-14, atol=1e-14 * np.abs(known).max())
-    assert np.mean(found == known) > 0.99
+    expected = controller.run(inputs)
+    assert np.allclose(outputs, expected, rtol=1e-14, atol=1e-14 * np.abs(expected).max())
+    assert np.mean(outputs == expected) > 0.99

@@ -55,19 +55,19 @@ def test_names():
 
 
 @pytest.mark.parametrize("name", library.characteristics())
-def test_characteristics_carry_their_name(name):
-    chosen = library.characteristic(name)
-    assert isinstance(chosen, Characteristic)
-    assert chosen.name == name
-    assert chosen.domain == pytest.approx((0.0, 1e-3), rel=1e-15)
-    assert chosen.edge == "hold"
+def test_characteristics_have_their_name(name):
+    curve = library.characteristic(name)
+    assert isinstance(curve, Characteristic)
+    assert curve.name == name
+    assert curve.domain == pytest.approx((0.0, 1e-3), rel=1e-15)
+    assert curve.edge == "hold"
 
 
-def test_the_bare_name_means_printed():
-    bare, printed = library.characteristic("varga2012"), library.characteristic("varga2012.printed")
-    assert bare.numbers() == printed.numbers()
-    assert bare.closing is None
-    assert not bare.monotone
+def test_the_bare_name_selects_the_printed_polynomials():
+    default, printed = library.characteristic("varga2012"), library.characteristic("varga2012.printed")
+    assert default.numbers() == printed.numbers()
+    assert default.closing is None
+    assert not default.monotone
 
 
 @pytest.mark.parametrize(
@@ -88,7 +88,7 @@ def test_the_bare_name_means_printed():
         (library.describe, ["varga"], "library.unknown"),
     ],
 )
-def test_near_misses(call, arguments, message):
+def test_unknown_names_have_a_suggestion(call, arguments, message):
     with refused(message):
         call(*arguments)
 
@@ -134,7 +134,7 @@ def test_preload_of_the_regulator_set_is_14_newton():
 
 
 @pytest.mark.parametrize("mode", MODES)
-def test_stops_give_way_by_two_micrometres_under_20_newton(mode):
+def test_stops_deflect_by_two_micrometres_under_20_newton(mode):
     stage = library.main_stage("varga2012", mode)
     for stop in ("upper_stop", "lower_stop"):
         assert stop_force(2e-6, 0.0, float(stage[f"{stop}.stiffness"]), 0.0) == pytest.approx(20.0, rel=1e-3)
@@ -157,9 +157,9 @@ def test_stops_give_way_by_two_micrometres_under_20_newton(mode):
     ],
 )
 def test_gases(name, gas_constant, exponent):
-    chosen = library.gas(name)
-    assert float(chosen.gas_constant) == pytest.approx(gas_constant, rel=2e-4)
-    assert float(chosen.isentropic_exponent) == pytest.approx(exponent, abs=6e-4)
+    gas = library.gas(name)
+    assert float(gas.gas_constant) == pytest.approx(gas_constant, rel=2e-4)
+    assert float(gas.isentropic_exponent) == pytest.approx(exponent, abs=6e-4)
 
 
 @pytest.mark.parametrize("name", ["nitrogen", "oxygen", "argon", "helium", "hydrogen", "carbon dioxide", "methane"])
@@ -167,11 +167,13 @@ def test_gases_against_cantera(name):
     cantera = pytest.importorskip("cantera", reason="Cantera has the NASA polynomials to compare with")
     formula = {"nitrogen": "N2", "oxygen": "O2", "argon": "Ar", "helium": "He", "hydrogen": "H2"}
     formula |= {"carbon dioxide": "CO2", "methane": "CH4"}
-    species = {each.name: each for each in cantera.Species.list_from_file("nasa_gas.yaml")}[formula[name]]
+    species = {species_entry.name: species_entry for species_entry in cantera.Species.list_from_file("nasa_gas.yaml")}[
+        formula[name]
+    ]
     heat_capacity = species.thermo.cp(293.15) / cantera.gas_constant
-    chosen = library.gas(name)
-    assert float(chosen.gas_constant) == pytest.approx(cantera.gas_constant / species.molecular_weight, rel=1e-5)
-    assert float(chosen.isentropic_exponent) == pytest.approx(heat_capacity / (heat_capacity - 1.0), abs=5e-5)
+    gas = library.gas(name)
+    assert float(gas.gas_constant) == pytest.approx(cantera.gas_constant / species.molecular_weight, rel=1e-5)
+    assert float(gas.isentropic_exponent) == pytest.approx(heat_capacity / (heat_capacity - 1.0), abs=5e-5)
 
 
 def test_spelling_of_gases():
@@ -179,7 +181,7 @@ def test_spelling_of_gases():
     assert library.gas("dry air") is library.gas("air")
 
 
-def test_gases_say_for_which_laws_they_hold():
+def test_gases_have_a_note_on_valid_laws():
     assert "do not hold" in library.gas("helium").note
     assert "within a few per cent" in library.gas("nitrogen").note
 
@@ -188,13 +190,13 @@ def test_gases_say_for_which_laws_they_hold():
 
 
 @pytest.mark.parametrize("name", [*library.sets(), *library.characteristics(), *library.gas_names()])
-def test_describe_shows_every_number_with_its_source(name):
+def test_describe_shows_every_parameter_with_its_source(name):
     text = library.describe(name)
     assert text.startswith(f"{name}:" if name != "gases" else "air:")
     assert all(line == line.rstrip() for line in text.splitlines())
 
 
-def test_describe_shows_what_is_assumed():
+def test_describe_shows_assumed_parameters():
     text = library.describe("varga2012")
     assert "Varga & Keski-Honkola 2012" in text
     for mode in MODES:

@@ -7,13 +7,24 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from poppet.deploy.export_files import comment_text
 from poppet.deploy.export_model import ExportModel
 from poppet.engine.model import Model
 from poppet.engine.printers.c import DOUBLE, print_function, print_step, used_prelude
 from poppet.engine.printers.instructions import SIGNATURES, trace_functions
+
+if TYPE_CHECKING:
+    import casadi
+
+DIRECTIONAL = "t x u p dx du dp -> df dy"
+_SIGNATURES = {
+    **SIGNATURES,
+    "directional": DIRECTIONAL,
+    "step": "th x us p rates J drift scratch -> stages x1",
+    "dense": "stages -> coefficients",
+}
 
 
 @cache
@@ -37,62 +48,60 @@ def integrator_excerpt(*markers: str) -> str:
     return "\n\n".join(next(block for block in blocks if marker in block) for marker in markers)
 
 
-def model_code(export_model: ExportModel, prefix: str = "") -> str:
-    """Return the C code of all model functions and of the integration step.
+def model_code(export_model: ExportModel, prefix: str = "", further: Sequence[str] = ()) -> str:
+    """Return the C code of all model functions and of the integration step, followed by `further` functions.
 
     Every function name begins with `prefix`.
     """
-    functions = _print_functions(export_model, export_model.functions, "void", prefix)
     model = export_model.model
-    if model.size:
-        functions.append(print_step(model.size, len(model.inputs), "void", prefix))
-    return _with_prelude(functions)
+    step = [print_step(model.size, len(model.inputs), "void", prefix)] if model.size else []
+    return _print_functions(export_model, export_model.functions, [*step, *further], head="void", prefix=prefix)
 
 
-def static_code(export_model: ExportModel, functions: dict[str, Any]) -> str:
+def static_code(export_model: ExportModel, functions: Mapping[str, casadi.Function]) -> str:
     """Return the C code of model functions as `static` functions, visible only in their source file."""
-    return _with_prelude(_print_functions(export_model, functions, "static void", shares_inverses=True))
+    return _print_functions(export_model, functions, [], head="static void", shares_inverses=True)
 
 
 def _print_functions(
-    export_model: ExportModel, functions: dict[str, Any], head: str, prefix: str = "", *, shares_inverses: bool = False
-) -> list[str]:
-    """Return the C code of each CasADi function.
+    export_model: ExportModel, functions: Mapping[str, casadi.Function], further: Sequence[str], **settings: Any
+) -> str:
+    """Return the C code of CasADi functions and `further` functions, after the prelude that they need.
 
     Comments in the code name the elements of arguments and results by their addresses in the circuit.
     """
-    addresses = {
-        name: [comment_text(quantity.address) for quantity in getattr(export_model, name)]
+    states, parameters, memory, inputs, outputs = (
+        [comment_text(quantity.address) for quantity in getattr(export_model, name)]
         for name in ("states", "parameters", "memory", "inputs", "outputs")
-    }
-    labels = {
-        "x": addresses["states"], "f": addresses["states"], "p": addresses["parameters"] + addresses["memory"],
-        "z": addresses["memory"], "u": addresses["inputs"], "y": addresses["outputs"],
-    }  # fmt: skip
-    return [
-        print_function(f, name, shares_inverses=shares_inverses, labels=labels, head=head, prefix=prefix)
-        for name, f in functions.items()
-    ]
-
-
-def _with_prelude(functions: list[str]) -> str:
-    code = "\n\n".join(functions)
+    )
+    labels = {"x": states, "f": states, "p": parameters + memory, "z": memory, "u": inputs, "y": outputs}
+    printed = [print_function(f, name, labels=labels, **settings) for name, f in functions.items()]
+    code = "\n\n".join([*printed, *further])
     return "\n\n".join(filter(None, (used_prelude(code), code)))
 
 
-def fixed_step_functions(model: Model) -> dict[str, Any]:
+def prototypes(names: Iterable[str], prefix: str) -> list[str]:
+    """Return the C prototypes of the named model functions, whose names in C begin with `prefix`."""
+    lines = []
+    for name in names:
+        inputs, outputs = (side.split() for side in _SIGNATURES[name].split("->"))
+        arguments = [f"double *{a}" if a == "scratch" else f"const double *{a}" for a in inputs]
+        lines.append(f"void {prefix}{name}({', '.join([*arguments, *(f'double *{a}' for a in outputs)])});")
+    return lines
+
+
+def fixed_step_functions(model: Model) -> dict[str, casadi.Function]:
     """Return the model functions for integration with a fixed step.
 
     The quadratures, which integrate flows for the balances, are omitted from the state vector.
     """
-    names: tuple[str, ...] = ("rates", "jacobian", "factor", "solve", "outputs", "start", "update")
     n, symbols, expressions = len(model.states), dict(model.symbols), dict(model.expressions)
     symbols["x"], expressions["rates"] = symbols["x"][:n], expressions["rates"][:n]
     expressions["start"] = expressions["start"][:n]
     # No function depends on the quadratures.
     functions = trace_functions(replace(model, n_quadratures=0, symbols=symbols, expressions=expressions))
-    names = names if model.states else ("outputs", "start", "update")
-    return {name: functions[name] for name in names if name in functions and name in SIGNATURES}
+    names = (*(("rates", "jacobian", "factor", "solve") if model.states else ()), "outputs", "start", "update")
+    return {name: functions[name] for name in names if name in functions}
 
 
 def fill_template(file: str, name: str, fields: Mapping[str, str]) -> str:

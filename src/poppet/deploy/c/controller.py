@@ -52,14 +52,19 @@ def c_controller(
     program = controller_program(circuit, parts)
     name = identifier(name or program.name)
     kind = SINGLE if precision == "single" else DOUBLE
-    quantities: dict[str, Sequence[Any]] = {
-        "u": program.inputs,
-        "p": program.parameters,
-        "z": program.memory,
-        "y": program.outputs,
-    }
+    quantities: dict[str, Sequence[Any]]
+    quantities = {"u": program.inputs, "p": program.parameters, "z": program.memory, "y": program.outputs}
     labels = {symbol: [comment_text(q.address) for q in items] for symbol, items in quantities.items()}
-    labels["after"], times = labels["z"], _time_elements(program)
+    labels["after"] = labels["z"]
+    # Times and counters stay double: the timers, and all discrete states on which no input acts.
+    update = program.functions["update"]
+    sources: dict[int, set[int]] = {k: set() for k in range(len(program.memory))}
+    for row, column in zip(*update.jac_sparsity(0, 3).get_triplet(), strict=True):
+        sources[row].add(column)
+    driven = set(update.jac_sparsity(0, 1).get_triplet()[0])
+    while newly_driven := {row for row, columns in sources.items() if columns & driven} - driven:
+        driven |= newly_driven
+    times = sorted({*range(program.n_timers), *(k for k in sources if k not in driven)})
     wide = {"t": (0,), "p": (), "z": times, "after": times} if kind.ending else None
     functions = "\n\n".join(
         print_function(
@@ -85,21 +90,6 @@ def c_controller(
     templates = {".h": "controller.h", ".c": "controller.c", "_host.c": "controller_host.c"}
     project = {f"{name}{ending}": fill_template(template, name, fields) for ending, template in templates.items()}
     return {**project, "CMakeLists.txt": fill_template("controller.txt", name, fields)}
-
-
-def _time_elements(program: ControllerProgram) -> list[int]:
-    """Return the indices of discrete states that are times or counters.
-
-    These are the timers and all discrete states on which no input acts.
-    """
-    update = program.functions["update"]
-    sources: dict[int, set[int]] = {k: set() for k in range(len(program.memory))}
-    for row, column in zip(*update.jac_sparsity(0, 3).get_triplet(), strict=True):
-        sources[row].add(column)
-    driven = set(update.jac_sparsity(0, 1).get_triplet()[0])
-    while newly_driven := {row for row, columns in sources.items() if columns & driven} - driven:
-        driven |= newly_driven
-    return sorted({*range(program.n_timers), *(k for k in sources if k not in driven)})
 
 
 def _test_vector(program: ControllerProgram, precision: str) -> dict[str, str]:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from poppet.core.errors import InputError
+from poppet.core.tables import Field
 from poppet.core.version import __version__
 from poppet.deploy.c.c_model import (
     comment_rows,
@@ -20,6 +21,7 @@ from poppet.deploy.c.c_model import (
     model_code,
     number_list,
     number_rows,
+    prototypes,
     static_code,
 )
 from poppet.deploy.c.controller import c_controller
@@ -37,7 +39,6 @@ from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.job import Job
 from poppet.engine.printers.c import DOUBLE
-from poppet.engine.printers.instructions import SIGNATURES
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
@@ -47,7 +48,6 @@ N_ROWS = 20
 FIXED_STEP = 0.05
 """Allowed error of a state relative to its size, in a run with a fixed step. The step is not adapted to the circuit."""
 MAX_SUBSTEPS = 10_000
-STEP = "th x us p f0 J drift w -> k x1"
 UNUSED = ("m", "h", "moves", "is_choosy", "nominal", "positive")
 """Arguments that a step without states does not use."""
 FIXED_REASONS = {
@@ -98,8 +98,8 @@ def c_project(circuit: BaseCircuit, name: str = "", *, substeps: int = 1) -> dic
     SimulationError
         If the run of the circuit fails: the test vector requires it.
     """
-    if not 1 <= substeps <= MAX_SUBSTEPS:
-        raise InputError("deploy.substeps", count=substeps, most=MAX_SUBSTEPS)
+    meaning = "number of integration steps per fixed-step call"
+    Field(type="integer", low=1, high=MAX_SUBSTEPS, meaning=meaning).read(substeps, "substeps")
     export_model = build_export_model(circuit, name)
     name = export_model.name
     fields = {
@@ -107,15 +107,32 @@ def c_project(circuit: BaseCircuit, name: str = "", *, substeps: int = 1) -> dic
         "NAME": name,
         "SUBSTEPS": f"{substeps}",
         "FUNCTIONS": model_code(export_model, f"{name}_"),
-        **_tables(export_model), **_sizes(export_model), **_test_vector(circuit, export_model),
+        **_tables(export_model), **_test_vector(circuit, export_model),
         **_adaptive_run(export_model),
     }  # fmt: skip
+    functions = fixed_step_functions(export_model.model)
+    fixed = {
+        "FUNCTIONS": static_code(export_model, functions),
+        "PIECES": integrator_excerpt(
+            "} matrix;", "} Segment;", "static vector row_of(", "static double do_angle(", "static void do_inputs_at(",
+            "static void do_input_slopes_at(", "static double do_rounding(",
+        ),
+        "STEP": "\n".join(f"  (void){argument};" for argument in UNUSED) + "\n  return 0;",
+        "UPDATE": "",
+        "INSTANT": "",
+    }  # fmt: skip
+    if export_model.states:
+        sizes = {"JACOBIAN": max(1, functions["jacobian"].nnz_out(1)), "FACTOR": functions["factor"].nnz_out(0)}
+        step = fill_template("step.c", name, {field: f"{size}" for field, size in sizes.items()})
+        fixed["STEP"] = step.rstrip()
+    if export_model.memory:
+        fixed |= {field: fill_template(f"{field.lower()}.c", name, {}).rstrip() for field in ("UPDATE", "INSTANT")}
     return {
         f"{name}.h": fill_template("header.h", name, fields),
         f"{name}_data.c": fill_template("data.c", name, fields),
         f"{name}_adaptive.c": fill_template("adaptive.c", name, fields),
         f"{name}_integrator.c": integrator_code(f"{name}_integrate"),
-        f"{name}_fixed.c": fill_template("fixed.c", name, fields | _fixed_step(export_model)),
+        f"{name}_fixed.c": fill_template("fixed.c", name, fields | fixed),
         f"{name}_host.c": fill_template("host.c", name, fields),
         "CMakeLists.txt": fill_template("CMakeLists.txt", name, fields),
     }
@@ -134,8 +151,15 @@ def _table_rows(rows: Sequence[str], empty: str) -> str:
 
 
 def _tables(export_model: ExportModel) -> dict[str, str]:
-    """Return the C constants of the circuit by template placeholder: parameters, inputs, names, units and signals."""
-    problem, upper = export_model.problem, export_model.name.upper()
+    """Return the C constants of the circuit by template placeholder: sizes, parameters, inputs, names, signals."""
+    problem, model, upper = export_model.problem, export_model.model, export_model.name.upper()
+    sizes = {
+        "N_NUMBERS": len(export_model.parameters), "N_INPUTS": len(export_model.inputs),
+        "ROOM": max(1, len(export_model.inputs)), "N_STATES": len(export_model.states),
+        "ROOM_X_FIXED": max(1, len(export_model.states)), "N_X": model.size, "N_MEMORY": len(export_model.memory),
+        "N_TIMERS": model.n_timers, "N_OUTPUTS": len(export_model.outputs), "N_SEGMENTS": problem.starts.size,
+        "N_COURSES": len(problem.coefficients), "SCRATCH": problem.kernel.memory_size + 1,
+    }  # fmt: skip
     parameters = [
         f"{{{c_string(q.address)}, {c_string(q.unit)}, {number_list([q.value, q.low, q.high])}, {int(q.is_free)}}}"
         for q in export_model.parameters
@@ -156,6 +180,7 @@ def _tables(export_model: ExportModel) -> dict[str, str]:
         )
     ]
     return {
+        **{name: f"{size}" for name, size in sizes.items()},
         "NUMBERS": _table_rows(parameters, '{"", "", 0.0, 0.0, 0.0, 0}'),
         "INPUTS": _table_rows(inputs, '{"", "", 0.0, 0.0, -1, 0}'),
         "STATES": names_and_units(export_model.states),
@@ -169,32 +194,6 @@ def _tables(export_model: ExportModel) -> dict[str, str]:
         "COURSES": ", ".join(str(int(course)) for course in problem.courses),
         "COEFFICIENTS": number_rows(problem.coefficients.reshape(-1, 7)),
     }
-
-
-def _sizes(export_model: ExportModel) -> dict[str, str]:
-    """Return the sizes of the C arrays by template placeholder."""
-    model, problem = export_model.model, export_model.problem
-    sizes = {
-        "N_NUMBERS": len(export_model.parameters), "N_INPUTS": len(export_model.inputs),
-        "ROOM": max(1, len(export_model.inputs)), "N_STATES": len(export_model.states),
-        "ROOM_X_FIXED": max(1, len(export_model.states)), "N_X": model.size, "N_MEMORY": len(export_model.memory),
-        "N_TIMERS": model.n_timers, "N_OUTPUTS": len(export_model.outputs), "N_SEGMENTS": problem.starts.size,
-        "N_COURSES": len(problem.coefficients), "SCRATCH": problem.kernel.memory_size + 1,
-    }  # fmt: skip
-    return {name: f"{size}" for name, size in sizes.items()}
-
-
-def _prototypes(export_model: ExportModel) -> str:
-    signatures = {name: SIGNATURES[name] for name in export_model.functions}
-    if export_model.model.size:
-        signatures |= {"step": STEP, "dense": "k -> d"}
-    lines = []
-    for name, signature in signatures.items():
-        inputs, _, outputs = signature.partition("->")
-        arguments = [f"double *{a}" if a == "w" else f"const double *{a}" for a in inputs.split()]
-        arguments += [f"double *{a}" for a in outputs.split()]
-        lines.append(f"void {export_model.name}_{name}({', '.join(arguments)});")
-    return "\n".join(lines)
 
 
 def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
@@ -217,9 +216,10 @@ def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
     job |= {key: f"address({name}_{key})" for key in ("starts", "courses", "jumps")}
     job |= {key: f"address(m->{key})" for key in ("x", "p", "coefficients", "limits", "books", "watch", "counts")}
     job |= {"grid": "address(times)"}
+    functions = [*export_model.functions, *(("step", "dense") if model.size else ())]
     lines = [f"  job[{k}] = {job[field]}; /* {field} */" for k, field in enumerate(Job._fields)]
     return {
-        "PROTOTYPES": _prototypes(export_model),
+        "PROTOTYPES": "\n".join(prototypes(functions, f"{name}_")),
         "JOB": "\n".join(lines),
         "N_FIELDS": f"{len(lines)}",
         "SCALES": number_list(kernel.scales.ravel()) or "0.0",
@@ -233,31 +233,6 @@ def _adaptive_run(export_model: ExportModel) -> dict[str, str]:
         "TOLERANCE": DOUBLE.literal(problem.relative_tolerance),
         "LONGEST": DOUBLE.literal(problem.maximum_step),
     }
-
-
-def _fixed_step(export_model: ExportModel) -> dict[str, str]:
-    """Return the C code for integration with a fixed step, by template placeholder."""
-    functions, name = fixed_step_functions(export_model.model), export_model.name
-    fields = {
-        "FUNCTIONS": static_code(export_model, functions),
-        "PIECES": integrator_excerpt(
-            "} matrix;", "} Segment;", "static vector row_of(", "static double do_angle(", "static void do_inputs_at(",
-            "static void do_input_slopes_at(", "static double do_rounding(",
-        ),
-        "STEP": "\n".join(f"  (void){argument};" for argument in UNUSED) + "\n  return 0;",
-        "UPDATE": "",
-        "INSTANT": "",
-    }  # fmt: skip
-    if export_model.states:
-        sizes = {
-            "JACOBIAN": f"{max(1, functions['jacobian'].nnz_out(1))}",
-            "FACTOR": f"{functions['factor'].nnz_out(0)}",
-        }
-        fields["STEP"] = fill_template("step.c", name, sizes).rstrip()
-    if export_model.memory:
-        fields["UPDATE"] = fill_template("update.c", name, {}).rstrip()
-        fields["INSTANT"] = fill_template("instant.c", name, {}).rstrip()
-    return fields
 
 
 def _test_vector(circuit: BaseCircuit, export_model: ExportModel) -> dict[str, str]:

@@ -13,13 +13,17 @@ import sys
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.errors import InputError
-from poppet.deploy.export_model import ExportModel
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.printers.llvm import PRELUDE, print_function
 from poppet.engine.printers.llvm_step import print_step
+
+if TYPE_CHECKING:
+    import casadi
+
+    from poppet.engine.model import Model
 
 
 class Platform(NamedTuple):
@@ -46,35 +50,23 @@ PLATFORMS = {
 FLAGS = ("-shared", "-O2", "-std=c99", "-ffp-contract=off", "-fvisibility=hidden", "-g0", "-s")
 
 
-def kernel_code(export_model: ExportModel, added: Mapping[str, Any]) -> str:
-    """Return the functions of a model and the `added` functions as LLVM IR."""
-    functions = {name: f for name, f in export_model.functions.items() if name != "energy"} | dict(added)
-    model = export_model.model
-    if not model.size:
-        functions = {name: functions[name] for name in functions if name not in ("jacobian", "factor", "solve")}
+def kernel_code(model: Model, functions: Mapping[str, casadi.Function]) -> str:
+    """Return the given functions of a model, and its integration step, as LLVM IR."""
     step = print_step(model.size, len(model.states), len(model.inputs)) if model.size else ""
     return PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items()) + step
 
 
-def compile_kernel_object(code: str, platform: Platform) -> bytes:
-    """Compile the LLVM IR of a model, with the integrator, to object code for a platform.
+def compile_object(module: Any, triple: str, **settings: Any) -> bytes:
+    """Compile an LLVM module to optimised object code for the platform that `triple` names.
 
-    The symbols are hidden: they cannot collide with names in other libraries.
+    The settings are those of `llvmlite.binding.Target.create_target_machine`.
     """
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
-    machine = llvm.Target.from_triple(platform.triple).create_target_machine(
-        cpu=platform.cpu, opt=2, reloc="pic", codemodel="default"
-    )
-    module = llvm.parse_assembly(code)
-    module.link_in(llvm.parse_assembly(INTEGRATOR.read()))
-    # The C library has a `step` too, and importers have other names: hidden symbols cannot collide.
-    for function in module.functions:
-        if not function.is_declaration and function.linkage == llvm.Linkage.external:
-            function.name, function.visibility = f"model_{function.name}", "hidden"
-    module.triple, module.data_layout = platform.triple, str(machine.target_data)
+    machine = llvm.Target.from_triple(triple).create_target_machine(opt=2, **settings)
+    module.triple, module.data_layout = triple, str(machine.target_data)
     options = llvm.create_pipeline_tuning_options(speed_level=2)
     options.loop_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
@@ -103,13 +95,22 @@ def link_library(code: str, sources: Mapping[str, str], platform_name: str, main
 
     `code` is the LLVM IR of the model. `main` is the name of the C source that includes all other sources.
     """
+    import llvmlite.binding as llvm
+
     platform = PLATFORMS[platform_name]
     library = f"model{platform.suffix}"
     command = [*link_commands(platform_name)[0], *FLAGS, "-I.", "-o", library, main, "kernel.o", "-lm"]
+    module = llvm.parse_assembly(code)
+    module.link_in(llvm.parse_assembly(INTEGRATOR.read()))
+    # The C library has a `step` too, and importers have other names: hidden symbols cannot collide.
+    for function in module.functions:
+        if not function.is_declaration and function.linkage == llvm.Linkage.external:
+            function.name, function.visibility = f"model_{function.name}", "hidden"
+    kernel = compile_object(module, platform.triple, cpu=platform.cpu, reloc="pic", codemodel="default")
     with tempfile.TemporaryDirectory() as folder:
         for name, source in sources.items():
             Path(folder, name).write_text(source, encoding="utf-8")
-        Path(folder, "kernel.o").write_bytes(compile_kernel_object(code, platform))
+        Path(folder, "kernel.o").write_bytes(kernel)
         result = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
         if result.returncode:
             raise InputError("deploy.fmu.not_linked", command=command[0], said=result.stderr[-2000:])

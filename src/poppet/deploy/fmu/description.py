@@ -9,7 +9,7 @@ from xml.sax.saxutils import quoteattr
 
 from poppet.core.unit_table import read_unit
 from poppet.core.version import __version__
-from poppet.deploy.fmu.fmu_layout import FOLLOWS_REFERENCE, FmuLayout, Variable
+from poppet.deploy.fmu.fmu_layout import FOLLOWS_REFERENCE, FmuLayout
 
 _INVALID_IN_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 _XML_HEAD = '<?xml version="1.0" encoding="UTF-8"?>\n'
@@ -53,156 +53,80 @@ def describe_model(layout: FmuLayout, fmi: int, token: str, identifier: str) -> 
 
     `token` identifies the content of the model: it is the GUID of the FMU.
     """
-    return _describe_2(layout, token, identifier) if fmi == 2 else _describe_3(layout, token, identifier)
-
-
-def _describe_2(layout: FmuLayout, token: str, identifier: str) -> str:
-    capabilities = {
-        "modelIdentifier": identifier,
-        "canNotUseMemoryManagementFunctions": "false",
-        "canGetAndSetFMUstate": "true",
-        "canSerializeFMUstate": "true",
-        "providesDirectionalDerivative": "true",
-    }
-    files = [element("File", {"name": name}, depth=3) for name in ("fmi2.c", "model.c")]
-    sources = [element("SourceFiles", {}, files, 2)]
-    nominals = _nominal_by_reference(layout)
-    index_of = {v.reference: k + 1 for k, v in enumerate(layout.variables)}
-    variables = []
-    for v in layout.variables:
-        if v.reference == FOLLOWS_REFERENCE:
-            kind = element("Boolean", {"start": "false"}, depth=3)
-        else:
-            derivative = {"derivative": str(index_of[v.state])} if v.state >= 0 else {}
-            kind = element("Real", _real_attributes(v, nominals) | derivative, depth=3)
-        variables.append(element("ScalarVariable", _common_attributes(v), [kind], 2))
-    structure = []
-    for name, rows in zip(("Outputs", "Derivatives", "InitialUnknowns"), _dependency_rows(layout), strict=True):
-        unknowns = []
-        for v, references in sorted(rows, key=lambda row: index_of[row[0].reference]):
-            dependencies = " ".join(str(index) for index in sorted(index_of[r] for r in references))
-            attributes = {"index": str(index_of[v.reference]), "dependencies": dependencies}
-            unknowns.append(element("Unknown", attributes, depth=3))
-        structure += [element(name, {}, unknowns, 2)] if unknowns else []
-    steps = {"canHandleVariableCommunicationStepSize": "true", "canInterpolateInputs": "true"}
-    modes = [
-        element("ModelExchange", capabilities, sources, 1),
-        element("CoSimulation", capabilities | steps, sources, 1),
-    ]
-    head = {"guid": token, "numberOfEventIndicators": str(layout.n_indicators)}
-    return _description(layout, "2.0", head, modes, variables, structure)
-
-
-def _describe_3(layout: FmuLayout, token: str, identifier: str) -> str:
-    capabilities = {
-        "modelIdentifier": identifier,
-        "canGetAndSetFMUState": "true",
-        "canSerializeFMUState": "true",
-        "providesDirectionalDerivatives": "true",
-    }
-    nominals, variables = _nominal_by_reference(layout), []
-    for v in layout.variables:
-        if v.reference == FOLLOWS_REFERENCE:
-            variables.append(element("Boolean", _common_attributes(v) | {"start": "false"}, depth=2))
-        else:
-            derivative = {"derivative": str(v.state)} if v.state >= 0 else {}
-            attributes = _common_attributes(v) | _real_attributes(v, nominals) | derivative
-            variables.append(element("Float64", attributes, depth=2))
-    names = ("Output", "ContinuousStateDerivative", "InitialUnknown")
-    structure = [
-        element(
-            name,
-            {"valueReference": str(v.reference), "dependencies": " ".join(map(str, sorted(references)))},
-            depth=2,
-        )
-        for name, rows in zip(names, _dependency_rows(layout), strict=True)
-        for v, references in rows
-    ]
-    has_conditions = bool(layout.export_model.problem.stop_conditions)
-    steps = {
-        "canHandleVariableCommunicationStepSize": "true",
-        "canReturnEarlyAfterIntermediateUpdate": "false",
-        "mightReturnEarlyFromDoStep": "true" if has_conditions else "false",
-        "hasEventMode": "false",
-    }
-    # Stop conditions are evaluated at the end of each step.
-    completed = {"needsCompletedIntegratorStep": "true"} if has_conditions else {}
-    modes = [
-        element("ModelExchange", capabilities | completed, depth=1),
-        element("CoSimulation", capabilities | steps, depth=1),
-    ]
-    return _description(layout, "3.0", {"instantiationToken": token}, modes, variables, structure)
-
-
-def _description(
-    layout: FmuLayout, version: str, head: Mapping[str, str], modes: list[str], variables: list[str],
-    structure: list[str],
-) -> str:  # fmt: skip
-    """Return the complete XML text of a model description.
-
-    The order of the elements is common to both versions of FMI.
-    """
-    export_model = layout.export_model
-    problem, title = export_model.problem, " ".join(export_model.title.split())
-    token = {key: value for key, value in head.items() if key != "numberOfEventIndicators"}
-    attributes = {
-        "fmiVersion": version, "modelName": title or export_model.name, **token,
-        "generationTool": f"poppet {__version__}", "variableNamingConvention": "structured", **head,
-    }  # fmt: skip
+    problem, export_model = layout.export_model.problem, layout.export_model
+    capabilities = {"modelIdentifier": identifier}
+    steps = {"canHandleVariableCommunicationStepSize": "true"}
+    head = {"fmiVersion": f"{fmi}.0", "modelName": " ".join(export_model.title.split()) or export_model.name}
+    tool = {"generationTool": f"poppet {__version__}", "variableNamingConvention": "structured"}
+    if fmi == 2:
+        capabilities["canNotUseMemoryManagementFunctions"] = "false"
+        capabilities |= {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true"}
+        capabilities["providesDirectionalDerivative"] = "true"
+        files = [element("File", {"name": name}, depth=3) for name in ("fmi2.c", "model.c")]
+        sources = [element("SourceFiles", {}, files, 2)]
+        completed, steps["canInterpolateInputs"] = {}, "true"
+        head |= {"guid": token} | tool | {"numberOfEventIndicators": str(layout.n_indicators)}
+    else:
+        capabilities |= {"canGetAndSetFMUState": "true", "canSerializeFMUState": "true"}
+        capabilities["providesDirectionalDerivatives"] = "true"
+        sources, has_conditions = [], bool(problem.stop_conditions)
+        # Stop conditions are evaluated at the end of each step.
+        completed = {"needsCompletedIntegratorStep": "true"} if has_conditions else {}
+        steps["canReturnEarlyAfterIntermediateUpdate"] = "false"
+        steps |= {"mightReturnEarlyFromDoStep": "true" if has_conditions else "false", "hasEventMode": "false"}
+        head |= {"instantiationToken": token} | tool
     units = _unit_elements(layout)
     # The names of `LOG_CATEGORIES` in C.
     categories = ("logAll", "logStatusWarning", "logStatusDiscard", "logStatusError")
     experiment = {"startTime": "0", "stopTime": repr(float(problem.grid[-1]))}
     experiment["tolerance"] = repr(problem.relative_tolerance)
     elements = [
-        *modes,
+        element("ModelExchange", capabilities | completed, sources, 1),
+        element("CoSimulation", capabilities | steps, sources, 1),
         *([element("UnitDefinitions", {}, units, 1)] if units else []),
         element("LogCategories", {}, [element("Category", {"name": name}, depth=2) for name in categories], 1),
         element("DefaultExperiment", experiment, depth=1),
-        element("ModelVariables", {}, variables, 1),
-        element("ModelStructure", {}, structure, 1),
+        element("ModelVariables", {}, _variable_elements(layout, fmi), 1),
+        element("ModelStructure", {}, _structure_elements(layout, fmi), 1),
     ]
-    return _XML_HEAD + element("fmiModelDescription", attributes, elements) + "\n"
+    return _XML_HEAD + element("fmiModelDescription", head, elements) + "\n"
 
 
-def _common_attributes(variable: Variable) -> dict[str, str]:
-    attributes = {"name": variable.name, "valueReference": str(variable.reference)}
-    if variable.meaning:
-        attributes["description"] = variable.meaning
-    attributes |= {"causality": variable.causality, "variability": variable.variability}
-    return attributes | ({"initial": variable.initial} if variable.initial else {})
+def _variable_elements(layout: FmuLayout, fmi: int) -> list[str]:
+    """Return the XML elements of all variables of the FMU."""
+    nominals = {layout.state_reference(k): size for k, size in enumerate(nominal_sizes(layout))}
+    index_of = {v.reference: k + 1 for k, v in enumerate(layout.variables)}
+    elements = []
+    for v in layout.variables:
+        common = {"name": v.name, "valueReference": str(v.reference)}
+        common |= {"description": v.meaning} if v.meaning else {}
+        common |= {"causality": v.causality, "variability": v.variability}
+        common |= {"initial": v.initial} if v.initial else {}
+        if v.reference == FOLLOWS_REFERENCE:
+            kind, attributes = "Boolean", {"start": "false"}
+        else:
+            kind, attributes = "Real" if fmi == 2 else "Float64", {} if v.unit in ("", "1") else {"unit": v.unit}
+            # A difference of temperatures has no offset.
+            is_difference = v.unit == "K" and not v.name.endswith("temperature")
+            if v.unit in DISPLAY_UNITS and not is_difference and v.causality != "independent":
+                attributes["displayUnit"] = DISPLAY_UNITS[v.unit]
+            values = {"min": v.low, "max": v.high, "nominal": nominals.get(v.reference), "start": v.start}
+            attributes |= {
+                key: repr(float(value)) for key, value in values.items() if value is not None and math.isfinite(value)
+            }
+            if v.state >= 0:
+                attributes["derivative"] = str(index_of[v.state] if fmi == 2 else v.state)
+        if fmi == 2:
+            elements.append(element("ScalarVariable", common, [element(kind, attributes, depth=3)], 2))
+        else:
+            elements.append(element(kind, common | attributes, depth=2))
+    return elements
 
 
-def _real_attributes(variable: Variable, nominals: Mapping[int, float]) -> dict[str, str]:
-    """Return unit, limits, nominal value and start value of a real variable."""
-    attributes = {} if variable.unit in ("", "1") else {"unit": variable.unit}
-    # A difference of temperatures has no offset.
-    is_difference = variable.unit == "K" and not variable.name.endswith("temperature")
-    if variable.unit in DISPLAY_UNITS and not is_difference and variable.causality != "independent":
-        attributes["displayUnit"] = DISPLAY_UNITS[variable.unit]
-    values = {
-        "min": variable.low if math.isfinite(variable.low) else None,
-        "max": variable.high if math.isfinite(variable.high) else None,
-        "nominal": nominals.get(variable.reference),
-        "start": variable.start,
-    }
-    return attributes | {key: repr(float(value)) for key, value in values.items() if value is not None}
+def _structure_elements(layout: FmuLayout, fmi: int) -> list[str]:
+    """Return the XML elements of the outputs, the derivatives and the initial unknowns, with their dependencies.
 
-
-def nominal_sizes(layout: FmuLayout) -> list[float]:
-    """Return the size of each state for the error control, as the kernel uses it [SI]."""
-    states, x = layout.export_model.model.states, layout.export_model.problem.x0
-    return [abs(float(x[k])) if s.positive and x[k] else s.nominal for k, s in enumerate(states)]
-
-
-def _nominal_by_reference(layout: FmuLayout) -> dict[int, float]:
-    return {layout.state_reference(k): size for k, size in enumerate(nominal_sizes(layout))}
-
-
-def _dependency_rows(layout: FmuLayout) -> list[list[tuple[Variable, list[int]]]]:
-    """Return the outputs, the derivatives and the initial unknowns of the model structure, in three lists.
-
-    Each entry is a variable and the value references of the variables on which it depends.
+    FMI 2.0 refers to variables by their positions in the list of variables, and FMI 3.0 by their value references.
     """
     n, first_output = len(layout.export_model.states), layout.output_reference(0)
     by_state = {layout.state_reference(k): [layout.state_reference(k)] for k in range(n)}
@@ -222,7 +146,34 @@ def _dependency_rows(layout: FmuLayout) -> list[list[tuple[Variable, list[int]]]
         if v.initial == "calculated" and (v.causality == "output" or is_state):
             name, k = rows.get(v.reference, ("outputs", v.reference - first_output))
             unknowns.append((v, initial[name][k]))
-    return [outputs, derivatives, unknowns]
+    groups = {"Output": outputs, "ContinuousStateDerivative": derivatives, "InitialUnknown": unknowns}
+    if fmi == 3:
+        return [
+            element(name, {"valueReference": str(v.reference), "dependencies": _join_sorted(references)}, depth=2)
+            for name, group in groups.items()
+            for v, references in group
+        ]
+    index_of = {v.reference: k + 1 for k, v in enumerate(layout.variables)}
+    elements = []
+    for name, group in zip(("Outputs", "Derivatives", "InitialUnknowns"), groups.values(), strict=True):
+        children = [
+            element("Unknown", {"index": str(index), "dependencies": _join_sorted(dependencies)}, depth=3)
+            for index, dependencies in sorted(
+                (index_of[v.reference], [index_of[reference] for reference in references]) for v, references in group
+            )
+        ]
+        elements += [element(name, {}, children, 2)] if children else []
+    return elements
+
+
+def _join_sorted(indices: Sequence[int]) -> str:
+    return " ".join(map(str, sorted(indices)))
+
+
+def nominal_sizes(layout: FmuLayout) -> list[float]:
+    """Return the size of each state for the error control, as the kernel uses it [SI]."""
+    states, x = layout.export_model.model.states, layout.export_model.problem.x0
+    return [abs(float(x[k])) if s.positive and x[k] else s.nominal for k, s in enumerate(states)]
 
 
 def _unit_elements(layout: FmuLayout) -> list[str]:

@@ -23,6 +23,13 @@ NUMBER, CONSTANT, PORT, DRIVEN = range(4)
 """Sources of the value of an input, in this order: parameter in p, default value, importer, importer and signal."""
 UNCHANGED, FIXED, TUNABLE, INPUT = range(4)
 """Role of a parameter, in this order: constant, set before the run, set during the run, input of the FMU."""
+VARIABLE_KINDS = {
+    UNCHANGED: ("local", "constant", "exact"),
+    FIXED: ("parameter", "fixed", "exact"),
+    TUNABLE: ("parameter", "tunable", "exact"),
+    INPUT: ("input", "continuous", ""),
+}
+"""Causality, variability and `initial` of the variable for a parameter, by its role."""
 FOLLOWS = "follow_signals"
 TIME_REFERENCE, FOLLOWS_REFERENCE, FIRST_REFERENCE = range(3)
 
@@ -283,16 +290,30 @@ class FmuLayout:
         if DRIVEN in self.sources:
             text = "the inputs follow the signals of the circuit, and what is set is not looked at"
             variables.append(Variable(FOLLOWS, FOLLOWS_REFERENCE, "parameter", "fixed", "exact", False, meaning=text))
-        variables += [self._input_variable(k) for k, source in enumerate(self.sources) if source >= PORT]
+        items = zip(self.export_model.inputs, self.export_model.model.inputs, self.sources, strict=True)
+        for k, (item, info, source) in enumerate(items):
+            if source < PORT:
+                continue
+            start = 0.0 if info.slope_of else item.value
+            meaning = f"time derivative of {info.slope_of}" if info.slope_of else ""
+            if info.delay and self.export_model.instance.parameters[info.delay]:
+                meaning = f"acts at once: {info.delay} delays the signal of the circuit only"
+            variables.append(Variable(
+                structured_name(item.address), self.input_reference(k), "input", "continuous", "", start, item.unit,
+                item.low, item.high, meaning,
+            ))  # fmt: skip
         names = {variable.name for variable in variables}
         initial_parameters = set(self.initial_parameters.values())
         for k, parameter in enumerate(self.export_model.parameters):
             is_unused = not (self.acts_on_run[k] or self.acts_on_start[k])
             is_computed = parameter.address in self.computed_addresses
-            if structured_name(parameter.address) in names or k in initial_parameters or (is_unused and is_computed):
+            name = structured_name(parameter.address)
+            if name in names or k in initial_parameters or (is_unused and is_computed):
                 continue
-            variable = self._parameter_variable(k)
-            variables.append(variable._replace(name=f"{variable.name}.number") if is_computed else variable)
+            variables.append(Variable(
+                f"{name}.number" if is_computed else name, self.parameter_reference(k), *VARIABLE_KINDS[self.roles[k]],
+                parameter.value, parameter.unit, parameter.low, parameter.high, parameter.meaning,
+            ))  # fmt: skip
         names = {variable.name for variable in variables}
         for k in range(len(self.export_model.states)):
             variables += self._state_variables(k, names)
@@ -302,30 +323,6 @@ class FmuLayout:
                 reference, causality = self.output_reference(k), self._causality(output.address)
                 variables.append(Variable(name, reference, causality, "continuous", "calculated", None, output.unit))
         return variables
-
-    def _input_variable(self, k: int) -> Variable:
-        item, info = self.export_model.inputs[k], self.export_model.model.inputs[k]
-        start = 0.0 if info.slope_of else item.value
-        meaning = f"time derivative of {info.slope_of}" if info.slope_of else ""
-        if info.delay and self.export_model.instance.parameters[info.delay]:
-            meaning = f"acts at once: {info.delay} delays the signal of the circuit only"
-        return Variable(
-            structured_name(item.address), self.input_reference(k), "input", "continuous", "", start, item.unit,
-            item.low, item.high, meaning,
-        )  # fmt: skip
-
-    def _parameter_variable(self, k: int) -> Variable:
-        parameter = self.export_model.parameters[k]
-        causality, variability, initial = {
-            UNCHANGED: ("local", "constant", "exact"),
-            FIXED: ("parameter", "fixed", "exact"),
-            TUNABLE: ("parameter", "tunable", "exact"),
-            INPUT: ("input", "continuous", ""),
-        }[self.roles[k]]
-        return Variable(
-            structured_name(parameter.address), self.parameter_reference(k), causality, variability, initial,
-            parameter.value, parameter.unit, parameter.low, parameter.high, parameter.meaning,
-        )  # fmt: skip
 
     def _state_variables(self, k: int, names: set[str]) -> list[Variable]:
         """Return the variables of state k and of its derivative."""

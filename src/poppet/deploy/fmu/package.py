@@ -7,28 +7,36 @@ from __future__ import annotations
 
 import hashlib
 import io
+import math
 import uuid
 import zipfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, NameSuggestion
-from poppet.deploy.c.c_model import integrator_code, model_code
+from poppet.deploy.c.c_model import DIRECTIONAL, integrator_code, model_code, prototypes
+from poppet.deploy.export_files import c_string
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.fmu.binaries import PLATFORMS, kernel_code, link_commands, link_library
-from poppet.deploy.fmu.description import build_description, describe_model
-from poppet.deploy.fmu.fmu_layout import FmuLayout, build_layout
-from poppet.deploy.fmu.fmu_tables import DIRECTIONAL, model_header, names_header
+from poppet.deploy.fmu.description import build_description, describe_model, nominal_sizes
+from poppet.deploy.fmu.fmu_layout import PORT, FmuLayout, build_layout
 from poppet.deploy.fmu.importers import circuit_resources
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.engine.compiled import INTEGRATOR
-from poppet.engine.printers.c import print_function, used_prelude
+from poppet.engine.job import Job
+from poppet.engine.printers.c import print_function
+from poppet.engine.rosenbrock import scratch_size
 
 if TYPE_CHECKING:
-    from poppet.circuit.circuit import BaseCircuit
+    import casadi
 
+    from poppet.circuit.circuit import BaseCircuit
+    from poppet.engine.model import Model
+
+PER_LINE = 6
+JOB_FUNCTIONS = ("jacobian", "step", "dense", "outputs", "update")
 ZIP_TIME = (1980, 1, 1, 0, 0, 0)
 HEADERS = {
     2: ("fmi2FunctionTypes.h", "fmi2Functions.h", "fmi2TypesPlatform.h"),
@@ -46,7 +54,7 @@ class Fmu(NamedTuple):
     notes: tuple[Note, ...] = ()
 
 
-def directional_derivatives(model: Any) -> Any:
+def directional_derivatives(model: Model) -> casadi.Function:
     """Return the CasADi function of directional derivatives of rates and outputs.
 
     The direction is a change of x, u and p.
@@ -123,11 +131,12 @@ def build_fmu(
     layout = build_layout(build_export_model(circuit, name), inputs)
     export_model = layout.export_model
     identifier, derivatives = export_model.name, directional_derivatives(export_model.model)
-    kernel = kernel_code(export_model, {"directional": derivatives})
-    functions = [name for name in (*export_model.functions, "directional", "step", "dense") if name != "energy"]
-    if not export_model.model.size:
-        unused = ("jacobian", "factor", "solve", "step", "dense")
-        functions = [name for name in functions if name not in unused]
+    unused = ("energy",) if export_model.model.size else ("energy", "jacobian", "factor", "solve")
+    printed = {name: f for name, f in export_model.functions.items() if name not in unused} | {
+        "directional": derivatives
+    }
+    kernel = kernel_code(export_model.model, printed)
+    functions = [*printed, *(("step", "dense") if export_model.model.size else ())]
     sources = {file: _read("c", file) for file in ("core.h", "core.c", f"fmi{fmi}.c")}
     sources |= {file: _read("headers", file) for file in HEADERS[fmi]}
     sources["names.h"] = names_header(functions, fmi)
@@ -159,23 +168,124 @@ License, whose text stands in them. All other sources were written by poppet, an
 """
 
 
-def model_source(export_model: ExportModel, derivatives: Any) -> str:
+def model_source(export_model: ExportModel, derivatives: casadi.Function) -> str:
     """Return the C source of the model functions and of the integrator.
 
     It is for importers that compile the FMU. `derivatives` is the function of directional derivatives.
     """
     directional = print_function(derivatives, "directional", DIRECTIONAL, prefix="model_")
-    functions = model_code(export_model, "model_")
-    # One prelude for both.
-    prelude = used_prelude("\n\n".join([functions, directional]))
-    functions = functions.replace(used_prelude(functions), "", 1).lstrip()
     head = "/* The model and the integrator; written by poppet. */\n#include <math.h>\n#include <stdint.h>\n\n"
     head += '#include "names.h"\n\n#ifdef __cplusplus\nextern "C" {\n#endif\n'
-    return "\n\n".join([head, prelude, functions, directional, integrator_code("model_integrate"), C_END])
+    return "\n\n".join(
+        [head, model_code(export_model, "model_", [directional]), integrator_code("model_integrate"), C_END]
+    )
 
 
 def _read(folder: str, name: str) -> str:
     return files("poppet.deploy.fmu").joinpath(folder, name).read_text(encoding="utf-8")
+
+
+def literal(value: float) -> str:
+    """Return a number as a C90 literal with all digits."""
+    if math.isinf(value):
+        return "-HUGE_VAL" if value < 0.0 else "HUGE_VAL"
+    return repr(float(value))
+
+
+def array(kind: str, name: str, values: Iterable[Any]) -> str:
+    """Return the definition of a constant C array with elements of type `kind`.
+
+    An empty array gets one element, because C has no empty arrays.
+    """
+    texts = [literal(v) if kind == "double" else str(int(v)) for v in values] or ["0"]
+    lines = [", ".join(texts[k : k + PER_LINE]) for k in range(0, len(texts), PER_LINE)]
+    return f"static const {kind} {name}[{len(texts)}] = {{\n  " + ",\n  ".join(lines) + "\n};"
+
+
+def names_header(functions: Sequence[str], fmi: int) -> str:
+    """Return the text of `names.h`, which adds a unique prefix to the names of the model functions."""
+    prefix = f"FMI{fmi}_FUNCTION_PREFIX"
+    lines = [
+        "/* Names of the model where FMUs are linked together; written by poppet. */",
+        "#ifndef POPPET_NAMES_H\n#define POPPET_NAMES_H\n",
+        f"#ifdef {prefix}",
+        "#define POPPET_JOIN(a, b) a##b\n#define POPPET_NAME(a, b) POPPET_JOIN(a, b)",
+        *(f"#define model_{name} POPPET_NAME({prefix}, model_{name})" for name in (*functions, "energy", "integrate")),
+        "#endif\n\n#endif\n",
+    ]
+    return "\n".join(lines)
+
+
+def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str:
+    """Return the text of `model.h`, which contains all constants of an FMU."""
+    export_model, problem = layout.export_model, layout.export_model.problem
+    model, kernel = export_model.model, export_model.instance.kernel
+    sizes = {
+        "N_STATES": len(model.states),
+        "N_ALL": model.size,
+        "N_INPUTS": len(model.inputs),
+        "N_NUMBERS": len(model.parameters),
+        "N_MEMORY": len(model.memory),
+        "N_TIMERS": model.n_timers,
+        "N_OUTPUTS": len(model.outputs),
+        "N_INDICATORS": layout.n_indicators,
+        "N_JACOBIAN": kernel.jacobian_size,
+        "N_STEP_SCRATCH": scratch_size(model.size, kernel.factor_size),
+        "N_SCRATCH": kernel.memory_size,
+        "N_CONDITIONS": len(problem.stop_conditions),
+        "N_SEGMENTS": problem.starts.size,
+        "N_GUIDED": len(layout.guided),
+        "JOB_SIZE": len(Job._fields),
+    }
+    sizes |= {f"JOB_{name}": k for k, name in enumerate(Job._fields)}
+    start = [0.0 if info.slope_of and source >= PORT else item.value
+             for item, info, source in zip(export_model.inputs, model.inputs, layout.sources, strict=True)]  # fmt: skip
+    conditions = problem.stop_conditions
+    # The text of a condition, or the stroke that leaves its domain.
+    reasons = [condition.reason for condition in conditions]
+    texts = [c_string(str(r.facts.get("condition", f"{r.address} leaves its domain"))) for r in reasons] or ['""']
+    lines = [
+        "/* Constants of the model; written by poppet. */",
+        "#ifndef POPPET_MODEL_H\n#define POPPET_MODEL_H\n",
+        "#include <math.h>\n#include <stdint.h>\n",
+        '#include "names.h"\n',
+        f"#define MODEL_GUID {c_string(token)}",
+        *(f"#define {name} {value}" for name, value in sizes.items()),
+        f"#define TOLERANCE {literal(problem.relative_tolerance)}",
+        f"#define LONGEST_STEP {literal(problem.maximum_step)}",
+        f"#define MOST_ATTEMPTS {literal(problem.most_attempts)}\n",
+        array("double", "START_P", problem.p),
+        array("double", "START_U", start),
+        array("unsigned char", "NUMBER_ROLE", layout.roles),
+        array("double", "NUMBER_LOW", (parameter.low for parameter in export_model.parameters)),
+        array("double", "NUMBER_HIGH", (parameter.high for parameter in export_model.parameters)),
+        array("unsigned char", "INPUT_SOURCE", layout.sources),
+        array("int", "INPUT_NUMBER", (item.parameter for item in export_model.inputs)),
+        array("double", "INPUT_LOW", (item.low for item in export_model.inputs)),
+        array("double", "INPUT_HIGH", (item.high for item in export_model.inputs)),
+        array("int", "GUIDED_NUMBER", (parameter for parameter, _ in layout.guided)),
+        array("int", "GUIDED_INPUT", (item for _, item in layout.guided)),
+        array("double", "SEGMENT_STARTS", problem.starts),
+        array("int", "SEGMENT_COURSES", problem.courses),
+        array("unsigned char", "SEGMENT_JUMPS", problem.jumps),
+        array("double", "COURSES", problem.coefficients.ravel()),
+        array("int", "STATE_NUMBER", (layout.initial_parameters.get(k, -1) for k in range(len(model.states)))),
+        array("double", "STATE_SCALES", kernel.scales.ravel()),
+        array("double", "STATE_NOMINALS", nominal_sizes(layout)),
+        array("unsigned char", "STATE_POSITIVE", kernel.positive),
+        array("unsigned char", "MEMORY_ACTING", kernel.acting),
+        array("int64_t", "CONDITION_PLACES", (p for c in conditions for p in c.places)),
+        array("double", "CONDITION_WEIGHTS", (w for c in conditions for w in c.weights)),
+        f"static const char *const CONDITION_TEXTS[] = {{{', '.join(texts)}}};\n",
+        '#ifdef __cplusplus\nextern "C" {\n#endif',
+        *prototypes(functions, "model_"),
+        "int64_t model_integrate(const int64_t *job);",
+        "#ifdef __cplusplus\n}\n#endif\n",
+        "static void model_functions(int64_t *job) {",
+        *(f"  job[JOB_{name}] = (int64_t)(intptr_t)model_{name};" for name in JOB_FUNCTIONS if name in functions),
+        "  (void)job;\n}\n\n#endif\n",
+    ]
+    return "\n".join(lines)
 
 
 def pack(content: Mapping[str, bytes]) -> bytes:

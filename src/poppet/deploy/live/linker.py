@@ -113,12 +113,32 @@ def link(code: bytes, exports: Sequence[str], tabled: Sequence[str], *, stack: i
     """
     wasm_object = _read_object(code)
     base = -(-stack // 16) * 16
-    for kind, content in wasm_object.relocations:
-        _relocate(wasm_object, kind, content, base)
+    for section, relocations in wasm_object.relocations:
+        reader, target = _ByteReader(relocations), wasm_object.sections[section]
+        for _ in range(reader.number()):
+            kind, offset, symbol = reader.byte(), reader.number(), reader.number()
+            if kind in _INDEX_RELOCATIONS:
+                continue
+            if kind not in _ADDRESS_RELOCATIONS:
+                raise LinkError(f"relocation {kind}")
+            value = base + wasm_object.symbols[symbol][2] + reader.signed()
+            if _ADDRESS_RELOCATIONS[kind] == "i32":
+                target[offset : offset + 4] = value.to_bytes(4, "little")
+            else:
+                # A LEB128 of five bytes: below 2^31, the signed and the unsigned form are equal.
+                padded = [*((value >> 7 * k) & 0x7F | 0x80 for k in range(4)), (value >> 28) & 0x7F]
+                target[offset : offset + 5] = bytes(padded)
     function_index = {name: number for kind, name, number in wasm_object.symbols if kind == _SYMBOL_FUNCTION}
-    size = _move_data(wasm_object, base)
+    segments = list(_iterate_segments(wasm_object))
+    size = max((address + len(content) for address, content in segments), default=0)
     heap = -(-(base + size) // 16) * 16
     sections = {kind: bytes(content) for kind, content in wasm_object.sections.items()}
+    if segments:
+        encoded = [
+            b"\0\x41" + _encode_signed(base + address) + b"\x0b" + _encode_unsigned(len(content)) + content
+            for address, content in segments
+        ]
+        sections[_DATA] = _encode_vector(encoded)
     sections[_IMPORT] = _encode_vector(wasm_object.function_imports)
     sections[_TABLE] = _encode_vector([b"\x70\0" + _encode_unsigned(1 + len(tabled))])
     sections[_MEMORY] = _encode_vector([b"\0" + _encode_unsigned(-(-heap // _PAGE))])
@@ -155,17 +175,7 @@ def _read_object(code: bytes) -> _Object:
             target = wasm_object.kinds[custom_reader.number()]
             if target != _CUSTOM:
                 wasm_object.relocations.append((target, content[custom_reader.position :]))
-    _read_imports(wasm_object)
-    wasm_object.addresses = [address for address, _ in _iterate_segments(wasm_object)]
-    _read_symbols(wasm_object)
-    return wasm_object
-
-
-def _read_imports(wasm_object: _Object) -> None:
-    """Read the imports of an object: functions, memory, table and stack pointer.
-
-    The module defines the memory, the table and the stack pointer itself.
-    """
+    # The module itself defines the memory, the table and the stack pointer.
     reader, other_imports = _ByteReader(bytes(wasm_object.sections[_IMPORT])), []
     for _ in range(reader.number()):
         begin = reader.position
@@ -187,6 +197,9 @@ def _read_imports(wasm_object: _Object) -> None:
         raise LinkError(f"imports {other_imports}")
     if _GLOBAL in wasm_object.sections or _TABLE in wasm_object.sections or _ELEMENT in wasm_object.sections:
         raise LinkError("defines globals, tables or elements")
+    wasm_object.addresses = [address for address, _ in _iterate_segments(wasm_object)]
+    _read_symbols(wasm_object)
+    return wasm_object
 
 
 def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
@@ -201,58 +214,27 @@ def _iterate_segments(wasm_object: _Object) -> Iterator[tuple[int, bytes]]:
 
 
 def _read_symbols(wasm_object: _Object) -> None:
+    """Read the symbols of an object: kind, name, and index of the function or address of the data."""
     reader = _ByteReader(wasm_object.linking)
     if reader.number() != 2:
         raise LinkError("unsupported version of the conventions")
     while reader.position < len(wasm_object.linking):
-        kind = reader.byte()
+        is_table = reader.byte() == _SYMBOLS
         end = reader.number() + reader.position
-        if kind == _SYMBOLS:
-            wasm_object.symbols = [_read_symbol(reader, wasm_object) for _ in range(reader.number())]
+        for _ in range(reader.number() if is_table else 0):
+            kind, flags = reader.byte(), reader.number()
+            if kind == _SYMBOL_DATA:
+                name = reader.name()
+                if flags & _UNDEFINED:
+                    raise LinkError(f"data {name} is missing")
+                number = wasm_object.addresses[reader.number()] + reader.number()
+                reader.number()
+            else:
+                number = reader.number()
+                # An import has its own name, unless the symbol has an explicit one.
+                name = reader.name() if kind != 3 and (not flags & _UNDEFINED or flags & _EXPLICIT) else ""
+            wasm_object.symbols.append((kind, name, number))
         reader.position = end
-
-
-def _read_symbol(reader: _ByteReader, wasm_object: _Object) -> tuple[int, str, int]:
-    kind, flags = reader.byte(), reader.number()
-    if kind == _SYMBOL_DATA:
-        name = reader.name()
-        if flags & _UNDEFINED:
-            raise LinkError(f"data {name} is missing")
-        segment, offset = reader.number(), reader.number()
-        reader.number()
-        return kind, name, wasm_object.addresses[segment] + offset
-    number = reader.number()
-    # An import has its own name, unless the symbol has an explicit one.
-    name = reader.name() if kind != 3 and (not flags & _UNDEFINED or flags & _EXPLICIT) else ""
-    return kind, name, number
-
-
-def _relocate(wasm_object: _Object, section: int, relocations: bytes, base: int) -> None:
-    reader, target = _ByteReader(relocations), wasm_object.sections[section]
-    for _ in range(reader.number()):
-        kind, offset, symbol = reader.byte(), reader.number(), reader.number()
-        if kind in _INDEX_RELOCATIONS:
-            continue
-        if kind not in _ADDRESS_RELOCATIONS:
-            raise LinkError(f"relocation {kind}")
-        value = base + wasm_object.symbols[symbol][2] + reader.signed()
-        form = _ADDRESS_RELOCATIONS[kind]
-        if form == "i32":
-            target[offset : offset + 4] = value.to_bytes(4, "little")
-        else:
-            target[offset : offset + 5] = _encode_padded(value)
-
-
-def _move_data(wasm_object: _Object, base: int) -> int:
-    """Move the data segments behind the stack, and return their total size in bytes."""
-    segments = list(_iterate_segments(wasm_object))
-    if segments:
-        encoded = [
-            b"\0\x41" + _encode_signed(base + address) + b"\x0b" + _encode_unsigned(len(content)) + content
-            for address, content in segments
-        ]
-        wasm_object.sections[_DATA] = bytearray(_encode_vector(encoded))
-    return max((address + len(content) for address, content in segments), default=0)
 
 
 def _encode_unsigned(value: int) -> bytes:
@@ -267,14 +249,6 @@ def _encode_signed(value: int) -> bytes:
     """Encode a non-negative integer as a signed LEB128."""
     encoded = _encode_unsigned(value)
     return encoded if encoded[-1] < 0x40 else bytes([*encoded[:-1], encoded[-1] | 0x80, 0])
-
-
-def _encode_padded(value: int) -> bytes:
-    """Encode an integer as a LEB128 of five bytes.
-
-    Below 2^31 the signed and the unsigned form are equal.
-    """
-    return bytes([*((value >> 7 * k) & 0x7F | 0x80 for k in range(4)), (value >> 28) & 0x7F])
 
 
 def _encode_vector(items: Sequence[bytes]) -> bytes:

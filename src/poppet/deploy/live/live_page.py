@@ -3,23 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from functools import cache
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
-from poppet.core.number_format import printable
-from poppet.deploy.export_model import build_export_model
-from poppet.deploy.live.content import page_content
-from poppet.deploy.live.page_inputs import select_sliders
+from poppet.core.number_format import USUAL, pretty, printable
+from poppet.core.units import convert
+from poppet.deploy.export_model import ExportModel, build_export_model
+from poppet.deploy.live.page_inputs import Slider, affine, select_sliders
 from poppet.deploy.live.page_kernel import pack, run_data
 from poppet.deploy.targets import CircuitSource, Export
-from poppet.report.html_page import document, findings, head
+from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
+from poppet.report.html_page import document, findings, head, inline_svg
 from poppet.report.plots.interactive import data_element, tight
-from poppet.timeseries.plotting.figures import style
+from poppet.timeseries.plotting.figures import figure_bytes, style
+from poppet.timeseries.plotting.panels import STILL
+from poppet.timeseries.plotting.plots import Sheet, axis_unit
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
+    from poppet.timeseries.recording import Recording
 
 _LEAD = "The model itself runs in this page. Change a number, and curves, bars and the drawing follow; * is assumed."
 _CURVES = "<!-- curves -->"
@@ -27,6 +31,26 @@ MAX_ROWS = 2001
 """Maximum number of rows that a page computes; a longer run has a larger output step on the page."""
 MAX_ATTEMPTS = 500_000
 """Maximum number of solver steps on a page, because the user waits for the result."""
+_SYMBOLS = {"Pa": "p", "m": "x", "rad": "angle", "N": "F", "N m": "M", "kg/s": "qm"}
+"""Symbols of the quantities in the boxes of the schematic, by SI unit, in the order of preference."""
+_MAX_LINES, _MIN_WIDTH = 3, 1.3  # of a box; width [in]
+_MOVES = {"stroke": "poppet", "position": "piston", "piston_position": "piston"}
+_INPUT_UNITS = {
+    "Pa": ("Pa", "kPa", "MPa", "mbar", "bar", "psi", "bar g", "kPa g", "mbar g", "psi g"),
+    "K": ("K", "degC", "degF"),
+    "m": ("m", "cm", "mm", "um"),
+    "m/s": ("m/s", "mm/s"),
+    "rad": ("rad", "deg"),
+    "rad/s": ("rad/s", "deg/s"),
+    "kg/s": ("kg/s", "g/s", "kg/h", "l/min ANR", "m^3/h ANR", "l/min N"),
+    "N": ("N", "kN"),
+    "N m": ("N m",),
+    "kg": ("kg", "g"),
+    "m^3": ("m^3", "l"),
+    "1": ("1", "%"),
+    "s": ("s", "ms", "min", "h"),
+}
+"""Units that the user can select for a column of measured values, by SI unit."""
 
 
 def export_live(circuit: BaseCircuit, source: CircuitSource, *, parameters: Sequence[str] = ()) -> Export:
@@ -86,6 +110,102 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
     ]
     program = tight(_read("kernel.js") + _read("live.js"))
     return document(title, sections, style=tight(_read("live.css")), program=program)
+
+
+def page_content(
+    export_model: ExportModel, circuit: BaseCircuit, recording: Recording, sliders: Sequence[Slider]
+) -> dict[str, Any]:
+    """Return the data of a live page except the kernel and its arrays.
+
+    A line of a panel, and a bar that shows codes (integer outputs such as a flow regime), refer to an output by index.
+    A bar of a flow regime also has the index of the flow.
+    """
+    ambient = circuit.surroundings.pressure
+    sheet = Sheet({"": recording}, None, None, "", inner=False)
+    index_of = {output.address: k for k, output in enumerate(export_model.outputs)}
+    slider_data = []
+    for slider in sliders:
+        factor, shift = slider.scale(ambient)
+        fields = asdict(slider) | {"factor": factor, "shift": shift}
+        for name in ("low", "high", "least", "most"):
+            # JSON has no infinity.
+            fields[name] = min(max(fields[name], -1e300), 1e300)
+        slider_data.append(fields | {"shown": pretty(slider.unit) if slider.unit != "1" else ""})
+    outputs = []
+    for output in export_model.outputs:
+        unit = USUAL.get(output.unit, output.unit)
+        factor, shift = affine(output.unit, unit, ambient)
+        outputs.append({"address": output.address, "si": output.unit, "unit": unit, "factor": factor, "shift": shift})
+    panels = []
+    for panel, colours in zip(sheet.panels, sheet.colours, strict=True):
+        lines = [
+            {"output": index_of[series.name], "label": panel.labels[series.name], "colour": colours[series.name],
+             "step": series.is_staircase}
+            for series in panel.series
+        ]  # fmt: skip
+        y: dict[str, Any] = {"label": " ".join((panel.quantity, axis_unit(panel))).strip()}
+        if sheet._has_second_axis(panel):
+            y["second"] = {"label": "l/min ANR", "factor": float(convert(1.0, panel.unit, "l/min ANR"))}
+        panels.append({"y": y, "lines": lines})
+    bars = []
+    for band in sheet.bands:
+        flow = index_of.get(f"{band.name.removesuffix('regime')}mass_flow_rate", -1) if "regime" in band.name else -1
+        styles = [[code, look.text, look.colour, look.is_hatched] for code, look in band.looks.items()]
+        bars.append({"output": index_of[band.name], "label": band.label, "looks": styles, "flow": flow, "still": STILL})
+    return {
+        "title": export_model.title,
+        "time": [sheet.time_name, sheet.time_size],
+        "sliders": slider_data,
+        "outputs": outputs,
+        "panels": panels,
+        "bands": bars,
+        "left_out": [series.name for series in sheet.left_out],
+        "drawing": _drawing(export_model, circuit),
+        "units": {si: [[name, *affine(name, si, ambient)] for name in names] for si, names in _INPUT_UNITS.items()},
+        "n_inputs": max(1, len(export_model.inputs)),
+    }
+
+
+def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
+    """Return the schematic as SVG, with the positions of values and of moving bodies in its boxes."""
+    inner = export_model.instance.inner
+    values_of: dict[str, list[dict[str, Any]]] = {}
+    for unit, symbol in _SYMBOLS.items():
+        for k, output in enumerate(export_model.outputs):
+            path, _, name = output.address.rpartition(".")
+            part = path.partition(".")[0]
+            if output.unit != unit or output.address in inner or part not in circuit.parts:
+                continue
+            values_of.setdefault(part, []).append({"output": k, "sign": symbol, "name": name.replace("_", " ")})
+    values_of = {part: values[:_MAX_LINES] for part, values in values_of.items()}
+    movers: dict[str, dict[str, Any]] = {}
+    for k, output in enumerate(export_model.outputs):
+        part, _, name = output.address.rpartition(".")
+        if part in values_of and part not in movers and name in _MOVES and output.unit in ("m", "rad"):
+            stops = export_model.instance.domains.get(output.address, (None, None))[1]
+            kind = "lever" if output.unit == "rad" else _MOVES[name]
+            movers[part] = {"output": k, "kind": kind, "stops": list(stops) if stops else None}
+    n_lines = {part: len(values) + 2 * (part in movers) for part, values in values_of.items()}
+    # The page has the title.
+    figure, empty_lines = draw_with_empty_lines(replace(circuit, title="", like=circuit), n_lines, _MIN_WIDTH)
+    title = f"The circuit {export_model.title}"
+    svg = inline_svg(figure_bytes(figure, "svg", "circuit").decode("utf-8"), "circuit", title)
+    lines_of: dict[str, list[EmptyLine]] = {
+        part: [line for line in empty_lines if line.part == part] for part in n_lines
+    }
+    placed_values = []
+    for part, values in values_of.items():
+        lines = lines_of[part]
+        if part in movers:
+            (first, second), lines = lines[:2], lines[2:]
+            movers[part] |= {
+                "x": first.x,
+                "y": (first.y + second.y) / 2,
+                "width": first.width,
+                "height": 1.7 * first.height,
+            }
+        placed_values += [value | {"x": line.x, "y": line.y} for value, line in zip(values, lines, strict=True)]
+    return {"svg": svg, "values": placed_values, "movers": [movers[part] for part in values_of if part in movers]}
 
 
 def _figure(content: dict[str, Any], duration: float) -> str:

@@ -10,9 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.number_format import USUAL, readable_unit
-from poppet.core.provenance import Number
 from poppet.core.units import Kind, convert, quantity
-from poppet.deploy.export_model import ExportInput, ExportModel, ExportParameter
+from poppet.deploy.export_model import ExportModel
 from poppet.timeseries.signals import Points, Steps
 
 if TYPE_CHECKING:
@@ -72,37 +71,32 @@ def select_sliders(export_model: ExportModel, circuit: BaseCircuit, texts: Seque
     Each text is `ADDRESS` or `ADDRESS=LOW..HIGH`.
     """
     if not texts:
-        return _default_sliders(export_model, circuit)
+        # Inputs with a signal, then parameters that the user gave or that are assumed; no temperatures or start values.
+        numbers = circuit.numbers()
+        candidates = [
+            p.address for p in export_model.parameters
+            if p.is_free and p.value and p.unit not in _TEMPERATURES and p.address in numbers
+            and not re.search(r"(^|[._])(initial|ambient|gas)_?", p.address) and p.unit != "1"
+        ]  # fmt: skip
+        kinds = {address: numbers[address].source.kind for address in candidates}
+        driven = [item.address for item in export_model.inputs if item.is_driven and item.slope_of < 0][:2]
+        ordered = [
+            *(address for address in driven if not _is_guided(export_model, address)),
+            *(address for address in candidates if kinds[address] == "given"),
+            *(address for address in candidates if kinds[address] == "assumed"),
+            *candidates,
+        ]
+        texts = list(dict.fromkeys(ordered))[:DEFAULT_COUNT]
     sliders = {}
     with ErrorCollector() as errors:
         for text in texts:
             address, _, span = (part.strip() for part in text.partition("="))
             with errors.collecting():
                 slider = _slider(export_model, circuit, address)
-                sliders[slider.address] = _with_range(slider, span, circuit) if span else slider
+                if span:
+                    slider = _with_range(slider, span, circuit.surroundings.pressure)
+                sliders[slider.address] = slider
     return list(sliders.values())
-
-
-def _default_sliders(export_model: ExportModel, circuit: BaseCircuit) -> list[Slider]:
-    """Return sliders for inputs with a signal, then for parameters that the user gave or that are assumed.
-
-    Temperatures and start values have no slider by default.
-    """
-    numbers = circuit.numbers()
-    candidates = [
-        p.address for p in export_model.parameters
-        if p.is_free and p.value and p.unit not in _TEMPERATURES and p.address in numbers
-        and not re.search(r"(^|[._])(initial|ambient|gas)_?", p.address) and p.unit != "1"
-    ]  # fmt: skip
-    kinds = {address: numbers[address].source.kind for address in candidates}
-    driven = [item.address for item in export_model.inputs if item.is_driven and item.slope_of < 0][:2]
-    ordered = [
-        *(address for address in driven if not _is_guided(export_model, address)),
-        *(address for address in candidates if kinds[address] == "given"),
-        *(address for address in candidates if kinds[address] == "assumed"),
-        *candidates,
-    ]
-    return [_slider(export_model, circuit, address) for address in list(dict.fromkeys(ordered))[:DEFAULT_COUNT]]
 
 
 def _is_guided(export_model: ExportModel, address: str) -> bool:
@@ -121,7 +115,17 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     if address in inputs and (inputs[address].is_driven or inputs[address].parameter < 0):
         if _is_guided(export_model, address) or inputs[address].slope_of >= 0:
             raise InputError("deploy.live.guided", address)
-        return _input_slider(export_model, inputs[address], list(inputs).index(address), circuit)
+        item, index, signal = inputs[address], list(inputs).index(address), circuit.signals.get(address)
+        low, high = signal.bounds() if signal else (item.value, item.value)
+        if not (math.isfinite(low) and math.isfinite(high) and low < high):
+            low, high = _default_range(item.value, item.low, item.high, item.unit)
+        else:
+            low, high = max(item.low, low - 0.25 * (high - low)), min(item.high, high + 0.25 * (high - low))
+        return Slider(
+            address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
+            "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(index,),
+            is_driven=True, **_signal(export_model, circuit, index),
+        )  # fmt: skip
     if address in inputs:
         address = export_model.parameters[inputs[address].parameter].address
     if address not in parameters:
@@ -129,37 +133,23 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         raise InputError("names.unknown", address, meaning="a parameter or input of the circuit", near=near)
     if not parameters[address].is_free:
         raise InputError(f"deploy.live.{parameters[address].fixed}", address)
-    return _parameter_slider(export_model, parameters[address], circuit)
-
-
-def _parameter_slider(export_model: ExportModel, parameter: ExportParameter, circuit: BaseCircuit) -> Slider:
-    address, value, si = parameter.address, parameter.value, parameter.unit
-    number = circuit.numbers()[address]
-    index = export_model.model.parameters.index(address)
-    inputs = tuple(k for k, i in enumerate(export_model.inputs) if i.parameter == index and not i.is_driven)
-    is_input = (
-        len(inputs) == 1 and export_model.inputs[inputs[0]].address == address and not _is_guided(export_model, address)
-    )
-    low, high = _default_range(value, parameter.low, parameter.high, si)
+    parameter, number = parameters[address], circuit.numbers()[address]
+    value, index = parameter.value, list(parameters).index(address)
+    setters = tuple(k for k, i in enumerate(export_model.inputs) if i.parameter == index and not i.is_driven)
+    is_input = len(setters) == 1 and list(inputs)[setters[0]] == address and not _is_guided(export_model, address)
+    low, high = _default_range(value, parameter.low, parameter.high, parameter.unit)
     source = "; ".join(filter(None, (number.source.kind, number.source.locator, number.source.note)))
-    return Slider(
-        address, value, low, high, parameter.low, parameter.high, si, _display_unit(number, value), parameter.meaning,
-        source, number.source.kind == "assumed", index, inputs, is_driven=False,
-        **(_signal(export_model, circuit, inputs[0]) if is_input else {}),
-    )  # fmt: skip
-
-
-def _input_slider(export_model: ExportModel, item: ExportInput, index: int, circuit: BaseCircuit) -> Slider:
-    signal = circuit.signals.get(item.address)
-    low, high = signal.bounds() if signal else (item.value, item.value)
-    if not (math.isfinite(low) and math.isfinite(high) and low < high):
-        low, high = _default_range(item.value, item.low, item.high, item.unit)
+    match = _NUMBER.fullmatch(number.text.strip())
+    # The unit in which the user wrote the parameter, or a practical unit.
+    if match and match[1]:
+        unit = match[1]
     else:
-        low, high = max(item.low, low - 0.25 * (high - low)), min(item.high, high + 0.25 * (high - low))
+        is_temperature = number.unit == "K" and number.reference == "absolute"
+        unit = "degC" if is_temperature else readable_unit(number.unit, value)
     return Slider(
-        item.address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
-        "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(index,),
-        is_driven=True, **_signal(export_model, circuit, index),
+        address, value, low, high, parameter.low, parameter.high, parameter.unit, unit, parameter.meaning,
+        source, number.source.kind == "assumed", index, setters, is_driven=False,
+        **(_signal(export_model, circuit, setters[0]) if is_input else {}),
     )  # fmt: skip
 
 
@@ -192,27 +182,18 @@ def _default_range(value: float, lower_limit: float, upper_limit: float, unit: s
     return low, high
 
 
-def _display_unit(number: Number, value: float) -> str:
-    """Return the unit in which the user wrote a parameter, or a practical unit."""
-    match = _NUMBER.fullmatch(number.text.strip())
-    if match and match[1]:
-        return match[1]
-    return "degC" if number.unit == "K" and number.reference == "absolute" else readable_unit(number.unit, value)
-
-
-def _with_range(slider: Slider, span: str, circuit: BaseCircuit) -> Slider:
+def _with_range(slider: Slider, span: str, ambient_pressure: float) -> Slider:
     """Return the slider with the range in a text such as `50 l..400 l`."""
-    low_text, dots, high_text = span.partition("..")
-    if not dots:
+    if ".." not in span:
         raise InputError("deploy.live.range", slider.address, text=span)
     ends = []
-    for text in (low_text.strip(), high_text.strip()):
+    for text in map(str.strip, span.split("..", 1)):
         try:
             raw: float | str = float(text)
         except ValueError:
             raw = text
         end = quantity(raw, slider.si, kind=_KINDS.get(slider.si, "plain"), name=slider.address)
-        ends.append(end.value + (circuit.surroundings.pressure if end.reference == "gauge" else 0.0))
+        ends.append(end.value + (ambient_pressure if end.reference == "gauge" else 0.0))
     if not slider.least <= ends[0] < ends[1] <= slider.most:
         raise InputError("deploy.live.range", slider.address, text=span)
     return replace(slider, low=ends[0], high=ends[1])

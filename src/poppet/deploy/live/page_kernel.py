@@ -1,7 +1,5 @@
 """Kernel of a live page: one WebAssembly module with the model and the integrator, and the arrays of a run.
 
-The page fills the same fields as `poppet.engine.job.Job`. The addresses refer to the memory of the module.
-
 The browser fills the same fields as `poppet.engine.job.Job`, with addresses in the memory of the module.
 """
 
@@ -19,13 +17,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from poppet.deploy.fmu.binaries import compile_object, kernel_code
 from poppet.deploy.live.linker import LinkError, Module, link
 from poppet.engine.compiled import INTEGRATOR
 from poppet.engine.job import Job
 from poppet.engine.model import Model
 from poppet.engine.printers.instructions import trace_functions
-from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, print_function
-from poppet.engine.printers.llvm_step import print_step
+from poppet.engine.printers.llvm import OF_ONE, OF_TWO
 from poppet.engine.problem import Problem
 
 CALLED = ("jacobian", "step", "dense", "outputs", "update")
@@ -59,11 +57,8 @@ def live_module(model: Model) -> Module:
     import llvmlite.binding as llvm
 
     functions = trace_functions(model)
-    code = PRELUDE + "\n".join(print_function(function, name) for name, function in functions.items())
-    if model.size:
-        code += print_step(model.size, len(model.states), len(model.inputs))
     llvm_module = llvm.parse_assembly(INTEGRATOR.read())
-    llvm_module.link_in(llvm.parse_assembly(code))
+    llvm_module.link_in(llvm.parse_assembly(kernel_code(model, functions)))
     defined = [function for function in llvm_module.functions if not function.is_declaration]
     exports, tabled = ("integrate", "start"), [name for name in CALLED if name in {f.name for f in defined}]
     for function in defined:
@@ -80,17 +75,7 @@ def live_module(model: Model) -> Module:
 
 def compile_wasm_object(llvm_module: Any) -> bytes:
     """Compile an LLVM module to an optimised, relocatable WebAssembly object file."""
-    import llvmlite.binding as llvm
-
-    llvm.initialize_all_targets()
-    llvm.initialize_all_asmprinters()
-    machine = llvm.Target.from_triple("wasm32-unknown-unknown").create_target_machine(features=_FEATURES, opt=2)
-    llvm_module.triple, llvm_module.data_layout = machine.triple, str(machine.target_data)
-    options = llvm.create_pipeline_tuning_options(speed_level=2)
-    options.loop_vectorization = True
-    builder = llvm.create_pass_builder(machine, options)
-    builder.getModulePassManager().run(llvm_module, builder)
-    return bytes(machine.emit_object(llvm_module))
+    return compile_object(llvm_module, "wasm32-unknown-unknown", features=_FEATURES)
 
 
 def run_data(problem: Problem) -> tuple[dict[str, Any], dict[str, bytes]]:

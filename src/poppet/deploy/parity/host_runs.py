@@ -7,7 +7,6 @@ import shutil
 import subprocess
 import sys
 import time
-from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from importlib.resources import files
@@ -20,11 +19,10 @@ from poppet.deploy.c.project import c_project
 from poppet.deploy.comparison import START_CHANGE
 from poppet.deploy.controller import controller_program
 from poppet.deploy.fmu.fmu_layout import structured_name
-from poppet.deploy.fmu.importers import ImporterRun, read_description, run_in_fmpy, run_in_libcosim
+from poppet.deploy.fmu.importers import read_description, run_in_fmpy, run_in_libcosim
 from poppet.deploy.fmu.package import build_fmu, pack
 from poppet.deploy.live.page_kernel import run_in_node
 from poppet.deploy.parity.parity_check import MAX_INSTANTS, KernelReference, NotRunError, ParityCheck, TargetResult
-from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
 
 MAX_CALLS = 20_000
@@ -32,38 +30,41 @@ MAX_CALLS = 20_000
 TOLERANCE_FRACTION = 0.01
 """Ratio of the reference solvers' tolerance to that of the run. It is small, because errors add up over restarts."""
 
+STEPS = (1e-10, "all", "points", "rounding")
+EXCHANGE = (1e-5, "gas", "sharp", "method")
+"""Limit, scope, reference and cause of the checks of co-simulation, and of model exchange."""
+
 # Kernel and reference solvers ---------------------------------------------------------------------------------------
 
 
-def _run_fused(reference: KernelReference, folder: Path) -> TargetResult:
-    return TargetResult(reference.run.values, reference.seconds)
-
-
-def _run_changed_start(reference: KernelReference, folder: Path) -> TargetResult:
-    return _solve(replace(reference.separate, x0=reference.separate.x0 * (1.0 + START_CHANGE)), "rosenbrock")
-
-
 def _run_solver(reference: KernelReference, folder: Path, solver: str) -> TargetResult:
-    if reference.n_instants > MAX_INSTANTS:
+    """Run the problem with a reference solver, or with the kernel (`rosenbrock`) and a changed start.
+
+    Without a solver, the result is the run of `simulate`.
+    """
+    if not solver:
+        return TargetResult(reference.run.values, reference.seconds)
+    if solver == "rosenbrock":
+        problem = replace(reference.separate, x0=reference.separate.x0 * (1.0 + START_CHANGE))
+    elif reference.n_instants > MAX_INSTANTS:
         raise NotRunError("instants", count=reference.n_instants, most=MAX_INSTANTS)
-    tolerance = TOLERANCE_FRACTION * reference.problem.relative_tolerance
-    return _solve(replace(reference.problem, relative_tolerance=tolerance), solver)
-
-
-def _solve(problem: Problem, solver: str) -> TargetResult:
+    else:
+        tolerance = TOLERANCE_FRACTION * reference.problem.relative_tolerance
+        problem = replace(reference.problem, relative_tolerance=tolerance)
     start_time = time.perf_counter()
-    run = solve(problem, solver)
-    return TargetResult(run.values, time.perf_counter() - start_time)
+    values = solve(problem, solver).values
+    return TargetResult(values, time.perf_counter() - start_time)
 
 
 def kernel_checks() -> list[ParityCheck]:
     """Return the parity checks of the kernel itself and of the reference solvers."""
     # No target can agree better with the kernel than the kernel with itself: a limit cycle amplifies rounding.
-    lsoda, cvodes = partial(_run_solver, solver="lsoda"), partial(_run_solver, solver="cvodes")
-    description = "the kernel, its start moved by 1e-14"
+    fused, moved, lsoda, cvodes = (
+        partial(_run_solver, solver=solver) for solver in ("", "rosenbrock", "lsoda", "cvodes")
+    )
     return [
-        ParityCheck("kernel fused", "the kernel as `simulate` runs it", np.inf, "all", _run_fused, cause="anything"),
-        ParityCheck("kernel moved", description, np.inf, "all", _run_changed_start, cause="anything"),
+        ParityCheck("kernel fused", "the kernel as `simulate` runs it", np.inf, "all", fused, cause="anything"),
+        ParityCheck("kernel moved", "the kernel, its start moved by 1e-14", np.inf, "all", moved, cause="anything"),
         ParityCheck("scipy", "LSODA of SciPy on the compiled functions", 1e-5, "gas", lsoda, cause="method"),
         ParityCheck("cvodes", "CVODES of SUNDIALS on the traced expressions", 1e-5, "gas", cvodes, cause="method"),
     ]
@@ -101,46 +102,48 @@ def _run_c(reference: KernelReference, folder: Path, step: float = 0.0, substeps
 def c_checks() -> list[ParityCheck]:
     """Return the parity checks of the exported C code."""
 
-    def check_step(name: str, description: str, limit: float, step: float, substeps: int = 1) -> ParityCheck:
-        run = partial(_run_c, step=step, substeps=substeps)
-        return ParityCheck(name, f"the exported C, fixed step of {description}", limit, "gas", run, cause="step")
-
+    steps = {
+        "c 1 kHz": ("1 ms", 1e-3, 1e-3, 1),
+        "c 10 kHz": ("0.1 ms", 1e-4, 1e-4, 1),
+        "c 1 kHz / 100": ("1 ms in a hundred", 1e-4, 1e-3, 100),
+    }
     return [
         ParityCheck("c adaptive", "the exported C, with error control", 1e-9, "all", _run_c),
-        check_step("c 1 kHz", "1 ms", 1e-3, 1e-3),
-        check_step("c 10 kHz", "0.1 ms", 1e-4, 1e-4),
-        check_step("c 1 kHz / 100", "1 ms in a hundred", 1e-4, 1e-3, 100),
-    ]
+        *(
+            ParityCheck(
+                name, f"the exported C, fixed step of {text}", limit, "gas",
+                partial(_run_c, step=step, substeps=substeps), cause="step",
+            )
+            for name, (text, limit, step, substeps) in steps.items()
+        ),
+    ]  # fmt: skip
 
 
 # FMU ------------------------------------------------------------------------------------------------------------------
 
 
-def _run_fmpy(reference: KernelReference, folder: Path, kind: str, fmi: int) -> TargetResult:
-    return _run_fmu(reference, folder, fmi, lambda file, names: run_in_fmpy(file, kind, reference.run.time, names))
-
-
-def _run_libcosim(reference: KernelReference, folder: Path) -> TargetResult:
-    grid = reference.run.time
-    nanoseconds = 1e9 * (grid[1] - grid[0])
-    if abs(nanoseconds - round(nanoseconds)) > 1e-6:
-        raise NotRunError("no_nanoseconds", step=grid[1] - grid[0])
-    return _run_fmu(reference, folder, 2, lambda file, names: run_in_libcosim(file, grid, names))
-
-
-def _run_fmu(
-    reference: KernelReference, folder: Path, fmi: int, importer: Callable[[Path, Sequence[str]], ImporterRun]
-) -> TargetResult:
+def _run_fmu(reference: KernelReference, folder: Path, kind: str, fmi: int) -> TargetResult:
+    """Run an FMU in libcosim, or in FMPy as `CoSimulation` or `ModelExchange`."""
     if not sys.platform.startswith("linux"):
         raise NotRunError("other_system", system=sys.platform)
+    grid = reference.run.time
+    nanoseconds = 1e9 * (grid[1] - grid[0])
+    if kind == "libcosim" and abs(nanoseconds - round(nanoseconds)) > 1e-6:
+        raise NotRunError("no_nanoseconds", step=grid[1] - grid[0])
+    file = reference.fmu or folder / f"model{fmi}.fmu"
     try:
-        file = reference.fmu or _write_fmu(reference, folder, fmi)
+        if not file.exists():
+            fmu = build_fmu(reference.circuit, "model", fmi=fmi)
+            if not fmu.platforms:
+                raise NotRunError("because", why=str(fmu.notes[0]))
+            file.write_bytes(pack(fmu.content))
         variables, problems = read_description(file)
         if problems:
             raise NotRunError("because", why="; ".join(problems))
         names = [structured_name(name) for name in reference.names]
         indices = tuple(k for k, name in enumerate(names) if name in variables)
-        run = importer(file, [names[k] for k in indices])
+        selected = [names[k] for k in indices]
+        run = run_in_libcosim(file, grid, selected) if kind == "libcosim" else run_in_fmpy(file, kind, grid, selected)
     except MissingDependencyError as missing:
         raise NotRunError("because", why=str(missing)) from missing
     except (RuntimeError, OSError) as error:  # of the importer: its solver failed, or it rejects the file
@@ -150,33 +153,17 @@ def _run_fmu(
     return TargetResult(values, run.seconds, run.points, run.first, indices)
 
 
-def _write_fmu(reference: KernelReference, folder: Path, fmi: int) -> Path:
-    file = folder / f"model{fmi}.fmu"
-    if not file.exists():
-        fmu = build_fmu(reference.circuit, "model", fmi=fmi)
-        if not fmu.platforms:
-            raise NotRunError("because", why=str(fmu.notes[0]))
-        file.write_bytes(pack(fmu.content))
-    return file
-
-
 def fmu_checks() -> list[ParityCheck]:
     """Return the parity checks of the exported FMU."""
-    cs_text, me_text = (
-        "FMI 2.0 co-simulation in FMPy, which meets the kernel at every row",
-        "FMI 2.0 model exchange, by CVODE of FMPy; the kernel at 1e-9",
-    )
-    second, same = "FMI 2.0 co-simulation in libcosim", "the same with FMI 3.0"
-
-    def run(kind: str, fmi: int) -> Callable[[KernelReference, Path], TargetResult]:
-        return partial(_run_fmpy, kind=kind, fmi=fmi)
-
     return [
-        ParityCheck("fmu cs", cs_text, 1e-10, "all", run("CoSimulation", 2), "points", fmi=2),
-        ParityCheck("fmu 3 cs", same, 1e-10, "all", run("CoSimulation", 3), "points", fmi=3),
-        ParityCheck("fmu cs (second host)", second, 1e-10, "all", _run_libcosim, "points", fmi=2),
-        ParityCheck("fmu me", me_text, 1e-5, "gas", run("ModelExchange", 2), "sharp", "method", fmi=2),
-        ParityCheck("fmu 3 me", same, 1e-5, "gas", run("ModelExchange", 3), "sharp", "method", fmi=3),
+        ParityCheck(name, text, limit, scope, partial(_run_fmu, kind=kind, fmi=fmi), rows, cause, fmi)
+        for name, text, kind, fmi, (limit, scope, rows, cause) in (
+            ("fmu cs", "FMI 2.0 co-simulation in FMPy, which meets the kernel at every row", "CoSimulation", 2, STEPS),
+            ("fmu 3 cs", "the same with FMI 3.0", "CoSimulation", 3, STEPS),
+            ("fmu cs (second host)", "FMI 2.0 co-simulation in libcosim", "libcosim", 2, STEPS),
+            ("fmu me", "FMI 2.0 model exchange, by CVODE of FMPy; the kernel at 1e-9", "ModelExchange", 2, EXCHANGE),
+            ("fmu 3 me", "the same with FMI 3.0", "ModelExchange", 3, EXCHANGE),
+        )
     ]
 
 

@@ -1,4 +1,4 @@
-"""Table of the differences between all export targets and the kernel."""
+"""Table of the differences between all export targets and the kernel, for the terminal and as an HTML report."""
 
 from __future__ import annotations
 
@@ -15,7 +15,6 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.deploy.comparison import (
     MARGIN,
-    ReferenceRun,
     change_effects,
     compare_runs,
     rounding_changes,
@@ -23,13 +22,19 @@ from poppet.deploy.comparison import (
 )
 from poppet.deploy.fmu.importers import fmi_version
 from poppet.deploy.parity.host_runs import kernel_checks
-from poppet.deploy.parity.parity_check import KernelReference, NotRunError, ParityCheck, TargetResult
+from poppet.deploy.parity.parity_check import KernelReference, NotRunError, ParityCheck
 from poppet.deploy.targets import TARGETS
 from poppet.engine.problem import Problem
 from poppet.engine.solve import solve
+from poppet.report.html_page import document, findings, head, write_page
+from poppet.report.tables import Column, ReportTable
 
 if TYPE_CHECKING:
     from poppet.circuit.circuit import BaseCircuit
+
+
+SCOPES = {"all": "every output", "gas": "pressures and masses of gas"}
+VERDICTS = {"rounding": "within rounding", "coarse": "step too long"}
 
 
 @dataclass(frozen=True)
@@ -193,24 +198,6 @@ def run_kernel(circuit: BaseCircuit, fmu: Path | None = None) -> KernelReference
     return KernelReference(circuit, problem, run, min(seconds), fmu)
 
 
-def _reference_run(check: ParityCheck, reference: KernelReference, result: TargetResult) -> ReferenceRun:
-    if check.reference == "points" and result.points is not None:
-        return reference.at_points(result.points)
-    return reference.sharp if check.reference == "sharp" else reference.rows
-
-
-def _small_changes(check: ParityCheck, reference: KernelReference, run: ReferenceRun) -> list[Problem]:
-    """Return changed problems for the kernel, as the measure of an acceptable difference.
-
-    The changes are of the size of rounding, or they represent the tolerance of another method.
-    """
-    if check.cause == "anything":
-        return []
-    if check.cause == "rounding":
-        return [*rounding_changes(run.problem), replace(run.problem, kernel=reference.problem.kernel)]
-    return tolerance_changes(run.problem, check.limit)
-
-
 def _run_check(check: ParityCheck, reference: KernelReference, folder: Path) -> ParityRow:
     try:
         result = check.run(reference, folder)
@@ -223,10 +210,18 @@ def _run_check(check: ParityCheck, reference: KernelReference, folder: Path) -> 
             check, result.seconds, greatest, worst, greatest / check.limit, until, 1.0, greatest,
             differences=result.differences,
         )  # fmt: skip
-    run = _reference_run(check, reference, result)
+    if check.reference == "points" and result.points is not None:
+        run = reference.at_points(result.points)
+    else:
+        run = reference.sharp if check.reference == "sharp" else reference.rows
+    # Changes of the size of rounding, or of the tolerance of another method, measure an acceptable difference.
+    changes: list[Problem] = []
+    if check.cause == "rounding":
+        changes = [*rounding_changes(run.problem), replace(run.problem, kernel=reference.problem.kernel)]
+    elif check.cause != "anything":
+        changes = tolerance_changes(run.problem, check.limit)
     is_available = np.zeros(run.values.shape, dtype=np.bool_)
     is_available[list(result.outputs) or slice(None), result.first :] = True
-    changes = _small_changes(check, reference, run)
     effects = change_effects(run, changes)
     comparison = compare_runs(result.values, run, effects, check.limit, is_available)
     max_differences = comparison.max_differences()
@@ -248,3 +243,82 @@ def _run_check(check: ParityCheck, reference: KernelReference, folder: Path) -> 
         float(overall[in_scope].max()), float(overall[states].max(initial=0.0)),
         float(effects[states, -1].max(initial=0.0)) if changes else None, differences,
     )  # fmt: skip
+
+
+def results_table(parity: Parity, *, is_long: bool = False) -> ReportTable:
+    """Return the parity table: one row per check.
+
+    With `is_long`, the rows also have the descriptions and the compared outputs.
+    """
+    columns = [
+        Column("target"), Column("time [ms]", ".4g"), Column("greatest difference", ".2e"), Column("of"),
+        Column("limit", ".0e"), Column("compared until [s]", ".4g"), Column("states, whole run", ".1e"),
+        Column("kernel changed", ".1e"), Column("verdict"),
+    ]  # fmt: skip
+    rows: list[tuple[str | float | None, ...]] = [("kernel", 1e3 * parity.seconds, *[None] * 7)]
+    rows += [
+        (
+            row.name,
+            None if row.seconds is None else 1e3 * row.seconds,
+            row.greatest,
+            row.worst if row.greatest else None,
+            row.check.limit if np.isfinite(row.check.limit) else None,
+            None if row.why else row.until,
+            row.drift,
+            row.moved,
+            VERDICTS.get(row.verdict, row.verdict),
+        )
+        for row in parity.rows
+    ]
+    if is_long:
+        columns[1:1] = [Column("what ran"), Column("what counts")]
+        descriptions = [(row.check.description, SCOPES[row.check.scope]) for row in parity.rows]
+        descriptions = [(f"the reference, {parity.steps} steps", ""), *descriptions]
+        rows = [(row[0], *texts, *row[1:]) for row, texts in zip(rows, descriptions, strict=True)]
+    return ReportTable(columns, rows, name="parity")
+
+
+def outputs_table(parity: Parity) -> ReportTable:
+    """Return the maximum difference of each output, with one column for each target that was run."""
+    compared = [row for row in parity.rows if row.differences]
+    names = list(dict.fromkeys([*parity.sizes, *(name for row in compared for name in row.differences)]))
+    columns = Column("output"), Column("size", ".4g"), *(Column(row.name, ".1e") for row in compared)
+    rows = tuple((name, parity.sizes.get(name), *(row.differences.get(name) for row in compared)) for name in names)
+    return ReportTable(columns, rows, name="outputs")
+
+
+def not_run_notes(parity: Parity) -> list[str]:
+    """Return a sentence for each target that was not run, with the reason."""
+    return [f"{row.name}: {row.why}" for row in parity.rows if row.why is not None]
+
+
+def write_parity(parity: Parity, path: str | Path) -> Path:
+    """Write the parity report: results of the targets, targets that were not run, differences of every output."""
+    return write_page(path, lambda: parity_page(parity))
+
+
+def parity_page(parity: Parity) -> str:
+    """Return the parity report as HTML."""
+    title = f"{parity.title or 'A circuit'}: comparison of all export targets"
+    n_run = sum(row.why is None for row in parity.rows)
+    lead = (
+        f"A run of {parity.duration:.6g} s. {n_run} of {len(parity.rows)} targets were compared with the kernel; "
+        f"{'all of them are' if parity.is_within_limits else 'not all of them are'} within their limits."
+    )
+    explanation = (
+        "<p>A difference is the maximum over the compared rows, relative to the size of the output. The size is the "
+        "maximum magnitude in the run, or the nominal size of a state. Targets with the steps of the kernel must agree "
+        "with a kernel without fused operations (FMA) up to rounding. For other methods, the limit follows from the "
+        "tolerances, and only pressures and masses are compared. The comparison ends when small changes of the kernel "
+        "lead to a different run. After that, the maximum difference of a state in the whole run is compared with the "
+        "effect of these changes on the kernel: the verdict is beyond if it is more than ten times as large. Within "
+        "rounding means: beyond the limit, but at most ten times the effect of rounding on the kernel. Times are the "
+        "best of some runs on this machine, without preparation.</p>\n"
+    )
+    sections = [
+        ("", head(title, lead)),
+        ("Targets", results_table(parity, is_long=True).html() + explanation),
+        ("Not run", findings(not_run_notes(parity))),
+        ("Every output", outputs_table(parity).html()),
+    ]
+    return document(title, sections)

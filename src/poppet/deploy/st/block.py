@@ -35,15 +35,12 @@ BLOCK_NAMES = ("cycle_time", "restart", "overrun", "started", "calls", "now", "d
 # Keywords, types, standard functions and blocks in addition to those of `identifier`.
 _RESERVED = frozenset(
     """
-    acos action any_int any_num any_real asin array atan atan2 begin bool by byte case char concat configuration
-    continue cos ct ctd ctu ctud date date_and_time delete dt dword else elsif en end_action end_case end_for
-    end_function end_function_block end_if end_program end_repeat end_struct end_type end_var end_while eno eq exit expt
-    f_trig find ge gt insert ld le left len lt mid move mux n ne non_retain not null of on pt q q1 r r1 r_edge r_trig
-    read_write replace resource retain return right rs rtc s s1 sema sr st string task tod tof ton tp trunc var_access
-    var_external var_global var_in_out var_input var_output var_temp with word wstring xor lword lint ulint et in in1
-    in2 cv pv cu cd abstract class extends final implements interface internal method namespace overlap override
-    private protected public ref ref_to super this using pointer property reference bit adr sizeof
-    derivative hysteresis integral pid ramp rtc sema stack_int command_monitor
+    abstract acos adr any_int any_num any_real asin atan atan2 bit cd command_monitor concat configuration cos ct ctd
+    ctu ctud cu cv date_and_time derivative dt en end_action end_case end_for end_function end_function_block end_if
+    end_program end_repeat end_struct end_type end_var end_while eno eq et expt extends f_trig find ge gt hysteresis in
+    in1 in2 insert integral internal ld le left len lt mid move mux n ne non_retain pid pt pv q q1 r r1 r_edge r_trig
+    ramp read_write ref_to resource right rs rtc s s1 sema sr st stack_int tod tof ton tp var_access var_external
+    var_global var_in_out var_input var_output var_temp
     """.split()  # noqa: SIM905 - a list of strings is not readable
 )
 

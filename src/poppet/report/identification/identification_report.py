@@ -11,8 +11,9 @@ import numpy as np
 
 from poppet.core.message_format import sentence
 from poppet.core.number_format import scaled, with_unit
+from poppet.core.plugins import import_object
 from poppet.identify import Estimate, Result
-from poppet.identify.methods import METHODS, imported
+from poppet.identify.methods import METHODS
 from poppet.identify.result import DETERMINED, VERDICTS, WEAK
 from poppet.report.html_page import (
     Content,
@@ -52,7 +53,7 @@ def write_identification(result: Result, path: str | Path) -> Path:
 def identification_page(result: Result) -> str:
     """Return the report of an identification as HTML."""
     declaration = METHODS.get(result.method)
-    method = (imported(declaration.sections) if declaration else None) or MethodReport()
+    method = (import_object(declaration.sections) if declaration else None) or MethodReport()
     with style("A report of an identification"):
         c = result.comparison
         explanation = f"<p>{_text('explained', determined=100.0 * DETERMINED, weak=100.0 * WEAK)}</p>\n"
