@@ -64,7 +64,7 @@ def _circuit(path: Path) -> None:
 
 
 def _fit(path: Path) -> None:
-    from poppet.identify.fit.fit_file import read_fit_file
+    from poppet.identify.fit.fit_plan import read_fit_file
 
     read_fit_file(path)
 

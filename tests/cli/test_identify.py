@@ -28,7 +28,7 @@ from poppet.identify import (
 )
 from poppet.identify.characteristic import characteristic_file
 from poppet.identify.design import design_file
-from poppet.identify.fit import fit_file
+from poppet.identify.fit import fit_plan
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.flow import flow_file
 from poppet.identify.friction import friction_file
@@ -106,7 +106,7 @@ def page_of(method: str) -> str:
 @pytest.mark.parametrize(
     ("method", "names"),
     [
-        ("fit", fit_file.TOP_LEVEL),
+        ("fit", fit_plan.TOP_LEVEL),
         ("fit", (*mapping._FIELDS, *mapping._OF_CHANNEL, *mapping._OF_INPUT, "use", *free_parameter.FIELDS)),
         ("tank", tuple(f.name for f in dataclasses.fields(TankTest) if f.name != "folder")),
         ("tank", OWN),
@@ -234,7 +234,7 @@ def test_settings_after_the_free_parameters_are_settings(bench):
     """Lines appended to a fit file land in its last table."""
     path = bench / "fit.toml"
     path.write_text(path.read_text(encoding="utf-8") + 'starts = 3\nloss = "huber"\n', encoding="utf-8")
-    plan = fit_file.read_fit_file(path)
+    plan = fit_plan.read_fit_file(path)
     assert (plan.settings.starts, plan.settings.loss, plan.settings.seed) == (3, "huber", 0)
     assert "starts" not in [f.name for f in plan.free]
 
@@ -243,17 +243,17 @@ def test_loss_and_starts_are_accepted_in_the_table_of_a_parameter(bench):
     path = bench / "fit.toml"
     text = path.read_text(encoding="utf-8").replace("{ start = 0.3 }", '{ start = 0.3, starts = 3, loss = "huber" }')
     path.write_text(text, encoding="utf-8")
-    plan = fit_file.read_fit_file(path)
+    plan = fit_plan.read_fit_file(path)
     assert (plan.settings.starts, plan.settings.loss) == (3, "huber")
     path.write_text(text.replace("[free]", 'loss = "huber"\n[free]\nstarts = 2', 1), encoding="utf-8")
     with pytest.raises(InputError) as error:
-        fit_file.read_fit_file(path)
+        fit_plan.read_fit_file(path)
     assert (error.value.code, error.value.address) == ("fit.two_searches", "free.outlet.critical_ratio.starts")
     assert (error.value.facts["first"], error.value.facts["other"]) == ("free.starts", 2)
     assert error.value.line
 
 
-READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
+READERS = {"fit": fit_plan.read_fit_file, "tank": identify_tank}
 
 
 @pytest.mark.parametrize(
@@ -273,9 +273,9 @@ READERS = {"fit": fit_file.read_fit_file, "tank": identify_tank}
         ),
         ("fit", '"tank.initial_pressure" = "free"', '"tank.initial" = "free"', "start =", "names.unknown"),
         ("fit", "[free]", '[free]\nloss = "hubr"', "loss =", "fields.not_an_option"),
-        ("fit", "[free]", "[free]\nstarts = 0", "starts =", "search.starts"),
-        ("fit", "[free]", "[free]\nseed = -1.5", "seed =", "search.seed"),
-        ("fit", "[free]", '[free]\nkicks = "many"', "kicks =", "search.kicks"),
+        ("fit", "[free]", "[free]\nstarts = 0", "starts =", "fields.out_of_range"),
+        ("fit", "[free]", "[free]\nseed = -1.5", "seed =", "fields.out_of_range"),
+        ("fit", "[free]", '[free]\nkicks = "many"', "kicks =", "fields.out_of_range"),
         ("fit", "start = 0.3", "start = 0.3, prior = { men = 1, sd = 1 }", "outlet.critical_ratio", "fields.unknown"),
         ("fit", '"discharge.csv"', '"discharge.csv"\nuse = "validation"', "[recordings.", "fit.held_frees.start"),
         ("fit", '"bench.toml"', '"none.toml"', "circuit =", "toml.no_file"),

@@ -1,6 +1,6 @@
-"""Valves in closed form, written with NumPy alone: what a bench would record of them, and every figure as it truly is.
+"""Valves in closed form: their recordings and true characteristic values.
 
-Nothing of the program is used but the container of a record and its scale.
+Only the classes `Record` and `Scale` come from the package.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ NONE = np.zeros(0)
 
 @dataclass
 class Sensor:
-    """How a bench records: white noise or a bit coloured, in steps or not."""
+    """Noise and resolution of a recorded channel; the noise is white or coloured."""
 
     random: np.random.Generator
     noise: float  # of the outlet [% FS]
@@ -39,29 +39,29 @@ class Sensor:
         return np.arange(0.0, duration, 1.0 / self.rate)
 
     def command(self, percent: np.ndarray) -> np.ndarray:
-        """A setpoint in volts, read back with a millivolt of noise."""
+        """Return a setpoint in volts with a noise of 1 mV."""
         return np.round((0.1 * percent + self.random.normal(0.0, 1e-3, percent.size)) / 1e-3) * 1e-3
 
 
 @dataclass
-class Known:
-    """Records of one valve by the test that they are for, and its true figures."""
+class KnownValve:
+    """Records of one valve by test, and its true characteristic values."""
 
     records: dict[str, list[Record]] = field(default_factory=dict)
     truth: dict[str, float] = field(default_factory=dict)
 
 
-def valve(seed: int, parts=()) -> Known:
-    """A valve drawn by chance, and its bench; of some parts only, which are the same whatever the others."""
-    known = Known()
+def valve(seed: int, parts=()) -> KnownValve:
+    """Return a random valve with its records; the selection of parts does not change their values."""
+    known_valve = KnownValve()
     for part, make in MADE_BY.items():
         if parts and part not in parts and not (part == "resolution" and "reversal" in parts):
             continue
         random = np.random.default_rng([seed, *part.encode()])
         noise, rate = NOISES[seed % 3] / 6e3, float(random.choice(RATES))
         colour, step = float(random.choice([0.0, 0.0, 0.3, 0.6])), float(random.choice([0.0, 0.0, 100.0, 500.0])) / 6e3
-        make(known, random, Sensor(random, noise, rate, colour, step))
-    return known
+        make(known_valve, random, Sensor(random, noise, rate, colour, step))
+    return known_valve
 
 
 def record(test: str, time, x, y, **series) -> Record:
@@ -70,7 +70,7 @@ def record(test: str, time, x, y, **series) -> Record:
 
 
 def behind(values: np.ndarray, step: float, constant: float) -> np.ndarray:
-    """A first order behind a series that is straight between its samples."""
+    """Return the response of a first order to a piecewise linear series."""
     a = math.exp(-step / constant)
     late = 1.0 - (1.0 - a) * constant / step
     first = values[0]
@@ -85,7 +85,7 @@ def play(values: np.ndarray, width: float) -> np.ndarray:
     return out
 
 
-def _sweep(known: Known, random, sensor: Sensor) -> None:
+def _sweep(known_valve: KnownValve, random, sensor: Sensor) -> None:
     zone, width, bow = random.uniform(1.7, 2.5), random.uniform(0.4, 2.5), random.uniform(-2.0, 2.0)
     offset, constant = random.uniform(0.1, 1.0), random.uniform(0.02, 0.1)
     shifts = np.concatenate([[0.0], random.uniform(-0.6, 0.6, 1), random.uniform(-0.6, 0.6, 1)])
@@ -109,7 +109,7 @@ def _sweep(known: Known, random, sensor: Sensor) -> None:
         )
 
     y = behind(static(play(x, width), shift), 1.0 / sensor.rate, constant)
-    known.records["characteristic"] = [record("characteristic", time, sensor.command(x), sensor.read(y))]
+    known_valve.records["characteristic"] = [record("characteristic", time, sensor.command(x), sensor.read(y))]
     place = np.linspace(10.0, 90.0, 4001)
     up, down = static(place - width / 2.0), static(place + width / 2.0)
     mean = 0.5 * (up + down)
@@ -117,7 +117,7 @@ def _sweep(known: Known, random, sensor: Sensor) -> None:
     weights[[0, -1]] = math.sqrt(0.5)
     line = np.polyval(np.polyfit(place, mean, 1, w=weights), place)
     top = (static(np.array([100.0 - width / 2.0])) - static(np.array([99.9 - width / 2.0])))[0] / 0.1
-    known.truth |= {
+    known_valve.truth |= {
         "hysteresis": float(np.max(down - up)),
         "linearity": float(np.max(np.abs(mean - line))),
         "repeatability": float(np.ptp(shifts)),
@@ -129,7 +129,7 @@ def _sweep(known: Known, random, sensor: Sensor) -> None:
 
 
 def _answer(time: np.ndarray, constant: float, damping: float) -> np.ndarray:
-    """A step answer in closed form: first order, or second with this damping."""
+    """Return the closed form of a step response of first or second order."""
     t = np.maximum(time, 0.0)
     if damping >= 1.0:
         return 1.0 - np.exp(-t / constant)
@@ -138,7 +138,7 @@ def _answer(time: np.ndarray, constant: float, damping: float) -> np.ndarray:
     return 1.0 - np.exp(-damping * s) * (np.cos(own * s) + damping / own * np.sin(own * s))
 
 
-def _steps(known: Known, random, sensor: Sensor) -> None:
+def _steps(known_valve: KnownValve, random, sensor: Sensor) -> None:
     constant, dead = random.uniform(0.04, 0.15), random.uniform(0.005, 0.03)
     damping = 2.0 if random.random() < 0.4 else random.uniform(0.45, 0.65)
     constant = constant if damping > 1.0 else 0.5 * constant
@@ -149,7 +149,7 @@ def _steps(known: Known, random, sensor: Sensor) -> None:
     for start, sign in zip(starts, (1.0, -1.0, 1.0, -1.0), strict=True):
         x += sign * (high - low) * (time >= start)
         y += sign * (high - low) * _answer(time - start - dead, constant, damping)
-    known.records["step"] = [record("step", time, sensor.command(x), sensor.read(y), volume=1e-3)]
+    known_valve.records["step"] = [record("step", time, sensor.command(x), sensor.read(y), volume=1e-3)]
     fine = np.linspace(0.0, 60.0 * constant, 600_001)
     part = _answer(fine, constant, damping)
 
@@ -159,7 +159,7 @@ def _steps(known: Known, random, sensor: Sensor) -> None:
 
     last = int(np.flatnonzero(np.abs(part - 1.0) > 0.05)[-1])
     rise = reaches(0.9) - reaches(0.1)
-    known.truth |= {
+    known_valve.truth |= {
         "delay": dead + reaches(0.1),
         "rise_time_up": rise, "rise_time_down": rise,
         "response_time_up": dead + reaches(0.9), "response_time_down": dead + reaches(0.9),
@@ -168,16 +168,16 @@ def _steps(known: Known, random, sensor: Sensor) -> None:
     }  # fmt: skip
 
 
-def _hums(known: Known, random, sensor: Sensor) -> None:
+def _limit_cycles(known_valve: KnownValve, random, sensor: Sensor) -> None:
     size, frequency = random.uniform(0.2, 1.0), random.uniform(3.0, 0.2 * min(sensor.rate, 200.0))
     time = sensor.clock(21.0)
     x = np.where(time < 1.0003, 10.0, 60.0)
     y = 10.0 + 50.0 * _answer(time - 1.0003, 0.05, 2.0) + size * np.sin(2.0 * np.pi * frequency * time + 1.0)
-    known.records["hum"] = [record("step", time, sensor.command(x), sensor.read(y))]
-    known.truth |= {"hum_amplitude": size, "hum_frequency": frequency}
+    known_valve.records["hum"] = [record("step", time, sensor.command(x), sensor.read(y))]
+    known_valve.truth |= {"hum_amplitude": size, "hum_frequency": frequency}
 
 
-def _sines(known: Known, random, sensor: Sensor) -> None:
+def _sines(known_valve: KnownValve, random, sensor: Sensor) -> None:
     constant, dead, harmonic = random.uniform(0.03, 0.1), random.uniform(0.002, 0.02), random.uniform(0.02, 0.1)
 
     def answer(f):
@@ -198,16 +198,16 @@ def _sines(known: Known, random, sensor: Sensor) -> None:
         wave += harmonic * 10.0 * abs(at) * np.sin(2.0 * turn + 0.7)
         x = 50.0 + 10.0 * np.sin(turn)
         records.append(record("frequency", time, sensor.command(x), sensor.read(50.0 + wave), name=f"{f:.3g} Hz"))
-    known.records["frequency"] = records
-    known.truth["distortion"] = 100.0 * harmonic
+    known_valve.records["frequency"] = records
+    known_valve.truth["distortion"] = 100.0 * harmonic
     if highest > 1.05 * gain:
-        known.truth["bandwidth_gain"] = gain
+        known_valve.truth["bandwidth_gain"] = gain
     if highest > 1.05 * phase:
-        known.truth["bandwidth_phase"] = phase
+        known_valve.truth["bandwidth_phase"] = phase
 
 
-def _flows(known: Known, random, sensor: Sensor) -> None:
-    known.records["flow"] = []
+def _flows(known_valve: KnownValve, random, sensor: Sensor) -> None:
+    known_valve.records["flow"] = []
     for sign, change, hysteresis in (
         (1.0, "flow_droop", "flow_hysteresis"),
         (-1.0, "relief_rise", "relief_hysteresis"),
@@ -225,19 +225,19 @@ def _flows(known: Known, random, sensor: Sensor) -> None:
         moved = play(load, width)
         y = behind(50.0 - sign * droop(moved), 1.0 / sensor.rate, 0.04)
         flow = sign * top * load + random.normal(0.0, 2e-3 * top, time.size)
-        known.records["flow"].append(
+        known_valve.records["flow"].append(
             record("flow", time, np.full(time.size, 5.0), sensor.read(y), flow=flow, name=change)
         )
         half = width / 2.0
-        known.truth[change] = float(0.5 * (droop(0.5 - half) + droop(0.5 + half)))
+        known_valve.truth[change] = float(0.5 * (droop(0.5 - half) + droop(0.5 + half)))
         grid = np.linspace(0.1, 0.9, 2001)
         going, coming = droop(np.maximum(grid - half, 0.0)), droop(np.minimum(grid + half, 1.0 - half))
-        known.truth[hysteresis] = float(np.max(coming - going))
+        known_valve.truth[hysteresis] = float(np.max(coming - going))
         if sign > 0.0:
-            known.truth["flow_capacity"] = top * (brentq(lambda q: droop(q) - 10.0, 0.0, 1.0) + half)
+            known_valve.truth["flow_capacity"] = top * (brentq(lambda q: droop(q) - 10.0, 0.0, 1.0) + half)
 
 
-def _supply(known: Known, random, sensor: Sensor) -> None:
+def _supply(known_valve: KnownValve, random, sensor: Sensor) -> None:
     slope, width = random.uniform(0.01, 0.05) * random.choice([-1.0, 1.0]), random.uniform(0.1, 0.6)
     ramp, hold = random.uniform(10.0, 20.0), 2.0
     ends = np.cumsum([0.0, hold, ramp, hold, ramp, hold, ramp, hold, ramp, hold])
@@ -248,20 +248,20 @@ def _supply(known: Known, random, sensor: Sensor) -> None:
     loose = (supply - play(np.concatenate([supply, supply]), 2.0 * turned)[time.size :]) / turned
     y = behind(50.0 + 100.0 * slope * (supply - 7e5) / 6e5 + 0.5 * width * loose, 1.0 / sensor.rate, 0.04)
     noisy = supply + random.normal(0.0, 500.0, time.size)
-    known.records["supply"] = [record("supply", time, np.full(time.size, 5.0), sensor.read(y), supply=noisy)]
-    known.truth |= {"supply_sensitivity": slope, "supply_hysteresis": width}
+    known_valve.records["supply"] = [record("supply", time, np.full(time.size, 5.0), sensor.read(y), supply=noisy)]
+    known_valve.truth |= {"supply_sensitivity": slope, "supply_hysteresis": width}
 
 
-def _leak(known: Known, random, sensor: Sensor) -> None:
+def _leak(known_valve: KnownValve, random, sensor: Sensor) -> None:
     leak = random.uniform(1e-6, 1e-5)
     time = sensor.clock(20.0)
     flow = leak + lfilter([1.0], [1.0, -sensor.colour], random.normal(0.0, 0.2 * leak, time.size))
     y = sensor.read(np.full(time.size, 50.0))
-    known.records["leakage"] = [record("leakage", time, np.full(time.size, 5.0), y, consumption=flow)]
-    known.truth["leakage"] = leak
+    known_valve.records["leakage"] = [record("leakage", time, np.full(time.size, 5.0), y, consumption=flow)]
+    known_valve.truth["leakage"] = leak
 
 
-def _stairs(known: Known, random, sensor: Sensor) -> None:
+def _stairs(known_valve: KnownValve, random, sensor: Sensor) -> None:
     stair = random.uniform(0.1, 0.2) * max(1.0, 15.0 * sensor.noise)
     hold = max(1.0, 60.0 / sensor.rate) * (2.0 if sensor.colour else 1.0)
     ways = np.concatenate([np.ones(40), -np.ones(40), np.ones(40)])
@@ -277,8 +277,8 @@ def _stairs(known: Known, random, sensor: Sensor) -> None:
     for name, outlet in (("resolution", stuck), ("reversal", loose)):
         y = behind(outlet[np.minimum((time / hold).astype(int), levels.size - 1)], 1.0 / sensor.rate, 0.03)
         volts = np.round(0.1 * x / 1e-4) * 1e-4
-        known.records[name] = [record("resolution", time, volts, sensor.read(y))]
-    known.truth |= {"resolution": threshold, "reversal_threshold": width}
+        known_valve.records[name] = [record("resolution", time, volts, sensor.read(y))]
+    known_valve.truth |= {"resolution": threshold, "reversal_threshold": width}
 
 
 FIGURES_OF = {
@@ -297,9 +297,9 @@ FIGURES_OF = {
     "resolution": ("resolution",),
     "reversal": ("reversal_threshold",),
 }  # fmt: skip
-"""Which figures the records of a valve are for."""
+"""Mapping from each part to the characteristic values that its records determine."""
 TEST_OF = {"hum": "step", "reversal": "resolution"}
 MADE_BY = {
-    "characteristic": _sweep, "step": _steps, "hum": _hums, "frequency": _sines, "flow": _flows, "supply": _supply,
-    "leakage": _leak, "resolution": _stairs,
+    "characteristic": _sweep, "step": _steps, "hum": _limit_cycles, "frequency": _sines, "flow": _flows,
+    "supply": _supply, "leakage": _leak, "resolution": _stairs,
 }  # fmt: skip

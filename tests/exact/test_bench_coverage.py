@@ -1,4 +1,4 @@
-"""The intervals of the bench hold the true figures of valves in closed form as often as they say."""
+"""Tests of the coverage of the 95 % intervals with valves in closed form."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from dataclasses import dataclass, field
 import numpy as np
 import pytest
 
-from exact.known_valves import FIGURES_OF, SCALE, TEST_OF, Known, valve
+from exact.known_valves import FIGURES_OF, SCALE, TEST_OF, KnownValve, valve
 from poppet.bench.iso10094.bench_result import DEFINITIONS, TESTS
 
 
 @dataclass
-class Seen:
-    """What became of a figure of many valves."""
+class CoverageCounts:
+    """Counts of the evaluations of one characteristic value of many valves."""
 
     held: int = 0  # true values within the interval
     given: int = 0  # intervals
@@ -33,37 +33,37 @@ class Seen:
             self.distances.append((figure.value - truth) / max(figure.uncertainty, 1e-300))
 
 
-def looked_at(seeds, parts=tuple(FIGURES_OF)) -> dict[str, Seen]:
-    found: dict[str, Seen] = {}
+def count_covered(seeds, parts=tuple(FIGURES_OF)) -> dict[str, CoverageCounts]:
+    counts_by_name: dict[str, CoverageCounts] = {}
     for seed in seeds:
-        known: Known = valve(seed, parts)
+        known_valve: KnownValve = valve(seed, parts)
         for part in parts:
-            figures = TESTS[TEST_OF.get(part, part)].evaluated(known.records[part], SCALE).figures
-            for name in (name for name in FIGURES_OF[part] if name in known.truth):
-                found.setdefault(name, Seen()).take(figures.get(name), known.truth[name])
-    return found
+            figures = TESTS[TEST_OF.get(part, part)].evaluated(known_valve.records[part], SCALE).figures
+            for name in (name for name in FIGURES_OF[part] if name in known_valve.truth):
+                counts_by_name.setdefault(name, CoverageCounts()).take(figures.get(name), known_valve.truth[name])
+    return counts_by_name
 
 
-def test_every_figure_is_looked_at():
+def test_all_values_are_counted():
     assert sorted(name for names in FIGURES_OF.values() for name in names) == sorted(DEFINITIONS)
 
 
 @pytest.mark.parametrize("part", FIGURES_OF)
-def test_intervals_of_some_valves_hold_their_figures(part):
-    """The first three of the two hundred below: two of three are hardly ever missed, and none by far."""
-    for name, seen in looked_at(range(9000, 9003), (part,)).items():
-        assert seen.given + seen.bounds.total() + seen.withheld > 0, name
-        assert seen.given - seen.held <= 1, name
-        assert max(map(abs, seen.distances), default=0.0) < 6.0, name
-        assert seen.bounds[False] <= 1, name
+def test_intervals_of_three_valves_contain_the_true_values(part):
+    """At least two of three intervals contain the true value, and no deviation is large."""
+    for name, counts in count_covered(range(9000, 9003), (part,)).items():
+        assert counts.given + counts.bounds.total() + counts.withheld > 0, name
+        assert counts.given - counts.held <= 1, name
+        assert max(map(abs, counts.distances), default=0.0) < 6.0, name
+        assert counts.bounds[False] <= 1, name
 
 
 @pytest.mark.slow
-def test_intervals_of_two_hundred_valves():
-    """The table of docs/bench_definitions.md."""
-    for name, seen in looked_at(range(9000, 9200)).items():
-        share = 100.0 * seen.held / max(1, seen.given)
-        rms = float(np.sqrt(np.mean(np.square(seen.distances)))) if seen.distances else 0.0
-        bounds = f"{seen.bounds.total()} | {seen.bounds[False]} | {seen.withheld}"
-        print(f"| `{name}` | {seen.given} | {share:.1f} | {rms:.2f} | {bounds} |")
+def test_coverage_of_intervals_of_two_hundred_valves():
+    """The counts agree with the table of docs/bench_definitions.md."""
+    for name, counts in count_covered(range(9000, 9200)).items():
+        share = 100.0 * counts.held / max(1, counts.given)
+        rms = float(np.sqrt(np.mean(np.square(counts.distances)))) if counts.distances else 0.0
+        bounds = f"{counts.bounds.total()} | {counts.bounds[False]} | {counts.withheld}"
+        print(f"| `{name}` | {counts.given} | {share:.1f} | {rms:.2f} | {bounds} |")
         assert share >= 90.0, name

@@ -1,4 +1,4 @@
-"""Tests whose truth is known, recorded with a gauge that is off by a constant: intervals have to hold what it does."""
+"""Coverage of intervals in fits to simulated tests whose sensor has an offset."""
 
 from __future__ import annotations
 
@@ -30,19 +30,19 @@ SHARED = (
 
 
 class Trial(NamedTuple):
-    """Which of the 95 % intervals held the truth: those of the result, and those of white noise alone."""
+    """Coverage of the truth by the 95 % intervals of a result, and by intervals for white noise alone."""
 
     covered: tuple[bool, ...]
     by_noise: tuple[bool, ...]
     is_named: bool
 
 
-def start(address: str) -> FreeParameter:
+def start_parameter(address: str) -> FreeParameter:
     return FreeParameter(address, address, "Pa", 4e5, 1e3, 1e8, "start", "run")
 
 
 def pair(generator: np.random.Generator) -> tuple[Circuit, float, tuple[FreeParameter, ...]]:
-    """Two tanks that equalise, a gauge on each."""
+    """Return a circuit of two tanks that equalise, with a sensor on each, its time scale and its free parameters."""
     volume, conductance = generator.uniform(2e-3, 6e-3), 10.0 ** generator.uniform(-8.6, -7.6)
     parts = {
         "left": Chamber(volume="7.5 l", initial_pressure=generator.uniform(4e5, 8e5), wall_conductance=4.0),
@@ -52,12 +52,12 @@ def pair(generator: np.random.Generator) -> tuple[Circuit, float, tuple[FreePara
         ),
     }
     own = FreeParameter("right.volume", "right.volume", "m^3", 4e-3, 1e-5, 1.0)
-    free = (own, *SHARED, start("left.initial_pressure"), start("right.initial_pressure"))
+    free = (own, *SHARED, start_parameter("left.initial_pressure"), start_parameter("right.initial_pressure"))
     return Circuit(parts), 8.0 * volume / conductance, free
 
 
 def tank(generator: np.random.Generator) -> tuple[Circuit, float, tuple[FreeParameter, ...]]:
-    """A tank that empties into air of known pressure."""
+    """Return a circuit of a tank that empties to ambient, its time scale and its free parameters."""
     conductance = 10.0 ** generator.uniform(-8.6, -7.6)
     wall, pressure = generator.uniform(5.0, 30.0), generator.uniform(5e5, 8e5)
     parts = {
@@ -67,15 +67,15 @@ def tank(generator: np.random.Generator) -> tuple[Circuit, float, tuple[FreePara
         ),
     }
     own = FreeParameter("tank.wall_conductance", "tank.wall_conductance", "W/K", 10.0, 0.0, 1e4)
-    return Circuit(parts), 3.5 * 20e-3 / conductance, (*SHARED, own, start("tank.initial_pressure"))
+    return Circuit(parts), 3.5 * 20e-3 / conductance, (*SHARED, own, start_parameter("tank.initial_pressure"))
 
 
 BENCHES = {"pair": (pair, ("left.pressure", "right.pressure")), "tank": (tank, ("tank.pressure",))}
 
 
 @cache
-def trial(bench: str, offsets: tuple[float, float], seed: int) -> Trial:
-    """One recording, the gauge that is off and its sign drawn."""
+def run_trial(bench: str, offsets: tuple[float, float], seed: int) -> Trial:
+    """Return the coverage for one recording, with a random sensor that has an offset of random sign."""
     generator = np.random.default_rng([2012, seed])
     build, gauges = BENCHES[bench]
     circuit, scaled, free = build(generator)
@@ -91,24 +91,26 @@ def trial(bench: str, offsets: tuple[float, float], seed: int) -> Trial:
     optimum = optimise([experiment], free)
     result = describe_optimum(FitPlan((experiment,), free), optimum, with_trials=False)
     truth = [float(circuit.numbers()[f.address]) for f in free]
-    found = [result.parameters[f.name] for f in free]
-    plain = 1.96 * np.sqrt(np.diag(covariance(optimum)))
+    estimates = [result.parameters[f.name] for f in free]
+    half_widths = 1.96 * np.sqrt(np.diag(covariance(optimum)))
     return Trial(
-        tuple(e.low <= value <= e.high for e, value in zip(found, truth, strict=True)),
-        tuple(abs(e.value - value) <= half for e, value, half in zip(found, truth, plain, strict=True)),
+        tuple(e.low <= value <= e.high for e, value in zip(estimates, truth, strict=True)),
+        tuple(abs(e.value - value) <= half for e, value, half in zip(estimates, truth, half_widths, strict=True)),
         any(n.code.startswith("finding.offset.") and n.address == f"run.{wrong}" for n in result.remarks),
     )
 
 
-def hits(bench: str, offsets: tuple[float, float], count: int) -> tuple[np.ndarray, np.ndarray, int]:
-    """Intervals that held the truth, with everything and by white noise alone, and how often the offset was named."""
-    trials = [trial(bench, offsets, seed) for seed in range(count)]
+def count_covering_intervals(
+    bench: str, offsets: tuple[float, float], count: int
+) -> tuple[np.ndarray, np.ndarray, int]:
+    """Return the numbers of covering intervals, of the result and for white noise, and of findings on the offset."""
+    trials = [run_trial(bench, offsets, seed) for seed in range(count)]
     covered, by_noise = (np.array([getattr(t, kind) for t in trials]).sum(axis=0) for kind in ("covered", "by_noise"))
     return covered, by_noise, sum(t.is_named for t in trials)
 
 
-def check(bench: str, offsets: tuple[float, float], count: int) -> None:
-    covered, by_noise, named = hits(bench, offsets, count)
+def check_coverage(bench: str, offsets: tuple[float, float], count: int) -> None:
+    covered, by_noise, named = count_covering_intervals(bench, offsets, count)
     print(f"{bench}, {offsets[0]} to {offsets[1]} sigma: covered {(covered / count).round(3)}, by noise alone "
           f"{(by_noise / count).round(3)}, named {named / count:.3f}")  # fmt: skip
     assert np.all(covered >= binom.ppf(0.001, count, 0.95))
@@ -118,22 +120,22 @@ def check(bench: str, offsets: tuple[float, float], count: int) -> None:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("bench", ["pair", "tank"])
-def test_intervals_hold_the_offset_of_a_gauge(bench: str) -> None:
-    check(bench, LARGE, FEW)
+def test_intervals_contain_the_effect_of_an_offset(bench: str) -> None:
+    check_coverage(bench, LARGE, FEW)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("offsets", [SMALL, LARGE], ids=["small", "large"])
 @pytest.mark.parametrize("bench", BENCHES)
-def test_intervals_hold_small_and_large_offsets(bench: str, offsets: tuple[float, float]) -> None:
-    """Prints the coverage: `pytest -m slow -rP` shows it."""
-    check(bench, offsets, ALL)
+def test_intervals_contain_the_effect_of_small_and_large_offsets(bench: str, offsets: tuple[float, float]) -> None:
+    """`pytest -m slow -rP` shows the coverage."""
+    check_coverage(bench, offsets, ALL)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("bench", BENCHES)
-def test_no_offset_is_named_or_added_where_there_is_none(bench: str) -> None:
-    covered, _, named = hits(bench, (0.0, 0.0), ALL)
+def test_recordings_without_offset_give_no_finding(bench: str) -> None:
+    covered, _, named = count_covering_intervals(bench, (0.0, 0.0), ALL)
     print(f"{bench}, no offset: covered {(covered / ALL).round(3)}")
     assert named == 0
     assert np.all(covered >= binom.ppf(0.001, ALL, 0.95))

@@ -1,4 +1,4 @@
-"""Numbers inside a complete valve, with sampling, hold band and converter, are found from noisy steps."""
+"""Fits of parameters of a complete valve with sampled controller to noisy steps."""
 
 from __future__ import annotations
 
@@ -52,9 +52,9 @@ time = { column = "t", unit = "s" }
 """
 
 
-@pytest.mark.slow  # every day, tests/unit/identify/test_experiment.py finds two numbers of a smaller program
+@pytest.mark.slow  # tests/unit/identify/test_experiment.py always tests a smaller controller
 @pytest.mark.parametrize("seed", [1, 2])
-def test_numbers_of_pilot_and_main_stage_are_found(tmp_path: Path, seed: int) -> None:
+def test_fit_recovers_parameters_of_pilot_and_main_stage(tmp_path: Path, seed: int) -> None:
     circuit = loads(BENCH)
     run = circuit.simulate()
     noisy = [run[name] + np.random.default_rng([seed, k]).normal(0.0, 500.0, run.time.size)
@@ -83,49 +83,51 @@ def truth() -> dict[str, float]:
     return dict(module.REGULATOR)
 
 
-def test_every_step_takes_over_what_those_before_have_found():
-    """The numbers in `set` and `start` are typed: each number has one value in all files, near what is documented."""
+def test_steps_use_the_values_of_earlier_steps():
+    """Each parameter in `set` and `start` has the same value in all files."""
     plans = [tomllib.loads((VALVE / name).read_text()) for name in ("1_flow.toml", "2_pilot.toml", "3_loops.toml")]
     last = tomllib.loads((VALVE / "4_all.toml").read_text())
     free = [set(plan["free"]) for plan in plans]
     assert [set(plan.get("set", {})) for plan in plans] == [set(), free[0], free[0] | free[1]]
-    typed = {name: given["start"] for name, given in last["free"].items() if "start" in given}
-    assert set(typed) == free[0] | free[1] | free[2]
-    assert set(last["free"]) == set(truth()) == {*typed, "valve.pilot.volume"}
+    start_values = {name: table["start"] for name, table in last["free"].items() if "start" in table}
+    assert set(start_values) == free[0] | free[1] | free[2]
+    assert set(last["free"]) == set(truth()) == {*start_values, "valve.pilot.volume"}
     for plan in plans:
-        assert plan.get("set", {}).items() <= typed.items()
+        assert plan.get("set", {}).items() <= start_values.items()
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("step", [1, 2, 3, 4])
-def test_the_recipe_finds_what_the_page_says(step: int) -> None:
+def test_steps_give_the_results_of_the_page(step: int) -> None:
     section = PAGE.read_text(encoding="utf-8").partition("\n## Steps\n")[2]
     row = next(line for line in section.splitlines() if line.startswith(f"| {step} | "))
-    told = [float(number) for number in re.findall(r"([+-][\d.]+)", row)]
+    expected_errors = [float(number) for number in re.findall(r"([+-][\d.]+)", row)]
     rms = [float(number) for number in re.findall(r"(\d+) Pa", row)]
     result = identify_fit(next(VALVE.glob(f"{step}_*.toml")))
-    known = truth()
-    found = [100.0 * (e.value / known[name] - 1.0) for name, e in result.parameters.items()]
-    order = [0, 1, 2, 4, 5, 3] if step == 4 else range(len(found))  # the page has the volume last
-    assert [found[k] for k in order] == pytest.approx(told, abs=1.0)
-    assert [each.rms for each in result.residuals.values()] == pytest.approx(rms, rel=0.1)
+    true_values = truth()
+    errors = [100.0 * (e.value / true_values[name] - 1.0) for name, e in result.parameters.items()]
+    order = [0, 1, 2, 4, 5, 3] if step == 4 else range(len(errors))  # the page has the volume last
+    assert [errors[k] for k in order] == pytest.approx(expected_errors, abs=1.0)
+    assert [summary.rms for summary in result.residuals.values()] == pytest.approx(rms, rel=0.1)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("with_pilot", [False, True])
-def test_a_conductance_follows_the_volume_that_is_held(tmp_path: Path, with_pilot: bool) -> None:
-    """Only the misfit tells the volume: clearly with the pilot pressure, hardly without it once gains are free."""
+def test_conductance_depends_on_the_fixed_volume(tmp_path: Path, with_pilot: bool) -> None:
+    """The fitted conductance depends on the fixed volume, and the residuals are least at the true volume."""
     fill, noise = "valve.pilot.fill.sonic_conductance", 300.0
     lines = (VALVE / "2_pilot.toml").read_text().splitlines()
     text = "\n".join(line for line in lines if with_pilot or not line.startswith('"valve.pilot_pressure"'))
-    known = {name: value for name, value in truth().items() if not name.startswith("valve.pilot")}
+    true_values = {name: value for name, value in truth().items() if not name.startswith("valve.pilot")}
     for name in ("bench.toml", "steps.csv"):
         shutil.copy(VALVE / name, tmp_path)
     head, rest = text[: text.index("[set]")], text[text.index("[recordings") :]
-    for held, change in ((5.0e-6, -0.19), (6.5e-6, 0.0), (8.0e-6, 0.20)):
-        given = "\n".join(f'"{name}" = {value!r}' for name, value in {**known, "valve.pilot.volume": held}.items())
-        (tmp_path / "fit.toml").write_text(f"{head}[set]\n{given}\n\n{rest}\n")
+    for volume, change in ((5.0e-6, -0.19), (6.5e-6, 0.0), (8.0e-6, 0.20)):
+        fixed_values = "\n".join(
+            f'"{name}" = {value!r}' for name, value in {**true_values, "valve.pilot.volume": volume}.items()
+        )
+        (tmp_path / "fit.toml").write_text(f"{head}[set]\n{fixed_values}\n\n{rest}\n")
         result = identify_fit(tmp_path / "fit.toml")
         assert result.parameters[fill].value == pytest.approx((1.0 + change) * truth()[fill], rel=0.04)
-        rms = max(each.rms for each in result.residuals.values())
+        rms = max(summary.rms for summary in result.residuals.values())
         assert (rms < 1.6 * noise) == (change == 0.0)

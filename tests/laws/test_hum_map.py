@@ -1,4 +1,4 @@
-"""Linear and full model say the same about stability over springs, dampings and volumes."""
+"""Tests of the agreement of linear and nonlinear stability over springs, dampings and volumes."""
 
 from __future__ import annotations
 
@@ -26,37 +26,37 @@ FEW = [
     (0.5, 0.25, 2e-3),
     (0.5, 1.0, 6e-4),
 ]
-"""The edge of stability on both sides, and what lies well within."""
+"""Points on both sides of the stability limit, and points far from it."""
 
 
 @pytest.fixture(
     scope="module", params=[pytest.param(GRID, marks=pytest.mark.slow, id="grid"), pytest.param(FEW, id="few")]
 )
-def found(request):
+def points(request):
     return {key: stability_point(PLAN, *key) for key in request.param}
 
 
-def test_they_agree_on_a_grid(found):
-    assert [key for key, each in found.items() if not each.agrees] == []
-    assert {each.smooth for each in found.values()} >= {"oscillates", "decays"}
+def test_linear_and_nonlinear_model_agree_on_a_grid(points):
+    assert [key for key, point in points.items() if not point.agrees] == []
+    assert {point.smooth for point in points.values()} >= {"oscillates", "decays"}
 
 
-def test_hum_close_to_the_edge_has_the_frequency_of_the_pole(found):
-    """Far beyond it the limit cycle is large, the poppet meets its seat, and the frequency falls."""
-    close = {key: each for key, each in found.items() if 0.0 < each.pole.real < 200.0}
+def test_limit_cycle_near_stability_limit_has_the_pole_frequency(points):
+    """Far beyond the limit, the poppet hits its seat and the frequency falls."""
+    close = {key: point for key, point in points.items() if 0.0 < point.pole.real < 200.0}
     assert close
-    for each in close.values():
-        assert each.smooth_frequency == pytest.approx(abs(each.pole.imag) / (2.0 * math.pi), rel=0.1)
+    for point in close.values():
+        assert point.smooth_frequency == pytest.approx(abs(point.pole.imag) / (2.0 * math.pi), rel=0.1)
 
 
-def test_damping_and_volume_calm_it(found):
-    growth = {key: each.pole.real for key, each in found.items()}
+def test_damping_and_volume_stabilise_the_valve(points):
+    growth = {key: point.pole.real for key, point in points.items()}
     for s in {key[0] for key in growth if (key[0], 4.0, 6e-4) in growth}:
         assert growth[s, 0.25, 6e-4] > growth[s, 1.0, 6e-4] > growth[s, 4.0, 6e-4]
         assert growth[s, 1.0, 1e-4] > growth[s, 1.0, 6e-4]
 
 
-def test_the_bands_explain_what_moves_where_small_motions_decay(found):
-    moving = [each for each in found.values() if each.is_stable and each.amplitude > 25.0]
+def test_controller_bands_explain_motion_of_stable_points(points):
+    moving = [point for point in points.values() if point.is_stable and point.amplitude > 25.0]
     assert moving
-    assert {each.note.code for each in moving} <= {"limits.hums", "limits.hunts"}
+    assert {point.note.code for point in moving} <= {"limits.hums", "limits.hunts"}

@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 from poppet.control.extraction import plant_of
 from poppet.control.metrics import StepMetric, metrics_in, step_metrics
 from poppet.control.plant import Plant
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.files import by_suffix, write_whole
+from poppet.core.tables import NumberRange
 from poppet.engine.solve import solve
 from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of
 from poppet.timeseries.signals import Steps
@@ -181,13 +182,22 @@ def compare(
         raise InputError("control.no_circuits")
     controller_name = plant_of(first, controller).controller
     plants = {name: plant_of(circuit, controller_name) for name, circuit in circuits.items()}
+    prefix = f"{controller_name}."
     with ErrorCollector() as errors:
-        shape = _shape(first, next(iter(plants.values())))
+        properties = {name: {**c.parameters, **_shape(c, plants[name])} for name, c in circuits.items()}
+        first_properties = next(iter(properties.values()))
         for name, circuit in circuits.items():
-            _check_fair(errors, name, (circuit, _shape(circuit, plants[name])), (first, shape), controller_name)
+            for key in sorted({*properties[name], *first_properties}):
+                of_controller = key.startswith(prefix) and key.removeprefix(prefix) not in _SHARED
+                value, first_value = properties[name].get(key), first_properties.get(key)
+                if not of_controller and value != first_value:
+                    errors.add("control.unfair", key, value=value, first=first_value, circuit=name)
+            # The metrics need steps: a ramp has no rise time.
+            if not isinstance(circuit.signals.get(f"{prefix}setpoint"), Steps):
+                errors.add("control.no_staircase", f"{prefix}setpoint", circuit=name)
         _check_varied(errors, first, controller_name, ranges)
-        if draws < 0:
-            errors.extend([OutOfRangeError("control.draws", draws=draws)])
+        with errors.collecting():
+            NumberRange(unit="1", low=0.0).check_range("draws", draws, str(draws), "count of random runs")
     count = draws if ranges else 0
     random_values = np.random.default_rng(seed).uniform(-1.0, 1.0, (count, len(ranges)))
     columns = zip(ranges.items(), random_values.T, strict=True)
@@ -199,17 +209,15 @@ def compare(
             runner.run({address: float(values[k]) for address, values in factors.items()})
             if progress is not None:
                 progress(k * len(runs) + j + 1, total)
-    contender_1 = next(iter(runs.values()))
     figures = {
         name: {key: np.array([row[key] for row in contender.figures]) for key in contender.kinds}
         for name, contender in runs.items()
     }
-    return Comparison(
-        contender_1.time, contender_1.setpoint,
-        {name: np.array(contender.responses) for name, contender in runs.items()},
-        {name: contender.command for name, contender in runs.items()},
-        figures, factors, ranges, seed, contender_1.part.controls, command_of(contender_1.part),
-    )  # fmt: skip
+    responses = {name: np.array(contender.responses) for name, contender in runs.items()}
+    commands = {name: contender.command for name, contender in runs.items()}
+    time, setpoint, part = runner.time, runner.setpoint, runner.part  # equal in all circuits
+    quantities = part.controls, command_of(part)
+    return Comparison(time, setpoint, responses, commands, figures, factors, ranges, seed, *quantities)
 
 
 class _Contender:
@@ -242,27 +250,6 @@ class _Contender:
         self.figures.append(dict.fromkeys(self.kinds, np.inf) if missing else metrics)
 
 
-def _check_fair(
-    errors: ErrorCollector,
-    name: str,
-    case: tuple[BaseCircuit, Any],
-    reference_case: tuple[BaseCircuit, Any],
-    controller: str,
-) -> None:
-    """Add an error for each difference between two circuits outside the controller.
-
-    `case` and `reference_case` are pairs of a circuit and the dictionary from `_shape`.
-    """
-    values, reference_values = ({**circuit.parameters, **shape} for circuit, shape in (case, reference_case))
-    for key in sorted({*values, *reference_values}):
-        of_controller = key.startswith(f"{controller}.") and key.removeprefix(f"{controller}.") not in _SHARED
-        if not of_controller and values.get(key) != reference_values.get(key):
-            errors.add("control.unfair", key, value=values.get(key), first=reference_values.get(key), circuit=name)
-    # The metrics need steps: a ramp has no rise time.
-    if not isinstance(case[0].signals.get(f"{controller}.setpoint"), Steps):
-        errors.add("control.no_staircase", f"{controller}.setpoint", circuit=name)
-
-
 def _shape(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
     """Return all properties except parameters that must be equal in the compared circuits."""
     return {
@@ -282,7 +269,7 @@ def _shape(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
 
 
 def _check_varied(errors: ErrorCollector, circuit: BaseCircuit, controller: str, ranges: Mapping[str, float]) -> None:
-    numbers = circuit.numbers()
+    numbers, relative_range = circuit.numbers(), NumberRange(unit="1", above=0.0, below=1.0)
     sensor = {f"{controller}.sensor.lag", f"{controller}.sensor.offset"}
     for address, size in ranges.items():
         if address not in numbers:
@@ -292,5 +279,6 @@ def _check_varied(errors: ErrorCollector, circuit: BaseCircuit, controller: str,
             errors.add("control.vary.of_controller", address)
         elif circuit.parameters.get(address, 0.0) == 0.0:  # the range is relative to the value
             errors.add("control.vary.zero", address)
-        elif not 0.0 < size < 1.0:
-            errors.extend([OutOfRangeError("control.vary.range", address, size=size)])
+        else:
+            with errors.collecting():
+                relative_range.check_range(address, size, f"{size:g}", "relative range")

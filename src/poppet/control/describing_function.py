@@ -22,8 +22,9 @@ from poppet.control.metrics import readable_unit_of
 from poppet.control.plant import OperatingPoint, Plant, point_label
 from poppet.control.verification import Verification, verify_step
 from poppet.core.codes import Note
-from poppet.core.errors import OutOfRangeError, SimulationError
-from poppet.core.units import convert, quantity
+from poppet.core.errors import SimulationError
+from poppet.core.tables import Field
+from poppet.core.units import convert
 from poppet.parts.part import Scope
 from poppet.parts.quantities import COMMANDS, command_of
 from poppet.timeseries.signals import Constant, Sine
@@ -114,28 +115,19 @@ class MeasuredPlant(LoopPlant):
         return np.asarray(np.exp(size + 1j * phase), dtype=np.complex128)
 
     @cached_property
-    def _coarse_response(self) -> tuple[Complex, Complex]:
+    def _stable_loop(self) -> tuple[Complex, Complex, float]:
+        """Points of a coarse frequency grid, the response there, and the phase change of the stable loop."""
         z = self.at(self.frequencies[::-_EVERY][::-1])
-        return z, self.response(z)
-
-    def _phase_change(self, gains: Gains) -> float:
-        """Return the change of the angle of 1 + L over the frequency range [rad].
-
-        The range ends at half the sampling frequency. L is the response of the open loop with the given gains.
-        """
-        z, answers = self._coarse_response
-        angle = np.unwrap(np.angle(1.0 + answers * gains.response(z, self.sample_time)))
-        return float(angle[-1] - angle[0])
-
-    @cached_property
-    def _reference_phase(self) -> float:
-        return self._phase_change(self.stabilised_by)
+        response = self.response(z)
+        return z, response, _phase_change(response * self.stabilised_by.response(z, self.sample_time))
 
     def is_stable_with(self, gains: Gains) -> bool:
+        z, response, phase_change = self._stable_loop
         # Nyquist for any poles of the plant: the loop is stable if 1 + L encircles the origin as often as in the
         # measured, stable loop. The pole at 1 of an integral adds a quarter of a turn.
         integral_turn = 0.5 * np.pi if gains.integral_time > 0.0 else 0.0
-        return abs(self._phase_change(gains) - self._reference_phase - integral_turn) < 0.5 * np.pi
+        change = _phase_change(response * gains.response(z, self.sample_time))
+        return abs(change - phase_change - integral_turn) < 0.5 * np.pi
 
     def covers(self, gains: Gains, bound: float) -> bool:
         """Return True if Ms and Mt keep the bound outside the measured frequency range.
@@ -157,6 +149,12 @@ class MeasuredPlant(LoopPlant):
         low, high = np.abs(self.responses * gains.response(self.at(self.known_frequencies), self.sample_time))[[0, -1]]
         is_gain = abs(np.angle(self.responses[0])) < 0.25 * np.pi
         return bool((low >= bound / (bound - 1.0) or is_gain) and high <= 1.0 - 1.0 / bound)
+
+
+def _phase_change(loop: Complex) -> float:
+    """Return the change of the angle of 1 + L over the frequency range, where L is the open-loop response [rad]."""
+    angle = np.unwrap(np.angle(1.0 + loop))
+    return float(angle[-1] - angle[0])
 
 
 @dataclass(frozen=True, eq=False)
@@ -361,7 +359,13 @@ class MeasuredLoop(Plant):
         self.report_progress(f"{frequency:.3g} Hz by {self.named(size)}")
         z = np.exp(2j * np.pi * np.array([1.0 / samples]))
         hold_response = settled.weak_gains.response(z, self.loop.sample_time)[0]
-        amplitude = size * float(abs(1.0 + _interpolate_response(responses, samples) * hold_response))
+        # Estimate of the response at this period: a power law through the two nearest measured periods.
+        estimate: complex = 0.0
+        nearest = sorted(responses, key=lambda n: abs(math.log(n / samples)))[:2]
+        if len(nearest) == 2:
+            first, second = (responses[n] for n in nearest)
+            estimate = first * (second / first) ** (math.log(samples / nearest[0]) / math.log(nearest[1] / nearest[0]))
+        amplitude = size * float(abs(1.0 + estimate * hold_response))
         for _ in range(_TRIES):
             answer = settled.answer(samples, amplitude)
             if answer is None:
@@ -399,15 +403,13 @@ def make_measured_loop(
     """
     loop = loop_of(circuit, controller)
     unit = COMMANDS[command_of(loop.part)].unit
-    sizes = sorted(float(quantity(amplitude, unit, name="amplitude").value) for amplitude in amplitudes)
     numbers = loop.numbers
     if loop.part.is_of_openings:
         largest = 0.5 * (numbers["fill_limit"] + numbers["vent_limit"])
     else:
         largest = 0.5 * (numbers["upper_limit"] - numbers["lower_limit"])
-    for size in sizes:
-        if not 0.0 < size <= largest:
-            raise OutOfRangeError("tuning.amplitude", loop.controller, size=size, most=largest, unit=unit)
+    field = Field(unit=unit, above=0.0, high=largest, meaning="amplitude, limited by the command,")
+    sizes = sorted(field.read(amplitude, "amplitude") for amplitude in amplitudes)
     return MeasuredLoop(
         circuit.instance, loop.controller, loop.part, loop.measurement, loop.commands, loop.begins,
         loop=loop, amplitudes=tuple(sizes), report_progress=progress or (lambda text: None),
@@ -418,16 +420,3 @@ def _round_period(samples: float) -> int:
     """Return the nearest period in samples that contains an integer count of stored rows."""
     decimation = max(1, math.ceil(samples / _ROWS))
     return decimation * round(samples / decimation)
-
-
-def _interpolate_response(responses: Mapping[int, complex], samples: int) -> complex:
-    """Estimate the response at a period from the responses at the two nearest periods.
-
-    `responses` maps periods in samples to measured responses. The estimate is a power law of the period. It is 0 if
-    fewer than two responses are available.
-    """
-    nearest = sorted(responses, key=lambda n: abs(math.log(n / samples)))[:2]
-    if len(nearest) < 2:
-        return 0.0
-    fraction = math.log(samples / nearest[0]) / math.log(nearest[1] / nearest[0])
-    return responses[nearest[0]] * (responses[nearest[1]] / responses[nearest[0]]) ** fraction

@@ -47,7 +47,19 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     """
     loop = loop_of(circuit, controller)
     part, controller = loop.part, loop.controller
-    simplified, notes = _without_stiction(loop.circuit)
+    changed: dict[str, Any] = {}
+    notes = []
+    for name, member in loop.circuit.parts.items():
+        friction: Any = getattr(member, "friction", None)
+        if isinstance(member, Mass | Joint) and friction is not None and friction.kind in ("stribeck", "lugre"):
+            viscous = friction.viscous_coefficient
+            changed[name] = replace(member, friction={"viscous_coefficient": viscous})
+            facts = {"law": friction.kind, "value": float(viscous), "unit": viscous.unit}
+            notes.append(Note("plant.sliding", f"{name}.friction", **facts))
+        elif getattr(member, "hysteresis", None) is not None:
+            changed[name] = replace(member, hysteresis=None)  # type: ignore[type-var]
+            notes.append(Note("plant.no_hysteresis", f"{name}.hysteresis"))
+    simplified = replace(loop.circuit, parts={**loop.circuit.parts, **changed}) if changed else loop.circuit
     has_body = any(isinstance(member, Body) for member in circuit.parts.values())
     # A chamber alone starts at its operating point; other plants reach it in manual mode.
     is_manual = not part.is_of_openings or part.controls != "pressure" or has_body
@@ -55,7 +67,7 @@ def plant_of(circuit: BaseCircuit, controller: str | None = None) -> Plant:
     if remaining.model.memory and not is_manual:
         raise InputError("plant.also_sampled", controller, other=remaining.model.memory[0][0].partition(".")[0])
     kind = ManualPlant if is_manual else Plant
-    return kind(remaining, controller, part, loop.measurement, loop.commands, loop.begins, notes)
+    return kind(remaining, controller, part, loop.measurement, loop.commands, loop.begins, tuple(notes))
 
 
 class Loop(NamedTuple):
@@ -93,9 +105,10 @@ def loop_of(circuit: BaseCircuit, controller: str | None = None) -> Loop:
     if controller is None and len(controllers) == 1:
         controller = next(iter(controllers))
     if controller not in controllers:
-        code = "unknown_controller" if controller else "several_controllers"
         suggestion = NameSuggestion(controller or "", controllers)
-        raise InputError(f"plant.{code if controllers else 'no_controller'}", name=controller, near=suggestion)
+        if controllers and controller:
+            raise InputError("names.unknown", controller, meaning="a controller of this circuit", near=suggestion)
+        raise InputError(f"plant.{'several_controllers' if controllers else 'no_controller'}", near=suggestion)
     measurement = circuit.connections.get(f"{controller}.measurement")
     commands: dict[str, tuple[str, ...]] = {}
     for target, source in circuit.connections.items():
@@ -172,23 +185,3 @@ def _remove_outer_loops(circuit: BaseCircuit, controller: str) -> BaseCircuit:
         connections={target: source for target, source in circuit.connections.items() if stays(target, source)},
         signals={address: signal for address, signal in circuit.signals.items() if stays(address)},
     )
-
-
-def _without_stiction(circuit: BaseCircuit) -> tuple[BaseCircuit, tuple[Note, ...]]:
-    """Replace stiction by viscous friction; return the circuit and notes on the changes.
-
-    The hysteresis of muscles is removed.
-    """
-    changed: dict[str, Any] = {}
-    notes = []
-    for name, part in circuit.parts.items():
-        friction: Any = getattr(part, "friction", None)
-        if isinstance(part, Mass | Joint) and friction is not None and friction.kind in ("stribeck", "lugre"):
-            viscous = friction.viscous_coefficient
-            changed[name] = replace(part, friction={"viscous_coefficient": viscous})
-            facts = {"law": friction.kind, "value": float(viscous), "unit": viscous.unit}
-            notes.append(Note("plant.sliding", f"{name}.friction", **facts))
-        elif getattr(part, "hysteresis", None) is not None:
-            changed[name] = replace(part, hysteresis=None)  # type: ignore[type-var]
-            notes.append(Note("plant.no_hysteresis", f"{name}.hysteresis"))
-    return (replace(circuit, parts={**circuit.parts, **changed}) if changed else circuit), tuple(notes)

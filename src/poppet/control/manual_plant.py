@@ -80,7 +80,18 @@ class ManualPlant(Plant):
         if abs(point.clock.sample_time - time) > 1e-9 * time:
             raise InputError("plant.other_period", self.controller, sample_time=time, period=point.clock.sample_time)
         trim = _Trim(instance, point, self._hand, self._shown, self.part)
-        v, command = self._find_state(trim, target)
+        low, high = trim.limits
+        causes: list[Note] = []
+        for v, command in self._search_starts(trim, causes):
+            operating_state = trim.follow(v, command, target)
+            if operating_state is not None and low <= operating_state[1] <= high:
+                v, command = operating_state
+                break
+        else:
+            moves = (self._answer(trim.model(point.start, 0.0, direction)) != 0.0 for direction in (1.0, -1.0))
+            if self.part.is_of_openings and not any(moves):
+                raise self._dead_zone_error("plant.dead_zone", "positive", target)
+            raise SimulationError(Note("plant.not_trimmed", self.measurement, why=causes, **self.shown(target)))
         models: dict[str, LinearModel] = {}
         for branch in self.sides if self.part.is_of_openings else ("command", "back"):
             model = trim.model(v, command, -1.0 if branch in ("vent", "back") else 1.0)
@@ -110,20 +121,6 @@ class ManualPlant(Plant):
         scale = float(np.max(np.abs(x), initial=0.0) * np.max(np.abs(plant.C), initial=0.0))
         answer = float(plant.C @ x)
         return answer if abs(answer) > _SEEN * scale else 0.0
-
-    def _find_state(self, trim: _Trim, target: float) -> tuple[Array, float]:
-        """Return the state vector and the command of the steady state with the measurement `target`."""
-        low, high = trim.limits
-        causes: list[Note] = []
-        for v, command in self._search_starts(trim, causes):
-            operating_state = trim.follow(v, command, target)
-            if operating_state is not None and low <= operating_state[1] <= high:
-                return operating_state
-        if self.part.is_of_openings and all(
-            self._answer(trim.model(trim.point.start, 0.0, direction)) == 0.0 for direction in (1.0, -1.0)
-        ):
-            raise self._dead_zone_error("plant.dead_zone", "positive", target)
-        raise SimulationError(Note("plant.not_trimmed", self.measurement, why=causes, **self.shown(target)))
 
     def _dead_zone_error(self, code: str, branch: str, target: float) -> InputError:
         return InputError(code, self.measurement, inputs=tuple(self.targets), branch=branch, **self.shown(target))

@@ -13,7 +13,8 @@ from poppet.control.loop import SampledPlant, sampled_plant
 from poppet.control.metrics import readable_unit_of
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, SimulationError
-from poppet.core.units import convert, quantity
+from poppet.core.tables import Field
+from poppet.core.units import convert
 from poppet.parts.quantities import QUANTITIES
 from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop
 from poppet.timeseries.recording import Recording
@@ -111,8 +112,8 @@ class Plant:
         float
             Value in SI; a pressure is absolute.
         """
-        parsed = quantity(value, self.part.unit, kind=QUANTITIES[self.part.controls].kind, name="operating point")
-        return float(parsed.value + (self.instance.surroundings.pressure if parsed.reference == "gauge" else 0.0))
+        field = Field(unit=self.part.unit, kind=QUANTITIES[self.part.controls].kind)
+        return float(field.read(value, "operating point", self.instance.surroundings.pressure))
 
     def shown(self, value: float) -> dict[str, Any]:
         """Convert an SI value of the measured quantity to a readable unit.
@@ -181,11 +182,25 @@ class Plant:
         instance = self._with_initial_value(target)
         command = 0.0
         if abs(self._rest(instance, 0.0) - target) > _TOLERANCE * target:
-            command = self._find_holding_command(instance, target)
+            from scipy.optimize import brentq
+
+            def error(command: float) -> float:
+                return self._rest(instance, command) - target
+
+            limits = self.part.parameters(self.instance.surroundings)
+            limit = limits["fill_limit"] if error(0.0) < 0.0 else -limits["vent_limit"]
+            if limit == 0.0 or error(0.0) * error(limit) > 0.0:
+                raise self._unreachable(target, self._rest(instance, limit))
+            # A small leak needs a small command: the tolerance is relative.
+            command = float(brentq(error, 0.0, limit, xtol=_ABSOLUTE, rtol=_RELATIVE))
         steady = steady_state(instance, self._inputs(command))
         if abs(steady.y[self.measurement] - target) > _TOLERANCE * target:  # a leak with a very long time constant
             raise self._unreachable(target, steady.y[self.measurement])
-        weights, models = self._weights(), {}
+        outputs = {"command": "command", "fill": "fill_command", "vent": "vent_command"}
+        connected = [(branch, output) for branch, output in outputs.items() if output in self.commands]
+        # For each side, the inputs that its command drives and their signs.
+        weights = {branch: dict.fromkeys(self.commands[output], COMMANDS[output]) for branch, output in connected}
+        models = {}
         for branch, inputs in weights.items():
             sign = SIGNS[branch]
             # On this side of the kink of a closed valve, at the same state.
@@ -216,20 +231,6 @@ class Plant:
             initial = corrected
         return instance
 
-    def _find_holding_command(self, instance: Instance, target: float) -> float:
-        """Return the command that keeps the measurement at the target."""
-        from scipy.optimize import brentq
-
-        def error(command: float) -> float:
-            return self._rest(instance, command) - target
-
-        limits = self.part.parameters(self.instance.surroundings)
-        limit = limits["fill_limit"] if error(0.0) < 0.0 else -limits["vent_limit"]
-        if limit == 0.0 or error(0.0) * error(limit) > 0.0:
-            raise self._unreachable(target, self._rest(instance, limit))
-        # A small leak needs a small command: the tolerance is relative.
-        return float(brentq(error, 0.0, limit, xtol=_ABSOLUTE, rtol=_RELATIVE))
-
     def _unreachable(self, target: float, reached: float) -> SimulationError:
         return SimulationError(Note("plant.not_held", self.measurement, wanted=target, reached=reached))
 
@@ -239,12 +240,6 @@ class Plant:
     def _inputs(self, command: float) -> dict[str, float]:
         values = {"command": command, "fill_command": max(command, 0.0), "vent_command": max(-command, 0.0)}
         return {target: values[output] for output, targets in self.commands.items() for target in targets}
-
-    def _weights(self) -> dict[str, dict[str, float]]:
-        """Return, for each side, the inputs that its command drives and their signs."""
-        outputs = {"command": "command", "fill": "fill_command", "vent": "vent_command"}
-        connected = [(branch, output) for branch, output in outputs.items() if output in self.commands]
-        return {branch: dict.fromkeys(self.commands[output], COMMANDS[output]) for branch, output in connected}
 
     def _check_response(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
         row = model.outputs.index(self.measurement)

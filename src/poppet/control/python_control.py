@@ -53,7 +53,16 @@ def gains_from_control(system: Any) -> Gains:
     sample_time = system.dt
     if not isinstance(sample_time, float) or sample_time <= 0.0:
         raise InputError("control.no_sample_time", dt=sample_time)
-    poles, direct, residues = _fractions(control.tf(system))
+    # Partial fractions of the transfer function, which must not have multiple poles.
+    function = control.tf(system)
+    numerator, denominator = (np.atleast_1d(np.squeeze(p[0][0])) for p in (function.num, function.den))
+    numerator = np.trim_zeros(numerator, "f") if np.any(numerator) else numerator
+    if len(numerator) > len(denominator):
+        raise InputError("control.looks_ahead")
+    direct = float(numerator[0] / denominator[0]) if len(numerator) == len(denominator) else 0.0
+    remainder, slope = np.polysub(numerator, direct * denominator), np.polyder(denominator)
+    poles = np.roots(denominator)
+    residues = np.polyval(remainder, poles) / np.polyval(slope, poles)
     # A PID has at most a pole at 1, the integral, and a pole of the derivative filter.
     is_integrator = np.abs(poles - 1.0) < _ROUNDING
     filter_poles = np.flatnonzero(~is_integrator)
@@ -72,19 +81,6 @@ def gains_from_control(system: Any) -> Gains:
     filter_time = sample_time * filter_pole / (1.0 - filter_pole)
     integral_time = gain * sample_time / integral if integral > 0.0 else 0.0
     return Gains(gain, integral_time, derivative_gain * (filter_time + sample_time) / gain, filter_time)
-
-
-def _fractions(system: Any) -> tuple[Any, float, Any]:
-    """Return poles, direct term and residues of a transfer function without multiple poles."""
-    numerator, denominator = (np.atleast_1d(np.squeeze(polynomial[0][0])) for polynomial in (system.num, system.den))
-    numerator = np.trim_zeros(numerator, "f") if np.any(numerator) else numerator
-    if len(numerator) > len(denominator):
-        raise InputError("control.looks_ahead")
-    direct = float(numerator[0] / denominator[0]) if len(numerator) == len(denominator) else 0.0
-    remainder = np.polysub(numerator, direct * denominator)
-    poles = np.roots(denominator)
-    slope = np.polyder(np.poly1d(denominator))
-    return poles, direct, np.array([np.polyval(remainder, p) / slope(p) for p in poles])
 
 
 def model_from_control(system: Any) -> LinearModel:

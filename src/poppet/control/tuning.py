@@ -23,8 +23,9 @@ from poppet.control.metrics import readable_unit_of
 from poppet.control.plant import OperatingPoint, Plant, point_label
 from poppet.control.verification import Verification
 from poppet.core.codes import Note
-from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, SimulationError
+from poppet.core.errors import InputError, NameSuggestion, SimulationError
 from poppet.core.provenance import Number, Source
+from poppet.core.tables import NumberRange
 from poppet.core.units import convert
 from poppet.parts.pid import PID
 from poppet.parts.quantities import COMMANDS, OPENING, QUANTITIES, command_of, gain_unit
@@ -342,8 +343,8 @@ def _prepare(
     if form not in FORMS:
         near = NameSuggestion(form, FORMS)
         raise InputError("fields.not_an_option", "form", value=form, meaning="form of controller", near=near)
-    if not MIN_BOUND <= bound <= MAX_BOUND:
-        raise OutOfRangeError("tuning.bound", bound=bound, low=MIN_BOUND, high=MAX_BOUND)
+    limits = NumberRange(unit="1", low=MIN_BOUND, high=MAX_BOUND)
+    limits.check_range("sensitivity", bound, f"{bound:g}", "bound of Ms and Mt")
     measured = make_measured_loop(circuit, controller, amplitudes, progress) if amplitudes else None
     plant = measured or plant_of(circuit, controller)
     if not isinstance(plant.part, PID):
@@ -362,7 +363,14 @@ def _prepare(
 def _tune_points(
     plant: Plant, points: Sequence[OperatingPoint], form: str, bound: float, *, filter_time: float | None = None
 ) -> TunedPoint:
-    factor = _vent_factor(plant, points)
+    # Ratio of the responses to fill and vent commands at high frequency: the geometric mean over the operating points
+    # with both sides.
+    ratios, z = [], np.array([np.exp(0.1j)])
+    for point in points:
+        if {"fill", "vent"} <= set(point.models):
+            fill, vent = (plant.sampled(point, branch) for branch in ("fill", "vent"))
+            ratios.append(np.log(np.abs(fill.response(z)[0] / vent.response(z)[0])))
+    factor = float(np.exp(np.mean(ratios))) if ratios else 1.0
     plants = {
         point_label(plant, point.value, branch): plant.sampled(point, branch, factor if branch == "vent" else 1.0)
         for point in points
@@ -375,7 +383,14 @@ def _tune_points(
     result = TunedPoint(gains, factor, 1.0, 0.0, by_name, values, commands, plants)
     if isinstance(plant, MeasuredLoop):
         return _choose_weight_by_runs(plant, replace(result, vent_factor=plant.vent_factor), bound, form)
-    weight, overshoot = _setpoint_weight(list(plants.values()), gains, loop_margins)
+    for weight in _weights(gains):
+        overshoot = 0.0
+        for sampled, sampled_margins in zip(plants.values(), loop_margins, strict=True):
+            length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(sampled_margins.crossover, 1e-9)))
+            samples = min(_SAMPLES, int(20.0 * length / sampled.sample_time))
+            overshoot = max(overshoot, float(np.max(step_response(sampled, gains, weight, samples))) - 1.0)
+        if overshoot <= _OVERSHOOT:
+            break
     return replace(result, setpoint_weight=weight, overshoot=overshoot)
 
 
@@ -397,22 +412,6 @@ def _choose_weight_by_runs(plant: MeasuredLoop, point: TunedPoint, bound: float,
 
 def _weights(gains: Gains) -> tuple[float, ...]:
     return _WEIGHTS if gains.integral_time > 0.0 else (1.0,)
-
-
-def _vent_factor(plant: Plant, points: Sequence[OperatingPoint]) -> float:
-    """Return the ratio of the plant responses to fill and vent commands at high frequency.
-
-    The result is the geometric mean over the operating points with both sides, and 1 if there are none.
-
-    The result is the geometric mean over the operating points, and 1 if a side is missing.
-    """
-    ratios = []
-    for point in points:
-        if {"fill", "vent"} <= set(point.models):
-            fill, vent = (plant.sampled(point, branch) for branch in ("fill", "vent"))
-            z = np.array([np.exp(0.1j)])
-            ratios.append(np.log(np.abs(fill.response(z)[0] / vent.response(z)[0])))
-    return float(np.exp(np.mean(ratios))) if ratios else 1.0
 
 
 class _Loops:
@@ -504,19 +503,3 @@ class _Loops:
             is_within = self.peaks(unit, inner) <= self.bound
             return float(inner[int(np.argmin(is_within)) - 1] if not is_within.all() else inner[-1])
         return 0.0
-
-
-def _setpoint_weight(
-    plants: Sequence[SampledPlant], gains: Gains, loop_margins: Sequence[Margins]
-) -> tuple[float, float]:
-    """Return the largest setpoint weight with an acceptable overshoot, and this overshoot."""
-    worst = 0.0
-    for weight in _weights(gains):
-        worst = 0.0
-        for plant, plant_margins in zip(plants, loop_margins, strict=True):
-            length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(plant_margins.crossover, 1e-9)))
-            samples = min(_SAMPLES, int(20.0 * length / plant.sample_time))
-            worst = max(worst, float(np.max(step_response(plant, gains, weight, samples))) - 1.0)
-        if worst <= _OVERSHOOT:
-            break
-    return weight, max(worst, 0.0)

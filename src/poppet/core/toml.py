@@ -5,7 +5,33 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
+
+from poppet.core.files import by_suffix, write_whole
+
+
+class ResultFileMixin:
+    """Base class of results that can be saved as files."""
+
+    __slots__ = ()
+
+    def content(self) -> dict[str, Any]:
+        """Return the result as nested dictionaries, the content of the result file."""
+        raise NotImplementedError
+
+    def save(self, path: str | Path) -> None:
+        """Write the result to a `.toml` or `.json` file.
+
+        The function replaces an existing file completely or not at all.
+
+        Parameters
+        ----------
+        path : str or Path
+            Output file.
+        """
+        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
+        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 def json_text(content: Mapping[str, Any]) -> str:

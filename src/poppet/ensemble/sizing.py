@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,9 +15,8 @@ import numpy as np
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError
-from poppet.core.files import by_suffix, write_whole
 from poppet.core.tables import Field
-from poppet.core.toml import json_text, toml_text
+from poppet.core.toml import ResultFileMixin
 from poppet.core.units import quantity
 from poppet.ensemble.ensemble_plan import Array, EnsemblePlan, varied_specs
 from poppet.ensemble.ensemble_result import plan_of, with_parameters
@@ -45,7 +43,7 @@ MAX_RUNS = 4_000_000
 
 
 @dataclass(frozen=True)
-class Sizing:
+class Sizing(ResultFileMixin):
     """Result of a sizing: value of the free parameter, margins and metrics.
 
     Parameters
@@ -132,17 +130,6 @@ class Sizing:
             "metrics": {name: row.tolist() for name, row in self.metrics.items()},
             "units": dict(self.units),
         }
-
-    def save(self, path: str | Path) -> None:
-        """Write the sizing to a file, `.toml` or `.json`.
-
-        Parameters
-        ----------
-        path : str or Path
-            File name.
-        """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 def size(

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from poppet.identify.design.design_file import DesignPlan, read_design_file
     from poppet.identify.design.identify_design import Design, Prediction, identify_design
     from poppet.identify.fit.fit_circuit import FitResult
-    from poppet.identify.fit.fit_file import read_fit_file
+    from poppet.identify.fit.fit_plan import read_fit_file
     from poppet.identify.fit.identify_fit import identify_fit
     from poppet.identify.fit.search import SearchSettings
     from poppet.identify.flow.flow_file import read_flow_file
@@ -72,7 +72,7 @@ _NAMES_IN = {
     "characteristic.identify_characteristic": "identify_characteristic",
     "design.design_file": "DesignPlan read_design_file",
     "design.identify_design": "Design Prediction identify_design",
-    "fit.fit_file": "read_fit_file",
+    "fit.fit_plan": "read_fit_file",
     "fit.fit_circuit": "FitResult",
     "fit.identify_fit": "identify_fit",
     "fit.search": "SearchSettings",

@@ -276,8 +276,9 @@ def responses_of(measurement: Measurement, commands: Mapping[str, str]) -> list[
             continue
         command = commands[channel.address]
         if command not in inputs:
-            location = f"recordings.{measurement.name}.{channel.address}"
-            raise InputError("baseline.no_input", location, wanted=command, near=NameSuggestion(command, inputs))
+            near = NameSuggestion(command, inputs)
+            location = f"recordings.{measurement.name}.inputs.{command}"
+            raise InputError("names.unknown", location, meaning="an input of this recording", near=near)
         item = inputs[command]
         name = f"{measurement.name}.{channel.address}"
         responses.append(Response(name, channel.time, channel.values, item.time, item.values, first_value(channel)))
@@ -315,7 +316,8 @@ def baselines(plan: FitPlan, commands: Mapping[str, str], result: Result | None 
             [r for r in windows if r.name.endswith(f".{channel}")] for windows in (fitted, compared)
         )
         if not training:
-            raise InputError("baseline.no_channel", channel)
+            near = NameSuggestion(channel, {r.name.partition(".")[2] for r in fitted})
+            raise InputError("names.unknown", channel, meaning="a channel of a fitted recording", near=near)
         lag, arx = fit_first_order(training), fit_arx(training)
         for r, held_out in [*((r, False) for r in training), *((r, True) for r in validation)]:
             pairs = {FIRST_ORDER: (lag.simulate(r), r.measured), ARX: (arx.simulate(r), r.measured)}

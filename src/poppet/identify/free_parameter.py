@@ -100,19 +100,14 @@ def number_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
     declared = {f"{name}.{key}": spec for name, part in circuit.parts.items() for key, spec, _ in flatten(part)}
     for name, part in circuit.parts.items():
         for key, number in part.numbers().items():
-            declared.setdefault(f"{name}.{key}", _coefficient_spec(key, number.unit))
+            # Tabulated values of C and b have limits; coefficients of polynomials have none.
+            match = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
+            spec = NumberSpec(number.unit, f"coefficient {key}")
+            if match is not None:
+                below = 1.0 if match[1] == "critical_ratio" else math.inf
+                spec = NumberSpec(number.unit, f"value {key}", low=0.0, below=below)
+            declared.setdefault(f"{name}.{key}", spec)
     return declared
-
-
-def _coefficient_spec(key: str, unit: str) -> NumberSpec:
-    """Return the declaration of one coefficient of a characteristic.
-
-    Tabulated values of C and b have limits; coefficients of polynomials have none.
-    """
-    match = re.search(r"\b(sonic_conductance|critical_ratio)\.(value|y\d+)$", key)
-    if match is None:
-        return NumberSpec(unit, f"coefficient {key}")
-    return NumberSpec(unit, f"value {key}", low=0.0, below=1.0 if match[1] == "critical_ratio" else math.inf)
 
 
 def read_free(
@@ -135,30 +130,19 @@ def read_free(
     raw = table if isinstance(table, Mapping) else {"start": table}
     with ErrorCollector() as errors:
         read = read_fields(errors, raw, fields, location, table="free parameter", ambient_pressure=ambient)
-        prior = _prior(errors, read.get("prior"), fields["start"], f"{location}.prior", ambient)
+        moments: dict[str, float] = {}
+        if (raw_prior := read.get("prior")) is not None:
+            mean = replace(fields["start"], is_required=True, meaning="mean of the prior")
+            kind, meaning = _DIFFERENCE.get(mean.kind, mean.kind), "standard deviation of the prior"
+            prior_fields = {"mean": mean, "sd": replace(mean, kind=kind, above=0.0, meaning=meaning)}
+            moments = read_fields(
+                errors, raw_prior, prior_fields, f"{location}.prior", table="prior", ambient_pressure=ambient
+            )
     start = read.get("start", numbers[address].absolute(ambient))
     low = read.get("min", max(spec.low, spec.above))
     high = read.get("max", min(spec.high, spec.below))
     if not low <= start <= high or low >= high:
         raise OutOfRangeError("free.bounds", location, start=start, low=low, high=high, unit=spec.unit)
     role: Role = "start" if recording else "number"
-    return FreeParameter(
-        name or address, address, spec.unit, start, low, high, role=role, recording=recording, prior=prior
-    )
-
-
-def _prior(errors: ErrorCollector, raw: Any, value: Field, location: str, ambient: float) -> NormalPrior | None:
-    if raw is None:
-        return None
-    spread = replace(
-        value,
-        kind=_DIFFERENCE.get(value.kind, value.kind),
-        is_required=True,
-        above=0.0,
-        meaning="standard deviation of the prior",
-    )
-    fields = {"mean": replace(value, is_required=True, meaning="mean of the prior"), "sd": spread}
-    read = read_fields(errors, raw, fields, location, table="prior", ambient_pressure=ambient)
-    if len(read) < 2:
-        return None
-    return NormalPrior(read["mean"], read["sd"])
+    prior = NormalPrior(**moments) if moments else None
+    return FreeParameter(name or address, address, spec.unit, start, low, high, role, recording, prior)

@@ -30,7 +30,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from functools import lru_cache
 from typing import Literal, NamedTuple
 
 import numpy as np
@@ -72,13 +71,7 @@ def condense(columns: FloatArray) -> FloatArray:
     """
     from scipy.linalg.lapack import dgeqrf
 
-    rows = dgeqrf(columns)[0][: columns.shape[1]]
-    return np.asarray(rows * _upper(*rows.shape))
-
-
-@lru_cache
-def _upper(rows: int, columns: int) -> FloatArray:
-    return np.triu(np.ones((rows, columns)))
+    return np.triu(dgeqrf(columns)[0][: columns.shape[1]])
 
 
 def search(
@@ -126,7 +119,10 @@ def search(
     radius, bend, bends = _size(scale * x) or 1.0, np.zeros((x.size, x.size)), False
     reason: Literal["cost", "numbers", "evaluations"] = "evaluations"
     while evaluations < most:
-        nearest, farthest = _step_bounds(x, low, high, units)
+        # The step limits the change of each parameter.
+        size, down = np.maximum(np.abs(x), SMALL * units), np.where(x >= 0.0, SHRINKS, GROWS)
+        nearest = np.maximum(low, x - down * size)
+        farthest = np.minimum(high, x + (SHRINKS + GROWS - down) * size)
         least, greatest = (nearest - x) * scale, (farthest - x) * scale
         slopes, bent = model.slopes / scale, bend / (scale * scale[:, np.newaxis])
         z = _solve_step(slopes, model.residual, bent if bends else None, (least, greatest), radius, inexact**2)
@@ -134,7 +130,7 @@ def search(
         downhill = float(model.residual @ predicted)
         linear_gain = -downhill - 0.5 * float(predicted @ predicted)
         curved = linear_gain - 0.5 * float(z @ bent @ z)
-        gain, size = curved if bends else linear_gain, _size(z)
+        gain, length = curved if bends else linear_gain, _size(z)
         ends_by_cost = gain <= precision * last
         if ends_by_cost and bends:
             # A too large S makes steps short: check the termination with R alone.
@@ -151,12 +147,12 @@ def search(
         bends = linear_gain < LATE * last and abs(curved - change) < abs(linear_gain - change)
         ratio = max(change / gain, (allowed - new) / (allowed - last + gain))
         # A first step that is shorter than the radius sets the radius.
-        radius = min(radius, size) if evaluations == 2 else radius
+        radius = min(radius, length) if evaluations == 2 else radius
         if ratio < 0.25:
             # Minimum of the parabola through both costs with the slope at the first.
-            radius = size * min(max(-0.5 * downhill / (-change - downhill), 0.1), 0.5)
+            radius = length * min(max(-0.5 * downhill / (-change - downhill), 0.1), 0.5)
         elif change > 0.75 * gain:
-            radius = max(radius, 2.0 * size)
+            radius = max(radius, 2.0 * length)
         if ratio > 1e-4:
             previous, model = model, look(tried)
             bend = _update_curvature(bend, tried - x, previous, model)
@@ -172,13 +168,6 @@ def _size(vector: FloatArray) -> float:
 
 def _norms(columns: FloatArray) -> FloatArray:
     return np.asarray(np.sqrt(np.add.reduce(columns * columns)))
-
-
-def _step_bounds(x: FloatArray, low: FloatArray, high: FloatArray, units: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the lowest and the highest value that one step permits for each parameter."""
-    size = np.maximum(np.abs(x), SMALL * units)
-    down = np.where(x >= 0.0, SHRINKS, GROWS)
-    return np.maximum(low, x - down * size), np.minimum(high, x + (SHRINKS + GROWS - down) * size)
 
 
 def _update_curvature(bend: FloatArray, step: FloatArray, previous: LocalModel, now: LocalModel) -> FloatArray:
@@ -213,6 +202,8 @@ def _solve_step(
 
     A parameter is fixed at a bound that stops a step. It becomes free again if the gradient points away from the bound.
     """
+    from scipy.linalg.lapack import dgesdd, dsyevd
+
     low, high = bounds
     z, gradient = np.zeros(low.size), residual @ slopes
     free = ((low < 0.0) | (gradient < 0.0)) & ((high > 0.0) | (gradient > 0.0))
@@ -222,7 +213,17 @@ def _solve_step(
         if indices.size == 0:
             break
         target = np.where(free, 0.0, z)
-        curvatures, directions, slopes_along = _directions(slopes, residual, bend, indices, target)
+        # Principal curvatures, directions and gradients for the free parameters; the others are fixed.
+        free_slopes, remaining = slopes, residual
+        if indices.size < z.size:
+            free_slopes, remaining = slopes[:, indices], residual + slopes @ target
+        if bend is None:
+            # Singular values resolve directions whose squares are equal within rounding.
+            rows, sizes, right, _ = dgesdd(free_slopes, full_matrices=0)
+            curvatures, directions, slopes_along = sizes**2, right.T, sizes * (remaining @ rows)
+        else:
+            curvatures, directions, _ = dsyevd(free_slopes.T @ free_slopes + bend[indices[:, np.newaxis], indices])
+            slopes_along = (remaining @ free_slopes + (bend @ target)[indices]) @ directions
         # The fixed parameters use a part of the radius.
         left = max(radius**2 - float(target @ target), 1e-6 * radius**2) ** 0.5
         moves, damping = _steps_within(curvatures, slopes_along, left, unseen)
@@ -250,30 +251,6 @@ def _solve_step(
     return z
 
 
-def _directions(
-    slopes: FloatArray,
-    residual: FloatArray,
-    bend: FloatArray | None,
-    indices: NDArray[np.int64],
-    fixed_step: FloatArray,
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return the principal curvatures, directions and gradients of the model for some parameters.
-
-    The other parameters are fixed.
-    """
-    from scipy.linalg.lapack import dgesdd, dsyevd
-
-    free_slopes, remaining = slopes, residual
-    if indices.size < fixed_step.size:
-        free_slopes, remaining = slopes[:, indices], residual + slopes @ fixed_step
-    if bend is None:
-        # Singular values resolve directions whose squares are equal within rounding.
-        rows, sizes, right, _ = dgesdd(free_slopes, full_matrices=0)
-        return sizes**2, right.T, sizes * (remaining @ rows)
-    curvatures, directions, _ = dsyevd(free_slopes.T @ free_slopes + bend[indices[:, np.newaxis], indices])
-    return curvatures, directions, (remaining @ free_slopes + (bend @ fixed_step)[indices]) @ directions
-
-
 def _steps_within(
     curvatures: FloatArray, slopes_along: FloatArray, radius: float, unseen: float
 ) -> tuple[FloatArray, float]:
@@ -283,10 +260,8 @@ def _steps_within(
     floor = unseen * max(greatest, -lowest, 1e-290)
     if abs(lowest) <= floor:
         # Do not move in directions that are not identifiable.
-        slopes_along, curvatures = (
-            np.where(np.abs(curvatures) > floor, slopes_along, 0.0),
-            np.maximum(curvatures, floor),
-        )
+        slopes_along = np.where(np.abs(curvatures) > floor, slopes_along, 0.0)
+        curvatures = np.maximum(curvatures, floor)
     damping = least = floor - lowest if lowest < -floor else 0.0
     moves = -slopes_along / (curvatures + damping)
     size = _size(moves)

@@ -34,8 +34,6 @@ class Method(NamedTuple):
     """Declaration of an identification method.
 
     A function can be given as text `module:name`. The module is then imported on first use.
-
-    The text form `module:name` of a function delays its import.
     """
 
     name: str
@@ -87,8 +85,8 @@ BUILT_IN = (
         "fit",
         "any free parameters of any circuit, from any recordings",
         run="poppet.identify.fit.identify_fit:identify_fit",
-        read="poppet.identify.fit.fit_file:read_fit_file",
-        fields="poppet.identify.fit.fit_file:TOP_LEVEL",
+        read="poppet.identify.fit.fit_plan:read_fit_file",
+        fields="poppet.identify.fit.fit_plan:TOP_LEVEL",
         options=(_COMPARE, _PROFILE, _CONTOUR, _BOOTSTRAP),
         examples=("poppet identify fit FIT.toml --compare OTHER.toml -o RESULT.toml --report REPORT.html",),
         description="Parameters of a circuit, fitted to recordings by weighted least squares on the integrated "

@@ -42,15 +42,33 @@ def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, l
         If the file is neither of them, or if it does not match the parts of the circuit.
     """
     file = TomlFile.read(path)
-    is_of_parts = Path(path).suffix.lower() == ".toml" and "parts" in file.tables
-    if is_of_parts:
-        return _with_fields(circuit, file), []
-    result = read_result(path)
-    doubtful = [f"{name} ({e.verdict})" for name, e in result.parameters.items() if e.verdict in UNTRUSTED]
-    return circuit.with_values(_muscle(circuit, result) or result.values()), doubtful
+    if Path(path).suffix.lower() != ".toml" or "parts" not in file.tables:
+        result = read_result(path)
+        doubtful = [f"{name} ({e.verdict})" for name, e in result.parameters.items() if e.verdict in UNTRUSTED]
+        return circuit.with_values(_muscle_fields(circuit, result) or result.values()), doubtful
+    with file.errors() as errors:
+        for key in file.content:
+            if key != "parts":
+                errors.add("fields.unknown", key, table="parameter file", near=NameSuggestion(key, ("parts",)))
+        parts = file.content["parts"]
+        tables = parts if isinstance(parts, Mapping) else {"": parts}
+        for name, table in tables.items():
+            if not isinstance(table, Mapping):
+                errors.add("circuit.no_part", f"parts.{name}", value=table)
+    values: dict[str, Any] = {}
+    for name, fields in tables.items():
+        part = circuit.parts.get(name)
+        replaced_fields = part.replaced_fields(fields) if part else ()
+        values |= {f"{name}.{key}": None for key in replaced_fields} | {f"{name}.{k}": v for k, v in fields.items()}
+    try:
+        return circuit.with_values(values), []
+    except InputError as error:
+        for problem in error.problems:
+            problem.located(file=file.name, line=file.line_of(f"parts.{problem.address}"))
+        raise
 
 
-def _muscle(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
+def _muscle_fields(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
     """Return the circuit fields that describe a fitted muscle: law, parameters and size."""
     law, values = result.comparison.get("law"), result.values()
     name = next(iter(values), "").partition(".")[0]
@@ -83,30 +101,3 @@ def _muscle(circuit: BaseCircuit, result: Result) -> dict[str, Any]:
             "lowest_pressure": low, "highest_pressure": high,
         }  # fmt: skip
     return {f"{name}.{key}": value for key, value in fields.items()}
-
-
-def _with_fields(circuit: BaseCircuit, file: TomlFile) -> BaseCircuit:
-    with file.errors() as errors:
-        content = file.content
-        errors.extend(
-            InputError("fields.unknown", key, table="parameter file", near=NameSuggestion(key, ("parts",)))
-            for key in content
-            if key != "parts"
-        )
-        tables = content["parts"] if isinstance(content["parts"], Mapping) else {"": content["parts"]}
-        errors.extend(
-            InputError("circuit.no_part", f"parts.{name}", value=table)
-            for name, table in tables.items()
-            if not isinstance(table, Mapping)
-        )
-    values: dict[str, Any] = {}
-    for name, fields in tables.items():
-        part = circuit.parts.get(name)
-        gone = part.replaced_fields(fields) if part else ()
-        values |= {f"{name}.{field}": None for field in gone} | {f"{name}.{key}": v for key, v in fields.items()}
-    try:
-        return circuit.with_values(values)
-    except InputError as error:
-        for problem in error.problems:
-            problem.located(file=file.name, line=file.line_of(f"parts.{problem.address}"))
-        raise

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -13,11 +13,10 @@ import numpy as np
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion, needed
-from poppet.core.files import by_suffix, write_whole
 from poppet.core.note_groups import grouped
 from poppet.core.notebook import HtmlMixin
 from poppet.core.provenance import Number, Source
-from poppet.core.toml import from_json, json_text, toml_text
+from poppet.core.toml import ResultFileMixin, from_json
 from poppet.timeseries.checks import FloatArray
 
 if TYPE_CHECKING:
@@ -108,7 +107,7 @@ class ResidualSummary:
 
 
 @dataclass(frozen=True)
-class Result(HtmlMixin):
+class Result(ResultFileMixin, HtmlMixin):
     """Result of an identification.
 
     Parameters
@@ -267,17 +266,6 @@ class Result(HtmlMixin):
             "optima": [dict(optimum) for optimum in self.optima],
         }
 
-    def save(self, path: str | Path) -> None:
-        """Write the result to a `.toml` or `.json` file.
-
-        Parameters
-        ----------
-        path : str or Path
-            Output file.
-        """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
-
 
 DEPENDENT_FINDINGS = {
     "finding.choking.never": ("number", "finding.choking.perhaps_never"),
@@ -299,6 +287,12 @@ def replace_uncertain_findings(notes: Iterable[Note], estimates: Mapping[str, Es
         elif replacement:
             findings.append(Note(replacement, note.address, **note.facts))
     return tuple(findings)
+
+
+def mark_interrupted(result: Result, note: Note, *remarks: Note) -> Result:
+    """Return a result that is marked as interrupted, with further remarks and a note on the interruption."""
+    remarks = (*result.remarks, *remarks, note)
+    return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=remarks)
 
 
 def fitted_number(estimate: Estimate, title: str) -> Number:
@@ -362,7 +356,8 @@ def read_result(path: str | Path) -> Result:
     for name, estimate in parameters.items():
         if estimate.verdict not in VERDICTS:
             near = NameSuggestion(str(estimate.verdict), VERDICTS)
-            raise InputError("result.verdict", name, path=str(path), verdict=estimate.verdict, near=near)
+            facts: dict[str, Any] = {"value": estimate.verdict, "meaning": "verdict", "near": near}
+            raise InputError("fields.not_an_option", f"parameters.{name}.verdict", **facts).located(file=str(path))
     return Result(
         data.get("method", "fit"),
         data.get("title", path.stem),

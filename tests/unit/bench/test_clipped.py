@@ -1,4 +1,4 @@
-"""What a sensor or converter cut off is found, with noise and without, and no figure rests on it unsaid."""
+"""Tests of clipped samples: they are detected with and without noise, and affected values are omitted or bounds."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ RESPONSES: dict[str, Record] = {}
 CUT = {"bench.absent.clipped", "bench.absent.clipped_stop"}
 
 
-def written(trial: Trial, noise: float, series: str = "", low: float = -np.inf, high: float = np.inf) -> Record:
-    """As a recording has it: noise, rounded, and one series between limits."""
+def recorded(trial: Trial, noise: float, series: str = "", low: float = -np.inf, high: float = np.inf) -> Record:
+    """Return the response to a trial with noise, rounding, and one series limited to a range."""
     record = RESPONSES.get(trial.name) or VALVE.respond(trial)
     RESPONSES[trial.name] = record
     random = np.random.default_rng(3)
@@ -40,94 +40,94 @@ def written(trial: Trial, noise: float, series: str = "", low: float = -np.inf, 
     values = {"outlet": outlet, "setpoint": np.round(record.setpoint / 1e-3) * 1e-3, "flow": record.flow}
     if series:
         values[series] = np.clip(values[series], low, high)
-    found = replace(record, is_exact=False, **values)
-    x, y = VOLTS.percents(found)
-    return replace(found, clipped=clipped({"setpoint": x, "outlet": y, "flow": found.flow}))
+    evaluation = replace(record, is_exact=False, **values)
+    x, y = VOLTS.percents(evaluation)
+    return replace(evaluation, clipped=clipped({"setpoint": x, "outlet": y, "flow": evaluation.flow}))
 
 
 def evaluated(*records: Record) -> tuple[Evaluation, set[str]]:
-    """What the records of a test show, and the figures that are absent because of clipped samples."""
-    found = TESTS[records[0].test].evaluated(records, VOLTS)
-    assert all(map(str, found.notes))
-    return found, {note.address for note in found.notes if note.code in CUT}
+    """Return the evaluation of records, and the values that are absent because of clipped samples."""
+    evaluation = TESTS[records[0].test].evaluated(records, VOLTS)
+    assert all(map(str, evaluation.notes))
+    return evaluation, {note.address for note in evaluation.notes if note.code in CUT}
 
 
 @pytest.mark.parametrize("noise", NOISES)
-def test_what_is_whole_is_not_suspected(noise):
+def test_complete_records_are_not_reported_as_clipped(noise):
     for trial in (STEPS, TRIANGLE, HELD, DRAWN, STAIRS, *SINES):
-        assert written(trial, noise).clipped == {}, trial.name
+        assert recorded(trial, noise).clipped == {}, trial.name
 
 
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("ends", [(-np.inf, 5.5e5), (2e5, np.inf)])
-def test_no_step_is_judged_whose_rest_is_clipped(noise, ends):
-    found, absent = evaluated(written(STEPS, noise, "outlet", *ends))
-    assert found.figures == {}
+def test_step_with_clipped_steady_state_is_not_evaluated(noise, ends):
+    evaluation, absent = evaluated(recorded(STEPS, noise, "outlet", *ends))
+    assert evaluation.figures == {}
     assert absent == {*TESTS["step"].units}
 
 
-def test_other_steps_bound_what_is_the_largest():
+def test_clipped_step_turns_largest_values_into_bounds():
     small = Trial("step", "small", Steps([0.0, 0.5123, 1.5123], [1.0, 5.0, 1.0]), 2.5, 0.3, 1e-3, 1e-3)
-    found, absent = evaluated(written(STEPS, 200.0, "outlet", high=5.5e5), written(small, 200.0))
+    evaluation, absent = evaluated(recorded(STEPS, 200.0, "outlet", high=5.5e5), recorded(small, 200.0))
     assert {"delay", "rise_time_up", "response_time_down"} <= absent
-    assert found.figures["settling_time"].bound == "at least"
+    assert evaluation.figures["settling_time"].bound == "at least"
 
 
-def test_a_clipped_peak_leaves_the_times():
+def test_clipped_peak_bounds_the_overshoot_only():
     time = np.arange(0.0, 3.0, 1e-3)
     y = 10.0 + 60.0 * np.where(time < 1.0, 0.0, 1.0 - np.exp(-8.0 * (time - 1.0)) * np.cos(20.0 * (time - 1.0)))
     x, y = np.where(time < 1.0, 1.0, 7.0), np.minimum(y, 80.0)
     cut = clipped({"setpoint": 10.0 * x, "outlet": y})
     record = Record("r", "step", time, x, VOLTS.pressure(y), *[np.zeros(0)] * 3, is_exact=True, clipped=cut)
-    found, _ = evaluated(record)
-    assert (found.figures["overshoot"].bound, found.figures["overshoot"].value) == (
+    evaluation, _ = evaluated(record)
+    assert (evaluation.figures["overshoot"].bound, evaluation.figures["overshoot"].value) == (
         "at least",
         pytest.approx(16.7, abs=0.1),
     )
-    assert found.figures["delay"].bound == ""
+    assert evaluation.figures["delay"].bound == ""
 
 
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize("trial", [TRIANGLE, HELD])
 @pytest.mark.parametrize(("series", "high"), [("outlet", 5.5e5), ("setpoint", 8.0)])
-def test_no_characteristic_is_judged_that_is_clipped(noise, trial, series, high):
-    found, absent = evaluated(written(trial, noise, series, high=high))
+def test_clipped_characteristic_is_not_evaluated(noise, trial, series, high):
+    evaluation, absent = evaluated(recorded(trial, noise, series, high=high))
     assert absent == {"linearity", "hysteresis", "repeatability", "accuracy", "sweep_lag"}
-    assert set(found.figures) == {"zero_suppression", "zero_offset"}
+    assert set(evaluation.figures) == {"zero_suppression", "zero_offset"}
 
 
 @pytest.mark.parametrize(("series", "high"), [("outlet", 6.8e5), ("setpoint", 9.6)])
-def test_a_clipped_end_shows_no_lag(series, high):
-    found, absent = evaluated(written(HELD, 0.0, series, high=high))
+def test_clipped_end_of_sweep_excludes_the_lag(series, high):
+    evaluation, absent = evaluated(recorded(HELD, 0.0, series, high=high))
     assert absent == {"sweep_lag"}
-    assert found.figures["hysteresis"].value > 1.2  # with the lag in it
+    assert evaluation.figures["hysteresis"].value > 1.2  # with the lag in it
 
 
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize(("series", "ends"), [("flow", (0.0, 0.008)), ("outlet", (3.2e5, np.inf))])
-def test_no_flow_is_judged_that_is_clipped(noise, series, ends):
-    found, absent = evaluated(written(DRAWN, noise, series, *ends))
-    assert found.figures == {}
+def test_clipped_flow_record_is_not_evaluated(noise, series, ends):
+    evaluation, absent = evaluated(recorded(DRAWN, noise, series, *ends))
+    assert evaluation.figures == {}
     assert absent == {*TESTS["flow"].units}
 
 
-def test_flow_at_other_setpoints_bounds():
-    other = written(flow_trial(VOLTS, 1e-3, 75.0, 30.0, 2.0, 1.0), 200.0)
-    found, _ = evaluated(written(DRAWN, 200.0, "flow", 0.0, 0.008), other)
-    assert {name: figure.bound for name, figure in found.figures.items()} == {
+def test_other_setpoints_bound_clipped_flow_values():
+    other = recorded(flow_trial(VOLTS, 1e-3, 75.0, 30.0, 2.0, 1.0), 200.0)
+    evaluation, _ = evaluated(recorded(DRAWN, 200.0, "flow", 0.0, 0.008), other)
+    assert {name: figure.bound for name, figure in evaluation.figures.items()} == {
         "flow_droop": "at least", "flow_capacity": "at most"
     }  # fmt: skip
 
 
 @pytest.mark.parametrize("noise", NOISES)
 @pytest.mark.parametrize(("series", "high"), [("outlet", 4.2e5), ("setpoint", 5.3)])
-def test_no_sine_is_judged_that_is_clipped(noise, series, high):
-    found, absent = evaluated(*(written(trial, noise, series, high=high) for trial in SINES))
+def test_clipped_sines_are_not_evaluated(noise, series, high):
+    evaluation, absent = evaluated(*(recorded(trial, noise, series, high=high) for trial in SINES))
     assert {"bandwidth_gain", "bandwidth_phase"} <= absent
-    assert {figure.bound for figure in found.figures.values()} <= {"at least"}
+    assert {figure.bound for figure in evaluation.figures.values()} <= {"at least"}
 
 
-def test_no_staircase_is_judged_that_is_clipped():
-    found, absent = evaluated(written(STAIRS, 200.0, "outlet", high=4.15e5))
-    assert found.figures == {}
+def test_clipped_staircase_is_not_evaluated():
+    evaluation, absent = evaluated(recorded(STAIRS, 200.0, "outlet", high=4.15e5))
+    assert evaluation.figures == {}
     assert absent == {"resolution", "reversal_threshold"}

@@ -1,4 +1,4 @@
-"""Sines in a record, their waves, and the bandwidths between them."""
+"""Tests of the detection of sines, the fitted waves and the bandwidths."""
 
 from __future__ import annotations
 
@@ -35,18 +35,18 @@ def sine(frequency: float, gain: float = 1.0, phase: float = 0.0, mean: float = 
     )
 
 
-def test_sines_of_several_frequencies_in_one_record():
+def test_sines_of_different_frequencies_are_separated():
     time = np.arange(0.0, 14.0, 0.002)
     turn = np.where(time < 6.0, time, 6.0 + 2.5 * (time - 6.0))
     noise = np.random.default_rng(1).normal(0.0, 0.3, time.size)
     found = sines(time, 50.0 + 5.0 * np.sin(2.0 * np.pi * turn) + noise)
     assert len(found) == 2
-    ends = [time[each] for part in found for each in (part.start, part.stop - 1)]
+    ends = [time[index] for part in found for index in (part.start, part.stop - 1)]
     assert ends == pytest.approx([0.0, 6.0, 6.0, 14.0], abs=0.05)
     assert sines(time, np.full(time.size, 50.0)) == []
 
 
-def test_a_wave_on_uneven_samples_with_drift():
+def test_wave_is_fitted_to_uneven_samples_with_drift():
     random = np.random.default_rng(2)
     time = np.sort(random.uniform(0.0, 5.0, 3000))
     turn = 2.0 * np.pi * 1.3 * time
@@ -65,13 +65,13 @@ def test_gain_and_phase_of_each_row():
     assert second["frequency"] == pytest.approx(2.0, rel=1e-6)
 
 
-def test_a_phase_goes_on_beyond_half_a_turn():
+def test_phase_is_continuous_beyond_180_degrees():
     phases = [-0.5, -1.5, -2.5, -3.5, -4.5]
     evaluation = evaluated(*(sine(2.0**k, 0.8**k, phase) for k, phase in enumerate(phases)))
     assert [row["phase"] for row in evaluation.rows] == pytest.approx([math.degrees(p) for p in phases], abs=0.01)
 
 
-def test_amplitudes_are_kept_apart_and_the_first_one_counts():
+def test_bandwidth_is_that_of_the_first_amplitude():
     records = [sine(f, 1.0 / (1.0 + f)) for f in (0.1, 1.0, 2.0)] + [
         sine(f, 1.0, amplitude=20.0) for f in (0.1, 1.0, 2.0)
     ]
@@ -81,7 +81,7 @@ def test_amplitudes_are_kept_apart_and_the_first_one_counts():
     assert evaluation.figures["bandwidth_gain"].conditions["amplitude"] == pytest.approx(5.0)
 
 
-def test_a_bandwidth_beyond_the_highest_frequency_is_a_bound():
+def test_bandwidth_above_the_highest_frequency_is_a_bound():
     evaluation = evaluated(sine(1.0), sine(2.0, 0.99, -0.1))
     figure = evaluation.figures["bandwidth_phase"]
     assert (figure.value, figure.bound) == (pytest.approx(2.0), "at least")
@@ -90,7 +90,7 @@ def test_a_bandwidth_beyond_the_highest_frequency_is_a_bound():
     assert (note.facts["level"], note.facts["highest"]) == (-90.0, pytest.approx(2.0))
 
 
-def test_what_cannot_be_judged_is_said():
+def test_sines_without_evaluation_are_reported():
     slow = record(np.arange(0.0, 1.0, 0.01), np.linspace(0.0, 100.0, 100), np.linspace(0.0, 100.0, 100))
     evaluation = evaluated(slow)
     assert evaluation.figures == {}
@@ -103,7 +103,7 @@ def test_what_cannot_be_judged_is_said():
     assert "few_samples" in codes(evaluated(few))
 
 
-def test_only_the_steady_periods_count():
+def test_only_steady_periods_are_evaluated():
     time = np.arange(0.0, 12.0, 0.005)
     turn = 2.0 * np.pi * time
     transient = 20.0 * np.exp(-2.0 * time)
@@ -113,7 +113,7 @@ def test_only_the_steady_periods_count():
 
 
 @pytest.mark.parametrize("spacing", [10, 5])
-def test_interpolation_of_a_first_order(spacing):
+def test_interpolated_bandwidth_of_first_order(spacing):
     frequency = np.logspace(-1.0, 1.0, 2 * spacing + 1)
     corner = 1.37
     gain = -10.0 * np.log10(1.0 + (frequency / corner) ** 2)
@@ -126,7 +126,7 @@ def test_interpolation_of_a_first_order(spacing):
 @pytest.mark.parametrize("phase", [0.0, 0.3, 1.6, 3.14, -1.0])
 @pytest.mark.parametrize("count", [3, 4])
 def test_few_clean_periods_are_steady(count, phase):
-    """All of them are counted, wherever the record begins, and none is said to differ."""
+    """All periods count as steady at any initial phase."""
     time = np.arange(0.0, count, 0.01)
     x, y = (50.0 + size * np.sin(2.0 * np.pi * time + phase - late) for size, late in ((5.0, 0.0), (4.0, 0.5)))
     found = evaluated(record(time, x, y))
@@ -134,7 +134,7 @@ def test_few_clean_periods_are_steady(count, phase):
     assert not any(note.code.startswith("bench.frequency.") for note in found.notes)
 
 
-def test_a_transient_leaves_too_few_periods_alike():
+def test_transient_leaves_too_few_steady_periods():
     time = np.arange(0.0, 3.0, 0.01)
     x = 50.0 + 5.0 * np.sin(2.0 * np.pi * time)
     found = evaluated(record(time, x, x - 4.0 * np.exp(-3.0 * time)))

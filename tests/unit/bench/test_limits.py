@@ -1,4 +1,4 @@
-"""Dynamic limits of a valve: ranges, search for bandwidths, ideal parts, result, page, command."""
+"""Tests of the dynamic limits: ranges, bandwidths, ideal parts, result, report, command."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ critical_ratio = 0.3
 """
 
 
-def whole(**fields) -> Circuit:
+def valve_circuit(**fields) -> Circuit:
     parts = {
         "supply": Reservoir(pressure="7 bar"),
         "valve": ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", **fields),
@@ -62,8 +62,8 @@ def whole(**fields) -> Circuit:
     return Circuit(parts)
 
 
-class Written(NamedTuple):
-    """What the command returned and printed, and where its files lie."""
+class CommandRun(NamedTuple):
+    """Exit code, output and files of a run of the command."""
 
     code: int
     out: str
@@ -71,8 +71,8 @@ class Written(NamedTuple):
 
 
 @pytest.fixture(scope="module")
-def written(tmp_path_factory) -> Written:
-    """One run of the command at one point of each map."""
+def command_run(tmp_path_factory) -> CommandRun:
+    """Run the command for one point of each map."""
     pytest.importorskip("matplotlib")
     folder = tmp_path_factory.mktemp("limits")
     (folder / "valve.toml").write_text(FILE)
@@ -81,71 +81,73 @@ def written(tmp_path_factory) -> Written:
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
         code = run(["bench", "limits", *files, *lists])
-    return Written(code, printed.getvalue(), folder)
+    return CommandRun(code, printed.getvalue(), folder)
 
 
 class TestPlan:
     def test_defaults_follow_the_circuit(self):
-        plan = limits_plan(whole())
+        plan = limits_plan(valve_circuit())
         assert (plan.valve, plan.outlet, plan.mean) == ("valve", "tank", 4e5)
         assert (plan.volumes[0], plan.volumes[-1]) == (1e-4, 1e-2)
         assert plan.amplitudes[-1] == 1.5e5
         assert plan.setpoint == "valve.setpoint"
 
     def test_reads_units_and_gauge(self):
-        plan = limits_plan(whole(), mean="2 bar g", volumes=["2 l", "1 l"], amplitudes=["10 kPa"], springs=[2.0, 1.0])
+        plan = limits_plan(
+            valve_circuit(), mean="2 bar g", volumes=["2 l", "1 l"], amplitudes=["10 kPa"], springs=[2.0, 1.0]
+        )
         assert (plan.mean, plan.volumes, plan.amplitudes) == (3e5, (1e-3, 2e-3), (1e4,))
         assert plan.springs == (1.0, 2.0)
 
     def test_setpoint_in_volts(self):
-        plan = limits_plan(whole(setpoint_type="0-10 V"))
+        plan = limits_plan(valve_circuit(setpoint_type="0-10 V"))
         assert plan.asked(4e5) == pytest.approx(5.0)
         assert plan.per_pascal == pytest.approx(10.0 / 6e5)
         case = plan.case(1e-3)
         rig = SineRig(case.instance, plan.setpoint, plan.pressure, settling=0.5)
         assert rig.level == pytest.approx(4e5, abs=1e4)
 
-    def test_case_keeps_wall_heat_per_surface_and_sets_the_start(self):
-        numbers = limits_plan(whole()).case(8e-3).parameters
+    def test_case_scales_wall_conductance_and_sets_initial_states(self):
+        numbers = limits_plan(valve_circuit()).case(8e-3).parameters
         assert numbers["tank.volume"] == 8e-3
         assert numbers["tank.wall_conductance"] == pytest.approx(4.0)
         assert numbers["tank.initial_pressure"] == 4e5
         assert numbers["valve.pilot.initial_pressure"] == pytest.approx(4.113e5)
 
-    def test_all_mistakes_at_once(self):
+    def test_all_errors_are_reported_together(self):
         with pytest.raises(InputErrors) as caught:
-            limits_plan(whole(), mean="4 baar", volumes=["-1 l"], amplitudes=["10 kPa", "x"], springs=[0.0])
+            limits_plan(valve_circuit(), mean="4 baar", volumes=["-1 l"], amplitudes=["10 kPa", "x"], springs=[0.0])
         assert len(caught.value.problems) == 4
 
-    def test_amplitudes_within_the_range(self):
+    def test_amplitude_outside_the_range_is_rejected(self):
         with pytest.raises(InputError) as caught:
-            limits_plan(whole(), mean="2 bar", amplitudes=["1.5 bar"])
+            limits_plan(valve_circuit(), mean="2 bar", amplitudes=["1.5 bar"])
         assert caught.value.code == "limits.reach"
 
     @pytest.mark.parametrize("valve", ["vavle", "tank"])
-    def test_unknown_valve(self, valve):
+    def test_unknown_valve_is_rejected(self, valve):
         with pytest.raises(InputError) as caught:
-            limits_plan(whole(), valve)
-        assert (caught.value.code, caught.value.facts["near"].valid_names) == ("limits.unknown_valve", ["valve"])
+            limits_plan(valve_circuit(), valve)
+        assert (caught.value.code, caught.value.facts["near"].valid_names) == ("names.unknown", ["valve"])
 
-    def test_several_valves_ask_for_a_name(self):
-        parts = whole().parts
+    def test_several_valves_need_a_name(self):
+        parts = valve_circuit().parts
         with pytest.raises(InputError) as caught:
             limits_plan(Circuit({**parts, "second": parts["valve"]}))
-        assert (caught.value.code, caught.value.facts["known"]) == ("limits.several_valves", ("valve", "second"))
+        assert (caught.value.code, caught.value.facts["valves"]) == ("rig.several_valves", ("valve", "second"))
 
-    def test_needs_a_valve_with_a_chamber(self):
-        parts = dict(whole().parts)
+    def test_missing_valve_or_chamber_is_rejected(self):
+        parts = dict(valve_circuit().parts)
         with pytest.raises(InputError) as caught:
             limits_plan(Circuit({name: parts[name] for name in ("tank", "load")}))
-        assert caught.value.code == "limits.no_valve"
+        assert caught.value.code == "rig.no_valve"
         parts["tank"] = Reservoir(pressure="3 bar")
         with pytest.raises(InputError) as caught:
             limits_plan(Circuit(parts))
         assert caught.value.code == "limits.no_chamber"
 
-    def test_ideal_parts_change_what_they_say_by_ten(self):
-        plan = limits_plan(whole())
+    def test_ideal_parts_have_parameters_changed_by_ten(self):
+        plan = limits_plan(valve_circuit())
         before = plan.case(1e-3).parameters
         changed = {}
         for part in PARTS:
@@ -162,13 +164,13 @@ class TestPlan:
         lags = ("outlet_sensor.lag", "pilot_sensor.lag", "outer.sample_time", "inner.sample_time")
         assert changed["sensors and sampling"] == pytest.approx({f"{e}{name}": 0.1 for name in lags})
         curve = plan.case(1e-3, ideal(plan, "sonic conductance")).parts["valve"].members["main_stage"].curve
-        own = whole().parts["valve"].members["main_stage"].curve
+        own = valve_circuit().parts["valve"].members["main_stage"].curve
         for stroke in (1e-5, 2e-4, 9e-4):
             assert curve.sonic_conductance_at(stroke) == pytest.approx(10.0 * own.sonic_conductance_at(stroke))
             assert curve.critical_ratio_at(stroke) == own.critical_ratio_at(stroke)
 
     def test_other_springs_keep_the_preload_forces(self):
-        plan = limits_plan(whole())
+        plan = limits_plan(valve_circuit())
         before, after = (plan.case(1e-3, c).parameters for c in ({}, stage_changes(plan, 4.0, 0.5)))
         for name in ("upper", "lower"):
             path = f"valve.main_stage.{name}_spring"
@@ -180,19 +182,19 @@ class TestPlan:
 
 class TestCrossing:
     @pytest.mark.parametrize("guess", [0.02, 3.0, 50.0, 1e5])
-    def test_of_a_low_pass(self, guess):
-        """First order, corner at 7 Hz: -3 dB of power ratio 10^0.3 at 7 sqrt(10^0.3 - 1) Hz."""
+    def test_bandwidth_of_low_pass(self, guess):
+        """A first order with a corner at 7 Hz falls by 3 dB at 7 sqrt(10^0.3 - 1) Hz."""
         found = crossing(lambda f: 1.0 / math.hypot(1.0, f / 7.0), GAIN, guess, 0.1, 1000.0)
         assert found == pytest.approx(7.0 * math.sqrt(10.0**0.3 - 1.0), rel=0.01)
 
-    def test_outside_the_range(self):
+    def test_crossing_outside_the_range(self):
         def low_pass(f: float) -> float:
             return 1.0 / math.hypot(1.0, f / 7.0)
 
         assert crossing(low_pass, GAIN, 20.0, 10.0, 1000.0) == 0.0
         assert crossing(low_pass, GAIN, 1.0, 0.1, 5.0) == math.inf
 
-    def test_fundamental_beside_an_offset_a_drift_and_a_harmonic(self):
+    def test_fundamental_with_offset_drift_and_harmonic(self):
         t = np.arange(800) / 100.0
         y = 7.0 + 0.01 * t + 2.0 * np.sin(2 * np.pi * t + 0.7) + 0.6 * np.sin(6 * np.pi * t)
         wave, mean, rest = fundamental(t, y, 1.0)
@@ -202,9 +204,9 @@ class TestCrossing:
 
 
 class TestPoints:
-    def test_bandwidth_of_small_motions_is_that_of_the_linear_model(self):
+    def test_small_amplitude_has_bandwidth_of_linear_model(self):
         leak = {"valve.pilot.exhaust_leak.sonic_conductance": 2e-11}
-        circuit = without_bands(whole()).with_values(leak)
+        circuit = without_bands(valve_circuit()).with_values(leak)
         plan = limits_plan(circuit, volumes=["3 l"], amplitudes=["100 Pa"])
         point = bandwidth_point(plan, 3e-3, 100.0, parts=("load volume",))
         model = plan.case(3e-3).linearise()
@@ -216,9 +218,9 @@ class TestPoints:
         assert set(point.gains) == {"load volume"}
 
     @pytest.mark.slow
-    def test_what_limits_over_a_decade_of_volumes(self):
-        """Small volume, large amplitude: the solenoids cannot fill the pilot; large volume: the seat cannot fill it."""
-        plan = limits_plan(whole(), volumes=["0.25 l", "5 l"], amplitudes=["60 kPa"])
+    def test_limiting_part_over_a_decade_of_volumes(self):
+        """The solenoids limit small volumes at large amplitudes; the seat limits large volumes."""
+        plan = limits_plan(valve_circuit(), volumes=["0.25 l", "5 l"], amplitudes=["60 kPa"])
         small, large = (bandwidth_point(plan, volume, 6e4) for volume in plan.volumes)
         assert small.limiting in ("solenoids", "pilot volume")
         assert min(small.gains["solenoids"], small.gains["pilot volume"]) > 1.3
@@ -229,12 +231,12 @@ class TestPoints:
         assert small.rise_up < small.rise_down < large.rise_down
         assert small.rise_up < 0.2 * large.rise_up
 
-    def test_what_limits_depends_on_the_volume(self, written):
-        """The brother of the test above, closer to the change, and with what the command has found at 1 l."""
+    def test_limiting_part_depends_on_the_volume(self, command_run):
+        """Two volumes near the change of the limit, one with the result of the command at 1 l."""
         pilot = ("solenoids", "pilot volume")
-        plan = limits_plan(whole(), volumes=["0.25 l"], amplitudes=["60 kPa"])
+        plan = limits_plan(valve_circuit(), volumes=["0.25 l"], amplitudes=["60 kPa"])
         small = bandwidth_point(plan, 2.5e-4, 6e4, parts=pilot)
-        data = tomllib.loads((written.folder / "r.toml").read_text(encoding="utf-8"))
+        data = tomllib.loads((command_run.folder / "r.toml").read_text(encoding="utf-8"))
         large = {part: values[0][0] for part, values in data["ideal"].items()}
         assert small.limiting in pilot
         assert min(small.gains[part] for part in pilot) > 1.3
@@ -246,10 +248,10 @@ class TestPoints:
         assert small.rise_up < data["bandwidth"]["rise_up"][0][0]
 
 
-def filled(outcome: str = "done") -> LimitsResult:
-    """A result with made-up points: what stands in it is known."""
+def result_with_points(outcome: str = "done") -> LimitsResult:
+    """Return a result with constructed points."""
     plan = limits_plan(
-        replace(whole(), title="a valve"),
+        replace(valve_circuit(), title="a valve"),
         volumes=["1 l", "2 l"],
         amplitudes=["5 kPa", "50 kPa"],
         springs=[1.0],
@@ -270,7 +272,7 @@ def filled(outcome: str = "done") -> LimitsResult:
 
 class TestResult:
     def test_findings_name_the_parts(self):
-        found = {(note.code, note.address): note.facts for note in filled().findings}
+        found = {(note.code, note.address): note.facts for note in result_with_points().findings}
         solenoids, load = (found["limits.part", name] for name in ("solenoids", "load volume"))
         assert (solenoids["count"], solenoids["known"], solenoids["gain"]) == (1, 3, 2.5)
         assert (solenoids["volumes"], solenoids["amplitudes"], solenoids["best"]) == ((1e-3,), (5e3,), (1e-3, 5e3))
@@ -282,16 +284,16 @@ class TestResult:
         assert unstable["pole"] == pytest.approx(1800.0 / (2.0 * math.pi))
         assert found["limits.hunts", ""]["points"] == 2
 
-    def test_findings_in_words(self):
-        text = " ".join(map(str, filled().findings))
+    def test_findings_as_text(self):
+        text = " ".join(map(str, result_with_points().findings))
         assert "The solenoids limit the bandwidth at 1 of 3 points (1 l and amplitudes of 5 kPa)." in text
         assert "The load volume limits the bandwidth at 1 of 3 points" in text
         assert "permit slow hunting. (2 points)" in text
 
     @pytest.mark.parametrize("suffix", ["toml", "json"])
-    def test_saved_and_read(self, tmp_path, suffix):
+    def test_saved_result_is_readable(self, tmp_path, suffix):
         path = tmp_path / f"result.{suffix}"
-        filled().save(path)
+        result_with_points().save(path)
         text = path.read_text(encoding="utf-8")
         data = tomllib.loads(text) if suffix == "toml" else json.loads(text)
         assert data["method"] == "limits"
@@ -303,50 +305,50 @@ class TestResult:
         assert data["stability"]["spring 1"]["is_stable"] == [[False, True], [True, False]]
         assert data["stability"]["spring 1"]["growth"][0] == [90.0, -20.0]
         assert data["stability"]["spring 1"]["word"][0] == ["", str(Note("limits.hunts", points=None))]
-        assert [table["code"] for table in data["codes"]] == [note.code for note in filled().findings]
+        assert [table["code"] for table in data["codes"]] == [note.code for note in result_with_points().findings]
 
-    def test_page_stands_alone_and_says_what_was_found(self, tmp_path):
+    def test_report_is_complete_and_has_findings(self, tmp_path):
         pytest.importorskip("matplotlib")
         from poppet.report.bench.limits_report import write_limits
 
-        page = write_limits(filled("interrupted"), tmp_path / "page.html").read_text(encoding="utf-8")
+        page = write_limits(result_with_points("interrupted"), tmp_path / "page.html").read_text(encoding="utf-8")
         assert page.count("<svg") == 5
         needs_nothing_else(page)
         assert "a valve: dynamic limits" in page
         assert "Interrupted: missing points are grey." in page
         assert "The solenoids limit the bandwidth at 1 of 3 points" in page
         with pytest.raises(InputError) as caught:
-            write_limits(filled(), tmp_path / "page.pdf")
+            write_limits(result_with_points(), tmp_path / "page.pdf")
         assert caught.value.code == "files.suffix"
 
-    def test_page_without_stability(self):
+    def test_report_without_stability(self):
         pytest.importorskip("matplotlib")
         from poppet.report.bench.limits_report import limits_page
 
-        page = limits_page(replace(filled(), stability={}))
+        page = limits_page(replace(result_with_points(), stability={}))
         assert page.count("<svg") == 3
         assert "<h2>Stability" not in page
 
-    def test_values_of_the_maps_stand_in_tables_too(self):
+    def test_report_has_tables_of_the_maps(self):
         pytest.importorskip("matplotlib")
         from poppet.report.bench.limits_report import limits_page
 
-        page = limits_page(filled())
+        page = limits_page(result_with_points())
         rows = [re.findall(r"<td[^>]*>(.*?)</td>", row) for row in re.findall(r"<tr>(.*?)</tr>", page)]
         assert ["1 l, 5 kPa", "40", "50", "10", "20", "10", "solenoids"] in rows
         assert ["1 l, 50 kPa", "&gt; 400", "&gt; 400", "10", "-", "10", "-"] in rows
         assert ["x 1, x 1, 1 l", "90", "280 Hz", "500", "270"] in rows
 
-    def test_cells_name_what_comes_behind_the_load(self):
+    def test_cells_name_the_second_limit_after_the_load(self):
         pytest.importorskip("matplotlib")
         from poppet.report.bench.limits_report import bandwidth_figure
 
-        texts = {text.get_text() for text in bandwidth_figure(filled()).axes[0].texts}
+        texts = {text.get_text() for text in bandwidth_figure(result_with_points()).axes[0].texts}
         assert {"40", "solenoids", "> 400", "load, poppet", "controller"} <= texts
 
 
-def test_interrupted_keeps_what_it_has(monkeypatch):
-    point = next(iter(filled().points.values()))
+def test_interruption_keeps_completed_points(monkeypatch):
+    point = next(iter(result_with_points().points.values()))
     calls = []
 
     def found(plan, volume, amplitude, guess=None):
@@ -357,7 +359,7 @@ def test_interrupted_keeps_what_it_has(monkeypatch):
 
     monkeypatch.setattr(room, "bandwidth_point", found)
     told = []
-    result = find_limits(filled().plan, lambda *each: told.append(each))
+    result = find_limits(result_with_points().plan, lambda *each: told.append(each))
     assert result.outcome == "interrupted"
     assert list(result.points) == [(1e-3, 5e3), (1e-3, 5e4)]
     assert calls == [None, 40.0, None]
@@ -367,15 +369,15 @@ def test_interrupted_keeps_what_it_has(monkeypatch):
 
 
 class TestCommand:
-    def test_writes_result_and_page(self, written):
-        assert written.code == 0
-        assert "-3 dB [Hz]" in written.out
-        assert "60 kPa" in written.out
-        data = tomllib.loads((written.folder / "r.toml").read_text(encoding="utf-8"))
+    def test_command_writes_result_and_report(self, command_run):
+        assert command_run.code == 0
+        assert "-3 dB [Hz]" in command_run.out
+        assert "60 kPa" in command_run.out
+        data = tomllib.loads((command_run.folder / "r.toml").read_text(encoding="utf-8"))
         assert data["outcome"] == "done"
         assert data["bandwidth"]["limiting"][0][0] in (*PARTS, "load volume", "controller")
         assert data["stability"]["spring 1"]["agrees"] == [[True]]
-        assert (written.folder / "r.html").stat().st_size > 20_000
+        assert (command_run.folder / "r.html").stat().st_size > 20_000
 
     @pytest.mark.parametrize(
         ("options", "said"),
@@ -385,7 +387,7 @@ class TestCommand:
             (("-o", "r.csv"), "is not a supported format"),
         ],
     )
-    def test_refusals(self, tmp_path, capsys, options, said):
+    def test_invalid_options_are_rejected(self, tmp_path, capsys, options, said):
         (tmp_path / "valve.toml").write_text(FILE)
         assert run(["bench", "limits", str(tmp_path / "valve.toml"), *options]) == 2
         assert said in capsys.readouterr().err

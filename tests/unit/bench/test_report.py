@@ -1,4 +1,4 @@
-"""The page of a bench: everything found is on it, in words, and it needs nothing else."""
+"""Tests of the bench report: it contains all results and needs no other files."""
 
 from __future__ import annotations
 
@@ -46,14 +46,14 @@ def result(other) -> BenchResult:
 
 @pytest.fixture(scope="module")
 def other():
-    """Another valve: the same curves, and figures that differ."""
+    """Result of another valve with equal curves and different values."""
     return lambda result: replace(
         result, title="second", figures={name: replace(f, value=1.1 * f.value) for name, f in result.figures.items()}
     )
 
 
 class Page(HTMLParser):
-    """Refuses tags that do not close."""
+    """HTML parser that rejects unclosed tags."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -79,7 +79,7 @@ class Page(HTMLParser):
         self.words += data
 
 
-def test_the_page_has_everything_and_needs_nothing(result, other):
+def test_report_is_complete_and_self_contained(result, other):
     text = bench_page(result, other(result))
     page = Page(text)
     assert [address for address in page.addresses if not address.startswith("#")] == []
@@ -99,7 +99,7 @@ def test_the_page_has_everything_and_needs_nothing(result, other):
     assert text.count("<svg") == 6
 
 
-def test_the_same_result_gives_the_same_bytes(result, tmp_path):
+def test_equal_results_give_equal_reports(result, tmp_path):
     first, second = (write_bench(result, tmp_path / name).read_bytes() for name in ("a.html", "b.htm"))
     assert first == second
     with pytest.raises(InputError) as caught:
@@ -107,14 +107,14 @@ def test_the_same_result_gives_the_same_bytes(result, tmp_path):
     assert caught.value.code == "files.suffix"
 
 
-def test_a_result_from_a_file_has_the_same_words(result, tmp_path):
+def test_result_from_file_gives_the_same_report(result, tmp_path):
     result.save(tmp_path / "r.toml")
     again = read_bench_result(tmp_path / "r.toml")
     assert [verdict(again, test) for test in TESTS] == [verdict(result, test) for test in TESTS]
     Page(bench_page(again))
 
 
-def test_a_page_without_figures_or_curves_is_a_page():
+def test_report_without_values_and_curves():
     empty = BenchResult(
         "nothing", "recordings", {}, {test: [] for test in TESTS}, notes={"step": (Note("said", text="not done."),)}
     )
@@ -124,7 +124,7 @@ def test_a_page_without_figures_or_curves_is_a_page():
     assert "The bench was interrupted." in Page(bench_page(replace(empty, outcome="interrupted"))).words
 
 
-def test_verdicts_in_words(result):
+def test_verdicts_as_text(result):
     assert verdict(result, "step").startswith(
         "The step of 80 % FS takes 0.125 s up and 0.125 s down to 90 % of the change."
     )
@@ -139,7 +139,7 @@ def test_verdicts_in_words(result):
 
 
 @pytest.mark.parametrize("missing", DEFINITIONS)
-def test_a_missing_figure_leaves_whole_sentences(result, missing):
+def test_missing_value_leaves_complete_sentences(result, missing):
     less = replace(result, figures={name: f for name, f in result.figures.items() if name != missing})
     text = verdict(less, DEFINITIONS[missing].of.name)
     assert "{" not in text
@@ -148,7 +148,7 @@ def test_a_missing_figure_leaves_whole_sentences(result, missing):
     assert not re.search(r"\.\.|  | ,", text)
 
 
-def test_bounds_and_units_in_words():
+def test_bounds_and_units_as_text():
     assert value_text(3e-6, "kg/s", "at least") == "≥ 3 mg/s"
     assert value_text(1e-9, "% FS") == "0 % FS"
     assert value_text(-0.5, "% FS") == "-0.5 % FS"
@@ -161,7 +161,7 @@ def test_bounds_and_units_in_words():
     assert math.isfinite(figures["resolution"].value)
 
 
-def test_a_characteristic_without_any_point_is_drawn(result):
+def test_characteristic_without_points_is_plotted(result):
     nothing = [replace(curve, x=curve.x[:0], y=curve.y[:0]) for curve in result.curves["characteristic"]]
     page = bench_page(replace(result, curves={**result.curves, "characteristic": nothing}))
     Page(page)

@@ -1,4 +1,4 @@
-"""Branches, stairs, jumps, and the lag of a sweep, with and without noise."""
+"""Tests of branches, stairs, jumps and the lag of a sweep, with and without noise."""
 
 from __future__ import annotations
 
@@ -24,14 +24,14 @@ def test_branches_of_a_triangle(noise):
     assert found[-1].end == pytest.approx(3000, abs=20)
 
 
-def test_a_turn_smaller_than_the_swing_is_none():
+def test_small_reversal_does_not_end_a_branch():
     values = np.array([0.0, 10.0, 8.0, 20.0, 0.0])
     assert [b.sign for b in branches(values, 5.0)] == [1, -1]
     assert [b.sign for b in branches(values, 1.0)] == [1, -1, 1, -1]
     assert branches(np.full(50, 3.0), 1.0) == []
 
 
-def test_places_beyond_the_samples_are_unknown():
+def test_points_outside_the_samples_are_nan():
     value, count = at_places(
         np.linspace(20.0, 80.0, 500), np.linspace(0.0, 60.0, 500), np.array([10.0, 50.0, 90.0]), 1.0
     )
@@ -40,14 +40,14 @@ def test_places_beyond_the_samples_are_unknown():
     assert count[1] > 5
 
 
-def test_places_average_the_noise():
+def test_interpolation_averages_the_noise():
     x = np.linspace(0.0, 100.0, 20_000)
     y = 0.5 * x + RANDOM.normal(0.0, 1.0, x.size)
     value, count = at_places(x, y, np.linspace(10.0, 90.0, 41), 1.0)
     assert np.std(value - 0.5 * np.linspace(10.0, 90.0, 41)) == pytest.approx(1.0 / np.sqrt(count[5]), rel=0.5)
 
 
-def test_jumps_are_found_between_samples_or_at_them():
+def test_jumps_between_and_at_samples():
     time = np.arange(0.0, 3.0, 0.01)
     setpoint = np.where(time < 1.0, 10.0, np.where(time < 2.0, 60.0, 20.0))
     exact = jumps(time, setpoint, 2.0, is_exact=True)
@@ -57,7 +57,7 @@ def test_jumps_are_found_between_samples_or_at_them():
     assert jumps(time, setpoint, 70.0, is_exact=True) == []
 
 
-def test_a_step_over_several_samples_is_timed_at_its_middle():
+def test_slow_step_has_the_time_of_its_middle():
     time = np.arange(0.0, 2.0, 0.01)
     setpoint = np.clip((time - 1.0) / 0.1, 0.0, 1.0) * 80.0
     (jump,) = jumps(time, setpoint, 2.0, is_exact=False)
@@ -65,20 +65,20 @@ def test_a_step_over_several_samples_is_timed_at_its_middle():
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.01])
-def test_stairs_and_ramps_are_told_apart(noise):
+def test_ramps_are_not_staircases(noise):
     staircase = np.repeat(np.arange(10.0) * 0.2, 60) + RANDOM.normal(0.0, noise, 600)
     assert [(s.start, s.stop) for s in stairs(staircase)] == [(60 * k, 60 * k + 60) for k in range(10)]
     assert len(stairs(np.linspace(0.0, 100.0, 600) + RANDOM.normal(0.0, noise, 600))) <= 1
 
 
-def test_the_rested_part_of_a_hold():
+def test_final_part_of_a_hold():
     time = np.arange(0.0, 10.0, 0.1)
     part = rested(time, slice(20, 70), 0.2)
     assert time[part][[0, -1]] == pytest.approx([6.0, 6.9], abs=0.15)
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.02])
-def test_the_lag_of_a_sweep_is_that_of_its_dead_time(noise):
+def test_lag_of_a_sweep_equals_the_dead_time(noise):
     time = np.arange(0.0, 130.0, 0.02)
     x = np.interp(time, [0.0, 60.0, 65.0, 125.0, 130.0], [0.0, 100.0, 100.0, 0.0, 0.0])
     y = 2.0 + 0.9 * np.interp(time - 0.3, time, x) + RANDOM.normal(0.0, noise, time.size)
@@ -91,7 +91,7 @@ def test_the_lag_of_a_sweep_is_that_of_its_dead_time(noise):
     assert np.interp(30.0, time, caught_up(time, x, [lag])) == pytest.approx(np.interp(29.7, time, x), abs=0.05)
 
 
-def test_no_lag_without_a_hold_or_with_what_is_none():
+def test_no_lag_without_a_sufficient_hold():
     time = np.arange(0.0, 120.0, 0.05)
     x = 100.0 - np.abs(time - 60.0) * 100.0 / 60.0
     assert lag_of(time, x, x, *branches(x, 5.0)) is None
@@ -100,7 +100,7 @@ def test_no_lag_without_a_hold_or_with_what_is_none():
     assert lag_of(time, held, collapsed, Branch(0, time.size, 1), None) is None
 
 
-def test_a_hum_is_told_from_noise_and_from_settling():
+def test_limit_cycle_is_distinguished_from_noise_and_settling():
     time = np.arange(0.0, 4.0, 0.002)
     noise = RANDOM.normal(0.0, 0.05, time.size)
     assert hum_of(time, 50.0 + noise) is None
@@ -111,13 +111,13 @@ def test_a_hum_is_told_from_noise_and_from_settling():
     assert hum_of(time[:10], time[:10]) is None
 
 
-def test_noise_alone_is_hardly_ever_a_hum():
+def test_noise_is_rarely_detected_as_limit_cycle():
     time = np.arange(0.0, 1.0, 0.001)
     found = [hum_of(time, np.random.default_rng(seed).normal(0.0, 1.0, time.size)) for seed in range(300)]
     assert [hum for hum in found if hum is not None] == []
 
 
-def test_the_swing_of_a_motion_that_is_no_sine():
+def test_amplitude_of_non_sinusoidal_limit_cycle():
     time = np.arange(0.0, 5.0, 0.001)
     saw = 0.5 * np.abs(((time * 4.0) % 1.0) * 4.0 - 2.0)  # a triangle between 0 and 1
     hum = hum_of(time, saw)

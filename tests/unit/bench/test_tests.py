@@ -1,4 +1,4 @@
-"""Evaluation of single tests on records made by hand: what is odd in them is said, not hidden."""
+"""Tests of the evaluation of synthetic records, with the notes on their deficiencies."""
 
 from __future__ import annotations
 
@@ -35,122 +35,122 @@ def evaluated(test: str, *records: Record, rated_flow: float = math.nan) -> Eval
     return TESTS[test].evaluated(records, SCALE, rated_flow)
 
 
-def said(evaluation: Evaluation, code: str, address: str | None = None) -> Note | None:
-    """The note of a code, about an address."""
+def note_of(evaluation: Evaluation, code: str, address: str | None = None) -> Note | None:
+    """Return the first note with a code and, if given, an address."""
     return next((n for n in evaluation.notes if n.code == f"bench.{code}" and address in (None, n.address)), None)
 
 
 # Characteristic ----------------------------------------------------------------------------------------------------
 
 
-def test_a_staircase_serves_as_a_sweep():
+def test_staircase_is_evaluated_as_sweep():
     levels = np.concatenate([np.arange(0.0, 101.0, 5.0), np.arange(95.0, -1.0, -5.0)])
     setpoint = np.repeat(np.tile(levels, 2), 40)
     up = np.repeat(np.tile(np.arange(41) <= 20, 2), 40)
     outlet = setpoint + np.where(up, -0.5, 0.5) + RANDOM.normal(0.0, 1e-3, setpoint.size)
-    found = evaluated("characteristic", record("characteristic", np.arange(setpoint.size) * 0.1, setpoint, outlet))
-    assert found.figures["hysteresis"].value == pytest.approx(1.0, abs=2e-3)
-    assert found.figures["repeatability"].value < 5e-3
-    assert said(found, "absent.no_stop", "sweep_lag")
+    evaluation = evaluated("characteristic", record("characteristic", np.arange(setpoint.size) * 0.1, setpoint, outlet))
+    assert evaluation.figures["hysteresis"].value == pytest.approx(1.0, abs=2e-3)
+    assert evaluation.figures["repeatability"].value < 5e-3
+    assert note_of(evaluation, "absent.no_stop", "sweep_lag")
 
 
-def test_one_way_gives_no_hysteresis_and_one_cycle_no_repeatability():
+def test_single_sweep_gives_neither_hysteresis_nor_repeatability():
     x = np.linspace(0.0, 100.0, 2000)
-    found = evaluated("characteristic", record("characteristic", np.arange(2000) * 0.05, x, x))
-    assert set(found.figures) & {"hysteresis", "linearity", "repeatability"} == set()
-    assert said(found, "absent.one_way", "hysteresis")
-    assert said(found, "absent.one_cycle", "repeatability")
-    assert found.figures["accuracy"].value == pytest.approx(0.0, abs=1e-9)
+    evaluation = evaluated("characteristic", record("characteristic", np.arange(2000) * 0.05, x, x))
+    assert set(evaluation.figures) & {"hysteresis", "linearity", "repeatability"} == set()
+    assert note_of(evaluation, "absent.one_way", "hysteresis")
+    assert note_of(evaluation, "absent.one_cycle", "repeatability")
+    assert evaluation.figures["accuracy"].value == pytest.approx(0.0, abs=1e-9)
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.2])
-def test_zero_is_reached_in_a_noisy_setpoint(noise):
-    """20 mV on 10 V; every turn is then an extreme of the noise."""
-    one = np.concatenate([np.full(200, 0.0), np.linspace(0.0, 100.0, 2000), np.linspace(100.0, 0.0, 2000)])
-    x = np.tile(one, 2)
-    found = evaluated(
+def test_zero_offset_with_noisy_setpoint(noise):
+    """The noise of 20 mV on 10 V determines the turning points of the setpoint."""
+    cycle = np.concatenate([np.full(200, 0.0), np.linspace(0.0, 100.0, 2000), np.linspace(100.0, 0.0, 2000)])
+    x = np.tile(cycle, 2)
+    evaluation = evaluated(
         "characteristic",
         record("characteristic", 0.02 * np.arange(x.size), x + RANDOM.normal(0.0, noise, x.size), x + 0.3),
     )
-    assert found.figures["zero_offset"].value == pytest.approx(0.3, abs=0.05)
-    assert not said(found, "absent.no_zero")
+    assert evaluation.figures["zero_offset"].value == pytest.approx(0.3, abs=0.05)
+    assert not note_of(evaluation, "absent.no_zero")
 
 
-def test_a_supply_that_is_too_low_is_reported():
+def test_low_supply_is_reported():
     x = np.concatenate([np.linspace(0.0, 100.0, 2000), np.full(200, 100.0), np.linspace(100.0, 0.0, 2000)])
-    found = evaluated("characteristic", record("characteristic", np.arange(x.size) * 0.05, x, np.minimum(x, 82.0)))
-    assert said(found, "characteristic.short").facts["short"] == pytest.approx(18.0)
+    evaluation = evaluated("characteristic", record("characteristic", np.arange(x.size) * 0.05, x, np.minimum(x, 82.0)))
+    assert note_of(evaluation, "characteristic.short").facts["short"] == pytest.approx(18.0)
 
 
-def test_an_outlet_that_leads_is_said():
+def test_leading_outlet_is_reported():
     x = np.concatenate([np.linspace(0.0, 100.0, 2000), np.linspace(100.0, 0.0, 2000)])
     y = x + np.repeat([0.5, -0.5], 2000)
-    found = evaluated("characteristic", record("characteristic", np.arange(4000) * 0.05, x, y))
-    assert said(found, "characteristic.leads")
-    assert found.figures["hysteresis"].value == pytest.approx(1.0)
+    evaluation = evaluated("characteristic", record("characteristic", np.arange(4000) * 0.05, x, y))
+    assert note_of(evaluation, "characteristic.leads")
+    assert evaluation.figures["hysteresis"].value == pytest.approx(1.0)
 
 
-def test_a_jump_out_of_zero():
+def test_zero_suppression_of_jump():
     x = np.concatenate([np.full(100, 0.0), np.linspace(0.0, 100.0, 4000), np.linspace(100.0, 0.0, 4000)])
-    found = evaluated(
+    evaluation = evaluated(
         "characteristic", record("characteristic", np.arange(x.size) * 0.05, x, np.where(x > 3.0, x, 0.0))
     )
-    assert found.figures["zero_suppression"].value == pytest.approx(3.0, abs=0.05)
+    assert evaluation.figures["zero_suppression"].value == pytest.approx(3.0, abs=0.05)
 
 
 # Steps -------------------------------------------------------------------------------------------------------------
 
 
-def stepped(outlet, hold: float = 2.0, **more) -> Record:
+def step_record(outlet, hold: float = 2.0, **series) -> Record:
     time = np.arange(0.0, 1.0 + hold, 0.001)
     setpoint = np.where(time < 1.0, 10.0, 60.0)
-    return record("step", time, setpoint, 10.0 + 50.0 * outlet(np.maximum(time - 1.0, 0.0)), is_exact=True, **more)
+    return record("step", time, setpoint, 10.0 + 50.0 * outlet(np.maximum(time - 1.0, 0.0)), is_exact=True, **series)
 
 
 def first_order(time: np.ndarray) -> np.ndarray:
     return 1.0 - np.exp(-time / 0.1)
 
 
-def test_times_of_one_step():
-    (row,) = evaluated("step", stepped(first_order)).rows
+def test_times_of_first_order_step():
+    (row,) = evaluated("step", step_record(first_order)).rows
     truth = {"delay": math.log(1 / 0.9), "rise_time": math.log(9.0), "response_time": math.log(10.0)}
     truth |= {"settling_time": math.log(20.0)}
     assert {name: row[name] for name in truth} == pytest.approx({k: 0.1 * v for k, v in truth.items()}, rel=1e-3)
     assert (row["direction"], row["amplitude"], row["overshoot"]) == ("up", pytest.approx(50.0), 0.0)
 
 
-def test_a_record_that_ends_too_early():
-    found = evaluated("step", stepped(lambda t: 1.0 - np.exp(-t / 1.0)))
-    assert said(found, "step.unsettled")
-    assert set(found.figures) == set()
-    assert found.rows[0]["is_settled"] is False
-    assert said(found, "absent.unsettled", "settling_time")
+def test_unsettled_step_has_no_times():
+    evaluation = evaluated("step", step_record(lambda t: 1.0 - np.exp(-t / 1.0)))
+    assert note_of(evaluation, "step.unsettled")
+    assert set(evaluation.figures) == set()
+    assert evaluation.rows[0]["is_settled"] is False
+    assert note_of(evaluation, "absent.unsettled", "settling_time")
 
 
-def test_a_limit_cycle_is_no_rest():
-    found = evaluated("step", stepped(lambda t: first_order(t) + 0.08 * np.sin(2.0 * np.pi * 11.0 * t)))
-    assert said(found, "step.swings").facts["amplitude"] == pytest.approx(4.0, rel=0.01)
-    assert said(found, "step.swings_out")
-    assert found.figures["hum_amplitude"].value == pytest.approx(4.0, rel=0.01)
+def test_limit_cycle_prevents_settling_time():
+    evaluation = evaluated("step", step_record(lambda t: first_order(t) + 0.08 * np.sin(2.0 * np.pi * 11.0 * t)))
+    assert note_of(evaluation, "step.swings").facts["amplitude"] == pytest.approx(4.0, rel=0.01)
+    assert note_of(evaluation, "step.swings_out")
+    assert evaluation.figures["hum_amplitude"].value == pytest.approx(4.0, rel=0.01)
 
 
-def test_an_outlet_that_does_not_follow():
-    found = evaluated("step", stepped(lambda t: 0.05 * first_order(t)))
-    assert said(found, "step.hardly").facts["moved"] == pytest.approx(2.5)
-    assert said(found, "step.short").facts["outlet"] == pytest.approx(12.5)
-    assert said(found, "absent.unsettled_up", "response_time_up")
-    assert said(evaluated("step", record("step", np.arange(99.0), 50.0, 50.0 * np.ones(99))), "step.none")
+def test_outlet_without_response_is_reported():
+    evaluation = evaluated("step", step_record(lambda t: 0.05 * first_order(t)))
+    assert note_of(evaluation, "step.hardly").facts["moved"] == pytest.approx(2.5)
+    assert note_of(evaluation, "step.short").facts["outlet"] == pytest.approx(12.5)
+    assert note_of(evaluation, "absent.unsettled_up", "response_time_up")
+    assert note_of(evaluated("step", record("step", np.arange(99.0), 50.0, 50.0 * np.ones(99))), "step.none")
 
 
 def test_overshoot_below_the_noise_is_a_bound():
-    noisy = stepped(lambda t: first_order(t) + RANDOM.normal(0.0, 2e-3, t.size))
-    found = evaluated("step", noisy)
-    assert found.figures["overshoot"].bound == "at most"
-    assert found.figures["overshoot"].value == pytest.approx(1.0, rel=0.2)
+    noisy = step_record(lambda t: first_order(t) + RANDOM.normal(0.0, 2e-3, t.size))
+    evaluation = evaluated("step", noisy)
+    assert evaluation.figures["overshoot"].bound == "at most"
+    assert evaluation.figures["overshoot"].value == pytest.approx(1.0, rel=0.2)
 
 
 @pytest.mark.parametrize("noise", [1e-4, 1e-3, 5e-3])
-def test_a_crossing_in_noise(noise):
+def test_crossing_time_is_unbiased_by_noise(noise):
     time = np.arange(0.0, 1.0, 0.0005)
     errors = []
     for seed in range(40):
@@ -163,54 +163,54 @@ def test_a_crossing_in_noise(noise):
 # Resolution, flow, supply, leakage ---------------------------------------------------------------------------------
 
 
-def test_stairs_below_the_noise_are_said():
+def test_stairs_below_the_noise_are_reported():
     setpoint = np.repeat(50.0 + 0.05 * np.arange(30), 20)
     outlet = setpoint + RANDOM.normal(0.0, 0.3, setpoint.size)
-    found = evaluated("resolution", record("resolution", np.arange(setpoint.size) * 0.1, setpoint, outlet))
-    assert said(found, "resolution.noise")
-    assert said(
+    evaluation = evaluated("resolution", record("resolution", np.arange(setpoint.size) * 0.1, setpoint, outlet))
+    assert note_of(evaluation, "resolution.noise")
+    assert note_of(
         evaluated("resolution", record("resolution", np.arange(90.0), 50.0, np.full(90, 50.0))),
         "resolution.no_staircase",
     )
 
 
-def test_flow_needs_its_channel_and_a_way_back():
+def test_missing_flow_and_missing_return_are_reported():
     time = np.arange(0.0, 60.0, 0.05)
-    assert said(evaluated("flow", record("flow", time, 50.0, np.full(time.size, 50.0))), "unrecorded.flow")
+    assert note_of(evaluated("flow", record("flow", time, 50.0, np.full(time.size, 50.0))), "unrecorded.flow")
     flow = np.interp(time, [0.0, 5.0, 60.0], [0.0, 0.0, 0.02])
-    found = evaluated("flow", record("flow", time, 50.0, 50.0 - 500.0 * flow, flow=flow))
-    assert said(found, "flow.no_return")
-    assert found.figures["flow_droop"].value == pytest.approx(5.0, rel=1e-3)
-    assert found.figures["flow_capacity"].value == pytest.approx(0.02, rel=1e-2)
+    evaluation = evaluated("flow", record("flow", time, 50.0, 50.0 - 500.0 * flow, flow=flow))
+    assert note_of(evaluation, "flow.no_return")
+    assert evaluation.figures["flow_droop"].value == pytest.approx(5.0, rel=1e-3)
+    assert evaluation.figures["flow_capacity"].value == pytest.approx(0.02, rel=1e-2)
     beyond = evaluated("flow", record("flow", time, 50.0, 50.0 - 500.0 * flow, flow=flow), rated_flow=0.5)
-    assert said(beyond, "flow.below_rated").facts["rated"] == 0.5
+    assert note_of(beyond, "flow.below_rated").facts["rated"] == 0.5
     assert "flow_droop" not in beyond.figures
 
 
-def test_the_limit_of_a_valve_is_no_hysteresis():
-    """Beyond its largest flow the outlet falls at hardly less flow, there and back."""
+def test_flow_limit_does_not_count_as_hysteresis():
+    """At the flow limit, the outlet falls and rises again at almost constant flow."""
     time = np.arange(0.0, 130.0, 0.05)
     opening = np.interp(time, [0.0, 5.0, 65.0, 125.0, 130.0], [0.0, 0.0, 1.4, 0.0, 0.0])
     outlet = np.where(opening < 1.0, 50.0 - opening, 49.0 - 60.0 * (opening - 1.0))
     flow = 0.01 * np.where(opening < 1.0, opening, 1.0 - 0.1 * (opening - 1.0))
-    found = evaluated("flow", record("flow", time, 50.0, outlet, flow=flow))
-    assert found.figures["flow_hysteresis"].value < 0.05
-    assert found.figures["flow_capacity"].value == pytest.approx(0.01, rel=0.02)
+    evaluation = evaluated("flow", record("flow", time, 50.0, outlet, flow=flow))
+    assert evaluation.figures["flow_hysteresis"].value < 0.05
+    assert evaluation.figures["flow_capacity"].value == pytest.approx(0.01, rel=0.02)
 
 
-def test_supply_without_a_sweep_or_below_the_noise():
+def test_constant_supply_and_noise_are_reported():
     time = np.arange(0.0, 100.0, 0.05)
     supply = np.interp(time, [0.0, 50.0, 100.0], [6e5, 9e5, 6e5])
-    assert said(evaluated("supply", record("supply", time, 50.0, np.full(time.size, 50.0))), "unrecorded.supply")
+    assert note_of(evaluated("supply", record("supply", time, 50.0, np.full(time.size, 50.0))), "unrecorded.supply")
     still = record("supply", time, 50.0, np.full(time.size, 50.0), supply=np.full(time.size, 9e5))
-    assert said(evaluated("supply", still), "supply.still").facts["extent"] == 0.0
+    assert note_of(evaluated("supply", still), "supply.still").facts["extent"] == 0.0
     noisy = record("supply", time, 50.0, 50.0 + RANDOM.normal(0.0, 0.05, time.size), supply=supply)
-    found = evaluated("supply", noisy)
-    assert found.figures["supply_sensitivity"].bound == "at most"
-    assert said(found, "below_noise", "supply_sensitivity")
+    evaluation = evaluated("supply", noisy)
+    assert evaluation.figures["supply_sensitivity"].bound == "at most"
+    assert note_of(evaluation, "below_noise", "supply_sensitivity")
 
 
-def test_a_supply_close_to_the_outlet_is_not_judged():
+def test_supply_near_outlet_pressure_is_not_evaluated():
     time = np.arange(0.0, 100.0, 0.05)
     supply = np.interp(time, [0.0, 50.0, 100.0], [3e5, 9e5, 3e5])
     outlet = np.minimum(50.0, SCALE.percent(supply))
@@ -219,33 +219,33 @@ def test_a_supply_close_to_the_outlet_is_not_judged():
     assert row["lowest_supply"] == pytest.approx(4.6e5, rel=0.01)
 
 
-def test_a_leakage_that_still_changes_is_said():
+def test_drifting_leakage_is_reported():
     time = np.arange(0.0, 100.0, 0.1)
     drifting = record("leakage", time, 50.0, np.full(1000, 50.0), consumption=1e-5 * np.exp(-time / 50.0))
-    found = evaluated("leakage", drifting)
-    assert said(found, "leakage.drifts")
+    evaluation = evaluated("leakage", drifting)
+    assert note_of(evaluation, "leakage.drifts")
     none = evaluated("leakage", record("leakage", time, 50.0, np.full(1000, 50.0), consumption=np.zeros(1000)))
     assert (none.figures["leakage"].value, none.figures["leakage"].bound) == (0.0, "")
-    assert said(evaluated("leakage", record("leakage", time, 50.0, np.full(1000, 50.0))), "unrecorded.consumption")
+    assert note_of(evaluated("leakage", record("leakage", time, 50.0, np.full(1000, 50.0))), "unrecorded.consumption")
 
 
 # All of them -------------------------------------------------------------------------------------------------------
 
 
-def test_every_missing_figure_has_its_reason():
-    """Whatever the records lack: a figure is there, or a note says why it is not."""
+def test_each_absent_value_has_a_reason():
+    """Each characteristic value is present, or a note states the reason of its absence."""
     flat = record("", np.arange(200.0), 50.0, np.full(200, 50.0))
     for name, test in TESTS.items():
-        found = evaluated(name, flat)
-        explained = {note.address for note in found.notes if note.code.startswith("bench.absent.")}
-        assert {*found.figures} | explained | {"hum_amplitude", "hum_frequency"} >= {*test.units}
-        assert all(math.isfinite(figure.value) for figure in found.figures.values())
+        evaluation = evaluated(name, flat)
+        explained = {note.address for note in evaluation.notes if note.code.startswith("bench.absent.")}
+        assert {*evaluation.figures} | explained | {"hum_amplitude", "hum_frequency"} >= {*test.units}
+        assert all(math.isfinite(figure.value) for figure in evaluation.figures.values())
 
 
-def test_unknown_and_missing_tests():
+def test_unknown_test_is_rejected_and_missing_recording_is_reported():
     with pytest.raises(InputError) as caught:
         run_bench(StandIn(), tests=("frequancy",))
-    assert (caught.value.code, caught.value.facts["near"].names) == ("bench.unknown_test", ["frequency"])
+    assert (caught.value.code, caught.value.facts["near"].names) == ("fields.not_an_option", ["frequency"])
     result = run_recordings("t", {}, SCALE, tests=("step",))
     assert result.figures == {}
     assert result.notes["bench"] == (Note("bench.not_given", "step"),)
@@ -254,7 +254,7 @@ def test_unknown_and_missing_tests():
 @pytest.mark.parametrize(
     ("ends", "address"), [((1.0, 1.0, "V", 1e5, 7e5), "setpoint_range"), ((0.0, 1.0, "V", 7e5, 1e5), "full_scale")]
 )
-def test_a_scale_must_rise(ends, address):
+def test_falling_scale_is_rejected(ends, address):
     with pytest.raises(InputError) as caught:
         Scale(*ends)
     assert (caught.value.code, caught.value.address) == ("bench.range.scale", address)

@@ -1,4 +1,4 @@
-"""Tuning of loops of any quantity: plants against closed forms and runs, cascades, friction that sticks, units."""
+"""Tests of the tuning for any quantity: closed forms, runs, cascades, stiction, units."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from refusals import refused
 
 
 def closed_form():
-    """Matrices of position, speed, force and sensor per opening at mid stroke, isothermal, both flows choked."""
+    """Return the isothermal state space at mid stroke with choked flows, from opening to sensor."""
     area = np.pi / 4.0 * BORE**2
     volume = area * 0.1 + DEAD
     stiffness = 2.0 * LEVEL * area**2 / volume
@@ -35,21 +35,21 @@ def plant_at(place):
     return plant, plant.operating_point(place)
 
 
-def held_closed_form(z):
-    """Its response behind a hold."""
+def sampled_closed_form(z):
+    """Return the response of the closed form with a zero-order hold."""
     a, b, c, _, _ = cont2discrete(closed_form(), TIME)
     return np.array([(c @ np.linalg.solve(each * np.eye(4) - a, b))[0, 0] for each in z])
 
 
 @pytest.mark.parametrize("branch", ["fill", "vent"])
-def test_a_position_plant_is_the_closed_form(branch):
-    """The usual third order of a cylinder: an integrator and a gas spring; its pole at z = 1 is kept."""
+def test_position_plant_equals_the_closed_form(branch):
+    """The plant is an integrator with a gas spring; the pole at z = 1 remains exact."""
     plant, point = plant_at("100 mm")
     assert set(point.models) == {"fill", "vent"}
     assert (point.value, point.command) == (0.1, 0.0)
     ours = plant.sampled(point, branch)
     z = ours.at(np.geomspace(1e-3, 100.0, 40))
-    assert np.max(np.abs(ours.response(z) / held_closed_form(z) - 1.0)) < 2e-3
+    assert np.max(np.abs(ours.response(z) / sampled_closed_form(z) - 1.0)) < 2e-3
     poles = np.linalg.eigvals(ours.A)
     assert np.min(np.abs(poles - 1.0)) < 1e-9
     assert margins(ours, tuned().points[0].gains).is_stable
@@ -60,10 +60,10 @@ def tuned():
     return tune(drive(), at=["80 mm", "100 mm"])
 
 
-def test_gains_of_a_position_loop_keep_the_bound_on_the_closed_form():
+def test_position_gains_keep_the_bound_on_the_closed_form():
     (point,) = tuned().points
     z = np.exp(2j * np.pi * np.geomspace(1e-3, 0.5 / TIME, 4000) * TIME)
-    loop = held_closed_form(z) * point.gains.gain * (1.0 + TIME / point.gains.integral_time / (z - 1.0))
+    loop = sampled_closed_form(z) * point.gains.gain * (1.0 + TIME / point.gains.integral_time / (z - 1.0))
     peaks = np.max(np.abs(1.0 / (1.0 + loop))), np.max(np.abs(loop / (1.0 + loop)))
     shown = point.margins["100 mm, fill"]
     assert peaks == pytest.approx((shown.sensitivity, shown.complementary), rel=5e-3)
@@ -76,7 +76,7 @@ def test_gains_of_a_position_loop_keep_the_bound_on_the_closed_form():
     assert last == pytest.approx(0.13, abs=2e-4)
 
 
-def test_a_schedule_of_positions_has_positions():
+def test_position_schedule_contains_positions():
     found = schedule(drive(), at=["60 mm", "140 mm"])
     assert found.fields()["schedule"].numbers()["position_2"].value == pytest.approx(0.14)
     assert '[parts.c.schedule]\nposition = ["60 mm", "140 mm"]' in found.text()
@@ -92,8 +92,8 @@ def test_stiction_is_replaced_by_viscous_friction_with_a_note():
     assert tuned().notes == ()
 
 
-def test_a_valve_of_one_command_is_looked_at_on_both_sides():
-    """With a rod the two sides of the piston, and so the two signs of the command, are unlike."""
+def test_single_command_has_a_model_on_both_sides():
+    """A piston with a rod has different responses to commands of both signs."""
     ring = 1.0 - (16.0 / 25.0) ** 2
     fields = {"spool": {"lag": "4 ms"}, "rod": "16 mm", "mid": 0.09, "level": (LEVEL - 1e5 * (1.0 - ring)) / ring}
     plant = plant_of(drive(**fields))
@@ -114,7 +114,7 @@ def test_a_valve_of_one_command_is_looked_at_on_both_sides():
 
 
 def cascade(*, inner_first=False, **outer):
-    """Two loops on one isothermal tank: the outer one asks the inner one for a pressure, that one a source for gas."""
+    """Return a cascade on an isothermal tank: the outer loop sets the pressure setpoint of the inner loop."""
     pressure = {"quantity": "pressure", "command_quantity": "pressure", "lower_limit": 0.0, "upper_limit": "9 bar"}
     loops = {
         "outer": PID(**pressure | {"gain": 0.5, "integral_time": 0.02, "sample_time": 5e-3} | outer),
@@ -132,8 +132,8 @@ def cascade(*, inner_first=False, **outer):
 
 
 @pytest.mark.parametrize("inner_first", [False, True])
-def test_a_loop_around_a_faster_loop_is_exact(inner_first):
-    """p+ = p + T b K (w - p) five times; a command of a loop that acts after the inner one is a fifth late."""
+def test_outer_loop_of_a_cascade_is_exact(inner_first):
+    """The inner loop gives p+ = p + T b K (w - p) five times; a later outer command is delayed by a fifth."""
     plant = plant_of(cascade(inner_first=inner_first), "outer")
     point = plant.operating_point("4 bar")
     assert point.command == pytest.approx(4e5, rel=1e-9)
@@ -160,8 +160,8 @@ def test_gains_of_an_outer_loop_keep_the_bound():
     assert list(found.points[0].margins) == ["4 bar, command"]
 
 
-def test_an_inner_loop_is_tuned_without_those_around_it():
-    """p+ = p + T b u: the tightest proportional loop with Mt <= 1.4, Ms <= 1.4 in closed form."""
+def test_inner_loop_is_tuned_without_outer_loops():
+    """The plant p+ = p + T b u has a closed form of the largest gain with Ms, Mt <= 1.4."""
     found = tune(cascade(), "inner", at=["4 bar"], form="p")
     # L = k / (z - 1): Ms is met at z = -1, 1 / (1 - k / 2); Mt there is (k / 2) / (1 - k / 2).
     wanted = 2.0 * (1.0 - 1.0 / 1.4) / (1e-3 * GAS / 1e-3)
@@ -169,8 +169,8 @@ def test_an_inner_loop_is_tuned_without_those_around_it():
     assert found.quantity, found.command_quantity == ("pressure", "mass_flow")
 
 
-def test_kinks_of_an_inner_loop_are_looked_at_on_both_sides():
-    """An inner loop that fills and vents unlike: small steps of a run lie on the model of their side."""
+def test_inner_loop_with_kink_has_a_model_on_both_sides():
+    """Small steps of a run follow the model of their side if filling and venting differ."""
     orifice = {"sonic_conductance": SONIC, "critical_ratio": 0.3}
     loops = {"outer": PID(quantity="pressure", command_quantity="pressure", gain=1.0, sample_time=5e-3,
                           lower_limit=0.0, upper_limit=9e5, bias=2e5),
@@ -226,7 +226,7 @@ def test_incompatible_sample_times_are_rejected():
         plant_of(cascade(sample_time=7.5e-3), "outer").operating_point("3 bar")
 
 
-def test_figures_have_the_units_of_their_loop():
+def test_metrics_have_the_units_of_the_loop():
     figures = metrics_in("rad", "N m")
     assert {name: figure.unit for name, figure in figures.items()} == {
         "IAE": "rad s", "ITAE": "rad s^2", "rise_time": "s", "settling_time": "s", "overshoot": "%", "travel": "N m",
@@ -266,13 +266,13 @@ def test_position_loops_are_compared_in_their_units():
         compare({"slow": contenders["slow"], "quick": uneven})
 
 
-def test_no_rest_beyond_the_limits_of_a_command():
+def test_steady_state_outside_command_limits_is_rejected():
     with refused("plant.not_trimmed", "tank.pressure", kind=SimulationError):
         plant_of(cascade(), "outer").operating_point("9.5 bar")
 
 
 def muscle_joint(outer, *, through_force=False, **muscle):
-    """An arm on a muscle between two valves under a pressure loop, which the outer loop asks, or by the inverse law."""
+    """Return an arm on a muscle with a pressure loop and an outer loop, optionally with the inverse muscle law."""
     orifice = {"sonic_conductance": "0.4 dm^3/(s bar)", "critical_ratio": 0.3}
     parts = {
         "angle": outer,
@@ -295,8 +295,8 @@ def muscle_joint(outer, *, through_force=False, **muscle):
     return Circuit(parts, {"angle.setpoint": Steps([0.0], [np.radians(20.0)])}, connections=joined)
 
 
-def test_a_muscle_joint_is_tuned_over_a_pressure_loop():
-    """The gains hold the angle of a joint over a pressure loop; a note reports the omitted hysteresis."""
+def test_muscle_joint_is_tuned_with_inner_pressure_loop():
+    """The gains control the angle through a pressure loop; a note reports the omitted hysteresis."""
     outer = PID(quantity="angle", command_quantity="pressure", gain="0.5 bar/rad", integral_time="0.2 s",
                 lower_limit="0.1 bar g", upper_limit="6 bar g", bias="2 bar g", sample_time="4 ms")  # fmt: skip
     circuit = muscle_joint(outer, hysteresis={"kind": "coulomb", "force": 3.0, "reach": "4 mm"})
@@ -311,8 +311,8 @@ def test_a_muscle_joint_is_tuned_over_a_pressure_loop():
     assert run["muscle.pressure"][-1] == pytest.approx(found.points[0].commands[0], rel=0.05)
 
 
-def test_a_position_is_held_through_the_inverse_law_of_a_muscle():
-    """Angle -> force -> pressure: force times radius is the load at any angle, so that the plant has a pole at one."""
+def test_muscle_joint_is_tuned_with_inverse_muscle_law():
+    """Force times radius equals the load at any angle, so the plant has a pole at one."""
     outer = PID(quantity="angle", command_quantity="force", gain="300 N/rad", derivative_time="50 ms",
                 lower_limit="0 N", upper_limit="900 N", bias="150 N", sample_time="4 ms")  # fmt: skip
     plant = plant_of(muscle_joint(outer, through_force=True), "angle")

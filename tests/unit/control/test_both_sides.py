@@ -1,4 +1,4 @@
-"""A tuning bounds filling and venting wherever the command rests: on a tight tank, on one that leaks or is fed."""
+"""Tests of the bound for filling and venting: on tanks that are tight, leaking or fed."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ LEVELS = 2e5, 5e5
 
 
 def loop(leak=0.0, vent=5e-9, between=BETWEEN):
-    """A litre at constant temperature between 7 and 1 bar, with a vent that may be far stronger than the fill."""
+    """Return a loop on an isothermal volume of 1 l between 7 and 1 bar."""
     parts = {
         "supply": Reservoir(pressure="7 bar"),
         "fill": Orifice(from_="supply", to="tank", sonic_conductance=5e-9, critical_ratio=0.35, opening=0.0),
@@ -42,14 +42,14 @@ def tuned(leak, vent, between=BETWEEN):
 
 
 def flow(conductance, upstream, downstream):
-    """Volume at the tank's temperature and 1 Pa per second, ISO 6358, written anew."""
+    """Return the flow after ISO 6358 as volume at tank temperature and 1 Pa per second."""
     ratio = downstream / upstream
     subsonic = np.sqrt(1.0 - ((ratio - 0.35) / 0.65) ** 2) if ratio > 0.35 else 1.0
     return conductance * upstream * 1e5 * subsonic * 1.185 * GAS / 1e5
 
 
 def worst_of(pressure, side, gains, factor, plant):
-    """Ms, Mt and the greatest closed-loop pole of a loop, from nothing but the law of flow, numpy and the PI law."""
+    """Return Ms, Mt and the largest closed-loop pole, from the flow equation and the PI law alone."""
     leak, vent, between = plant
 
     def rate(p, u):
@@ -86,7 +86,7 @@ PLANTS = [
 
 
 @pytest.mark.parametrize("plant", PLANTS)
-def test_both_sides_keep_the_bound_on_the_plant_and_on_the_tight_one(plant):
+def test_filling_and_venting_keep_the_bound_on_leaking_and_tight_plant(plant):
     (point,) = tuned(*plant).points
     assert set(point.sides) == {"fill", "vent"}
     assert any(command != 0.0 for command in point.commands) == (plant[0] > 0.0)
@@ -106,7 +106,7 @@ def test_both_sides_keep_the_bound_on_the_plant_and_on_the_tight_one(plant):
 
 
 def small_steps(circuit):
-    """Error and swing over the last 0.3 s of small steps up and down at both levels, and how far they went beyond."""
+    """Return final error, final oscillation and overshoot of small steps at both levels."""
     recording = circuit.simulate("12 s", "4 ms")
     time, pressure = recording.time, recording["tank.pressure"]
     error = pressure - circuit.signals["c.setpoint"].evaluate(time)
@@ -119,8 +119,8 @@ def small_steps(circuit):
 
 
 @pytest.mark.parametrize(("plant", "other"), [(PLANTS[1], PLANTS[0]), (PLANTS[3], (0.0, 5e-8, BETWEEN))])
-def test_small_steps_both_ways_come_to_rest_on_both_plants(plant, other):
-    """The whole nonlinear loop, with the gains of the leaking plant, on it and on the tight one, and the other way."""
+def test_small_steps_settle_on_leaking_and_tight_plant(plant, other):
+    """The nonlinear loop settles with the gains of either plant on both plants."""
     for gains_of in (plant, other):
         for runs_on in (plant, other):
             error, swing, beyond = small_steps(tuned(*gains_of).applied(loop(*runs_on)))
@@ -129,8 +129,8 @@ def test_small_steps_both_ways_come_to_rest_on_both_plants(plant, other):
             assert beyond < 0.1 * 2e3
 
 
-def test_gains_of_one_side_alone_say_so_and_do_not_serve_the_other():
-    """With the venting valve out of the loop only filling is bounded; the bound means nothing once it is back."""
+def test_gains_of_one_side_are_marked_and_fail_on_the_other():
+    """Without the vent valve, only filling is bounded; with it, the bound is exceeded."""
     whole = loop(*PLANTS[2])
     fills = {target: source for target, source in whole.connections.items() if target != "vent.opening"}
     tuning = tune(replace(whole, connections=fills), at=LEVELS)
@@ -143,7 +143,7 @@ def test_gains_of_one_side_alone_say_so_and_do_not_serve_the_other():
 
 
 @pytest.mark.parametrize("leak", [1e-16, 1e-14, 1e-12])
-def test_the_smallest_leak_is_held_where_it_was_asked(leak):
+def test_small_leak_is_held_at_the_operating_point(leak):
     point = plant_of(loop(leak)).operating_point(LEVELS[0])
     assert point.value == pytest.approx(LEVELS[0], rel=1e-5)
     assert point.command == pytest.approx(leak / 5e-9 * flow(1.0, 2e5, 1e5) / flow(1.0, 7e5, 2e5), rel=1e-3)

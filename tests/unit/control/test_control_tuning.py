@@ -1,4 +1,4 @@
-"""Margins with closed forms, tuning that keeps its bound, operating points, errors."""
+"""Tests of margins with closed forms, of the bound of tunings, of operating points and errors."""
 
 from __future__ import annotations
 
@@ -35,13 +35,13 @@ ONE, TWO = ("3 bar",), ("2 bar", "5 bar")
 
 @cache
 def tuned(form, bound, at):
-    """The one point of a tuning, which is searched for once."""
+    """Return the point of a tuning; equal arguments reuse it."""
     (point,) = tune(tank_loop(), at=at, form=form, sensitivity=bound).points
     return point
 
 
 def test_margins_of_an_integrator_have_closed_forms():
-    """L = a/(z - 1): on the circle the real part is -a/2 and |1 + L| least at half the sampling frequency."""
+    """The loop L = a/(z - 1) has a real part of -a/2, with the minimum of |1 + L| at half the sampling frequency."""
     a = 0.3
     found = margins(SampledPlant(np.eye(1), np.array([a]), np.ones(1), T), Gains(1.0))
     assert found.is_stable
@@ -64,7 +64,7 @@ def test_the_gain_margin_is_the_limit_of_stability(delay):
 
 
 @pytest.mark.parametrize("delay", [0, 1, 2])
-def test_the_closed_loop_has_the_response_of_its_pieces(delay):
+def test_closed_loop_has_the_response_of_plant_and_controller(delay):
     gains = Gains(0.7, 0.03, 4e-3, 1e-3)
     plant = SampledPlant(np.array([[0.98, 0.01], [0.0, 0.9]]), np.array([0.01, 0.1]), np.array([1.0, 0.5]), T, delay)
     z = plant.at(np.array([0.5, 5.0, 60.0, 200.0]))
@@ -75,7 +75,7 @@ def test_the_closed_loop_has_the_response_of_its_pieces(delay):
     assert np.max(np.abs(found - plant.response(z) * integral_and_gain / (1.0 + loop))) < 1e-9
 
 
-def test_an_unstable_loop_is_called_so():
+def test_unstable_loop_is_detected():
     circuit = plant_of(tank_loop())
     plant = circuit.sampled(circuit.operating_point("3 bar"), "fill")
     found = margins(plant, Gains(5e-3, 0.01))
@@ -83,8 +83,8 @@ def test_an_unstable_loop_is_called_so():
     assert np.max(np.abs(step_response(plant, Gains(5e-3, 0.01), 1.0, 400))) > 1e3
 
 
-def test_the_plant_matches_its_law():
-    """An isothermal tank integrates: the slope of the pressure per opening is the rate of the open valve."""
+def test_plant_of_isothermal_tank_is_an_integrator():
+    """The pressure slope per opening of an isothermal tank is the rate of the open valve."""
     plant = plant_of(tank_loop())
     assert plant.measurement == "tank.pressure"
     point = plant.operating_point("3 bar")
@@ -104,7 +104,7 @@ def test_the_plant_matches_its_law():
     ("form", "bound", "at"), [("p", 1.4, TWO), ("pi", 1.4, TWO), ("pid", 1.4, ONE), ("pi", 2.0, TWO)]
 )
 def test_tuned_loops_keep_the_bound_and_use_it(form, bound, at):
-    """Checked on the linear model itself with a hold and delays written out, not with the tuner's own responses."""
+    """The check uses the linear model with explicit hold and delays, not the responses of the tuner."""
     point = tuned(form, bound, at)
     assert point.is_stable
     gains, plant = point.gains, plant_of(tank_loop())
@@ -127,17 +127,17 @@ def test_tuned_loops_keep_the_bound_and_use_it(form, bound, at):
     assert 0.97 * bound < worst <= bound * 1.001
 
 
-def test_more_is_allowed_more_is_taken():
+def test_larger_bound_gives_larger_gains():
     cautious, bold = (tuned("pi", bound, TWO).gains for bound in (1.4, 2.0))
     assert bold.gain / bold.integral_time > 2.0 * cautious.gain / cautious.integral_time
 
 
-def test_a_derivative_brings_more_integral_gain():
+def test_derivative_increases_the_integral_gain():
     pi, pid = (tuned(form, 1.4, ONE).gains for form in ("pi", "pid"))
     assert pid.gain / pid.integral_time > 1.05 * pi.gain / pi.integral_time
 
 
-def test_venting_is_made_as_strong_as_filling():
+def test_vent_factor_equalises_both_sides():
     point = tuned("pi", 1.4, ONE)
     fill, vent = point.margins.values()
     assert fill.sensitivity == pytest.approx(vent.sensitivity, rel=1e-3)
@@ -159,7 +159,7 @@ def test_a_schedule_has_a_point_for_each_pressure():
     assert again.gains.gain == pytest.approx(tuning.points[1].gains.gain)
 
 
-def test_a_leak_is_held_by_an_opening():
+def test_leak_needs_a_steady_opening():
     leak = Orifice(from_="tank", to="ambient", sonic_conductance=1e-9, critical_ratio=0.3)
     plant = plant_of(tank_loop(more={"leak": leak}, chamber={"wall_conductance": 1.0}))
     point = plant.operating_point("2 bar g")
@@ -172,7 +172,7 @@ def test_a_leak_is_held_by_an_opening():
     assert (note.code, note.address, note.facts["wanted"]) == ("plant.not_held", "tank.pressure", 1.2e6)
 
 
-def test_a_pilot_stage_is_a_plant():
+def test_pilot_stage_is_tuned():
     pilot = PilotStage(
         supply="supply", exhaust="ambient", volume="20 cm^3",
         fill={"sonic_conductance": 1e-9}, vent={"sonic_conductance": 1e-9},
@@ -202,19 +202,19 @@ def test_the_text_is_a_table_of_a_circuit_file():
     assert PID(**table).numbers()["gain"].value == pytest.approx(point.gains.gain, rel=1e-5)
 
 
-KNOWING = {"volume": "1 l", "fill": VALVE, "vent": VALVE, "supply_pressure": "7 bar", "time_constant": 0.05}
+PLANT_MODEL = {"volume": "1 l", "fill": VALVE, "vent": VALVE, "supply_pressure": "7 bar", "time_constant": 0.05}
 
 
 @pytest.mark.parametrize(
     ("circuit", "options", "error", "code"),
     [
         (tank_loop(), {"form": "pdf"}, InputError, "fields.not_an_option"),
-        (tank_loop(), {"sensitivity": 0.9}, OutOfRangeError, "tuning.bound"),
+        (tank_loop(), {"sensitivity": 0.9}, OutOfRangeError, "fields.out_of_range"),
         (tank_loop(), {"at": ["9 bar"]}, InputError, "plant.beyond_supply"),
         (tank_loop(), {"at": ["0.5 bar"]}, InputError, "plant.beyond_exhaust"),
         (tank_loop(), {"at": []}, InputError, "tuning.no_point"),
-        (tank_loop(), {"controller": "b"}, InputError, "plant.unknown_controller"),
-        (tank_loop(PressureController(**KNOWING)), {}, InputError, "tuning.no_pid"),
+        (tank_loop(), {"controller": "b"}, InputError, "names.unknown"),
+        (tank_loop(PressureController(**PLANT_MODEL)), {}, InputError, "tuning.no_pid"),
         (tank_loop(more={"d": PID(gain=1.0)}), {}, InputError, "plant.several_controllers"),
         (tank_loop(more={"e": Electronics(data="vppm_6l")}), {}, InputError, "plant.also_sampled"),
         (tank_loop(more={"d": PID(gain=1.0)}), {"controller": "d"}, InputError, "plant.measures_nothing"),
@@ -237,7 +237,7 @@ def test_errors_are_reported(circuit, options, error, code):
     ("options", "code"),
     [({"form": "p", "at": [2e5, 3e5]}, "tuning.schedule_without_integral"), ({"at": [2e5]}, "tuning.schedule_of_one")],
 )
-def test_what_makes_no_schedule(options, code):
+def test_invalid_schedules_are_rejected(options, code):
     with pytest.raises(InputError) as caught:
         schedule(tank_loop(), **options)
     assert caught.value.code == code

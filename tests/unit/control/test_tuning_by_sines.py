@@ -1,4 +1,4 @@
-"""Tuning on answers to sines: linear plants, a dead zone in closed form, valves that hum, steps that verify."""
+"""Tests of tuning by sines: linear plants, a dead zone in closed form, limit cycles, verification steps."""
 
 from __future__ import annotations
 
@@ -20,17 +20,17 @@ from source_files import ROOT
 
 EXAMPLES = ROOT.parents[1] / "examples"
 EVEN = 5.516e5
-"""Pressure at which a valve lets as much in from 7 bar as out, so that a sine does not move the mean [Pa]."""
+"""Pressure with equal inflow from 7 bar and outflow, so a sine does not change the mean [Pa]."""
 
 
-def even(**fields):
-    """A cylinder whose pressures a sine leaves where they are, with a controller that holds it."""
+def balanced_cylinder(**fields):
+    """Return a controlled cylinder whose mean pressures do not change with a sine."""
     circuit = drive(**{"gain": "2 1/m", "integral_time": 0.5} | fields)
     return circuit.with_values({f"cylinder.{side}.initial_pressure": EVEN for side in ("cap", "rod")})
 
 
-def known(plant, highest=0.25):
-    """A plant as its answers at forty frequencies would tell it, up to a part of the sampling frequency."""
+def measured_plant(plant, highest=0.25):
+    """Return a plant from its responses at forty frequencies, up to a fraction of the sampling frequency."""
     frequencies = np.geomspace(2e-4, highest, 40) / plant.sample_time
     return MeasuredPlant(frequencies, plant.response(plant.at(frequencies)), plant.sample_time, Gains(0.01))
 
@@ -44,10 +44,10 @@ PLANTS = {
 
 
 @pytest.mark.parametrize("name", PLANTS)
-def test_what_is_known_at_some_frequencies_has_the_margins_of_the_whole(name):
+def test_measured_responses_give_the_margins_of_the_plant(name):
     plant = PLANTS[name]
     for gains in (Gains(0.3), Gains(0.3, 0.2), Gains(0.5, 0.4, 0.02, 0.01)):
-        whole, some = margins(plant, gains), margins(known(plant), gains)
+        whole, some = margins(plant, gains), margins(measured_plant(plant), gains)
         assert whole.is_stable == some.is_stable
         assert some.sensitivity == pytest.approx(whole.sensitivity, rel=0.01)
         assert some.complementary == pytest.approx(whole.complementary, rel=0.01)
@@ -56,9 +56,9 @@ def test_what_is_known_at_some_frequencies_has_the_margins_of_the_whole(name):
 
 @pytest.mark.parametrize("integral_time", [0.0, 0.05])
 @pytest.mark.parametrize("name", PLANTS)
-def test_answers_tell_where_a_loop_becomes_unstable(name, integral_time):
-    """Against the eigenvalues of the loop: on both sides of its limit, and far beyond."""
-    plant, answers = PLANTS[name], known(PLANTS[name])
+def test_measured_responses_give_the_stability_limit(name, integral_time):
+    """The stability test agrees with the eigenvalues of the loop near its limit and far beyond it."""
+    plant, answers = PLANTS[name], measured_plant(PLANTS[name])
     gains = np.geomspace(1e-3, 1e3, 100)
     stable = [plant.is_stable_with(Gains(gain, integral_time)) for gain in gains]
     found = [answers.is_stable_with(Gains(gain, integral_time)) for gain in gains]
@@ -68,18 +68,18 @@ def test_answers_tell_where_a_loop_becomes_unstable(name, integral_time):
 
 
 @pytest.mark.parametrize(("gain", "is_known"), [(0.02, False), (2.0, True), (300.0, False)])
-def test_answers_have_to_reach_where_the_loop_acts(gain, is_known):
-    """Of an integrator with |P| = 1/(2 sin(w T/2)), known from 0.1 to 125 Hz: between 800 and 0.71."""
+def test_frequency_range_must_cover_the_loop(gain, is_known):
+    """The integrator |P| = 1/(2 sin(w T/2)) is between 800 and 0.71 from 0.1 to 125 Hz."""
     plant = SampledPlant(np.eye(1), np.ones(1), np.ones(1), TIME)
     low, high = (0.5 / math.sin(math.pi * each) for each in (2e-4, 0.25))
-    assert known(plant).covers(Gains(0.01 * gain), 1.4) == is_known
+    assert measured_plant(plant).covers(Gains(0.01 * gain), 1.4) == is_known
     assert is_known == (0.01 * gain * low >= 3.5 and 0.01 * gain * high <= 1.0 - 1.0 / 1.4)
 
 
-def test_a_plant_that_is_unstable_alone_is_judged_by_the_hold():
-    """x+ = 1.01 x + u: stable between 0.01 and 2.01, which answers under a hold of 0.1 have to say."""
+def test_unstable_plant_is_stabilised_by_the_weak_controller():
+    """The loop x+ = 1.01 x + u is stable for gains from 0.01 to 2.01; it was measured with a gain of 0.1."""
     plant = SampledPlant(np.array([[1.01]]), np.ones(1), np.ones(1), TIME)
-    answers = replace(known(plant, 0.5), stabilised_by=Gains(0.1))
+    answers = replace(measured_plant(plant, 0.5), stabilised_by=Gains(0.1))
     for gain, is_stable in ((0.005, False), (0.02, True), (1.9, True), (2.2, False)):
         assert plant.is_stable_with(Gains(gain)) == is_stable
         assert answers.is_stable_with(Gains(gain)) == is_stable
@@ -87,11 +87,11 @@ def test_a_plant_that_is_unstable_alone_is_judged_by_the_hold():
 
 @cache
 def by_sines(gain="2 1/m"):
-    return tune(even(gain=gain), at=["100 mm"], amplitudes=[0.02])
+    return tune(balanced_cylinder(gain=gain), at=["100 mm"], amplitudes=[0.02])
 
 
-def test_a_linear_plant_gets_the_gains_of_its_linear_model():
-    (ours,), (linear,) = by_sines().points, tune(even(), at=["100 mm"]).points
+def test_linear_plant_has_the_gains_of_its_linear_model():
+    (ours,), (linear,) = by_sines().points, tune(balanced_cylinder(), at=["100 mm"]).points
     assert ours.gains.gain == pytest.approx(linear.gains.gain, rel=0.03)
     assert ours.gains.integral_time == pytest.approx(linear.gains.integral_time, rel=0.05)
     (plant,) = ours.plants.values()
@@ -100,14 +100,14 @@ def test_a_linear_plant_gets_the_gains_of_its_linear_model():
     assert np.max(np.abs(plant.responses / exact - 1.0)) < 0.03
 
 
-def test_the_hold_has_no_part_in_what_is_measured():
+def test_measured_plant_is_independent_of_the_controller():
     ours, other = (by_sines(gain).points[0] for gain in ("2 1/m", "0.7 1/m"))
     assert other.gains.gain == pytest.approx(ours.gains.gain, rel=0.02)
     assert other.gains.integral_time == pytest.approx(ours.gains.integral_time, rel=0.05)
 
 
-def test_the_step_is_that_of_the_tuned_circuit():
-    """Figures again by a run that knows nothing of verifications, from the rest that the file begins at."""
+def test_verification_equals_a_run_of_the_tuned_circuit():
+    """A run from the steady state of the file gives the same metrics as the verification."""
     from poppet.control.metrics import step_metrics
     from poppet.signals import Steps
 
@@ -115,7 +115,9 @@ def test_the_step_is_that_of_the_tuned_circuit():
     (run,) = tuning.points[0].verified
     assert run.step == pytest.approx(0.02 / tuning.points[0].gains.gain)
     assert not tuning.notes
-    circuit = replace(tuning.applied(even()), signals={"c.setpoint": Steps([0.0, 1.0], [0.1, 0.1 + run.step])})
+    circuit = replace(
+        tuning.applied(balanced_cylinder()), signals={"c.setpoint": Steps([0.0, 1.0], [0.1, 0.1 + run.step])}
+    )
     recording = circuit.simulate(6.0, 2e-3)
     own = {name: recording[f"c.{name}"] for name in ("setpoint", "sensor_position", "command")}
     figures = step_metrics(recording.time, *own.values())
@@ -124,7 +126,7 @@ def test_the_step_is_that_of_the_tuned_circuit():
 
 
 def dead_zone(size, zone):
-    """Part of a sine that a dead zone lets through, and what the valve's opening gains beyond it."""
+    """Return the describing function of a dead zone for a sine of a given size."""
     ratio = zone / size
     return (1.0 - 2.0 / math.pi * (math.asin(ratio) + ratio * math.sqrt(1.0 - ratio**2))) / (1.0 - zone)
 
@@ -133,7 +135,7 @@ def dead_zone(size, zone):
 def test_a_dead_zone_has_its_describing_function(size):
     answers = []
     for overlap in (0.0, 0.03):
-        circuit = even(spool={"overlap": overlap})
+        circuit = balanced_cylinder(spool={"overlap": overlap})
         held = make_measured_loop(circuit, None, [size], None).settle(0.1)
         answer, command = held.answer(250, size)
         answers.append(answer)
@@ -143,9 +145,10 @@ def test_a_dead_zone_has_its_describing_function(size):
 
 
 def test_gains_for_a_dead_zone_are_those_of_its_response():
-    """A third of the answer allows three times the gain; a proportional controller leaves the body in the zone."""
+    """A third of the response permits three times the gain; the final error is within the dead zone."""
     bare, zoned = (
-        tune(even(spool={"overlap": overlap}), at=["100 mm"], form="p", amplitudes=[0.05]) for overlap in (0.0, 0.03)
+        tune(balanced_cylinder(spool={"overlap": overlap}), at=["100 mm"], form="p", amplitudes=[0.05])
+        for overlap in (0.0, 0.03)
     )
     greater = zoned.points[0].gains.gain * dead_zone(0.05, 0.03)
     assert greater == pytest.approx(bare.points[0].gains.gain, rel=0.05)
@@ -176,8 +179,8 @@ def test_deficiencies_of_a_step_have_notes(fields, code):
 
 @pytest.mark.parametrize("size", [0.0, -0.1, 1.5])
 def test_sizes_beyond_the_command_are_rejected(size):
-    with refused("tuning.amplitude", "c", size=size):
-        tune(even(), at=["100 mm"], amplitudes=[size])
+    with refused("fields.out_of_range", "amplitude", value=size):
+        tune(balanced_cylinder(), at=["100 mm"], amplitudes=[size])
 
 
 def test_a_loop_without_a_steady_state_is_rejected():
@@ -187,7 +190,7 @@ def test_a_loop_without_a_steady_state_is_rejected():
 
 @pytest.mark.slow
 def test_the_muscle_joint_is_tuned_through_its_complete_valve():
-    """At the bound that the gains of the example keep, found by a search on runs, with no less integral gain."""
+    """At the bound of the example gains, which a search by runs gave, the integral gain is at least as large."""
     circuit = load(EXAMPLES / "muscle_joint.toml")
     (point,) = tune(circuit, at=["25 deg"], form="pid", amplitudes=["100 N"]).points
     (plant,) = point.plants.values()
@@ -204,7 +207,7 @@ def test_the_muscle_joint_is_tuned_through_its_complete_valve():
 
 @pytest.mark.slow
 def test_a_cylinder_is_tuned_with_the_overlap_of_its_valve():
-    """Two sizes of sine share their gains; a note reports a step that does not settle."""
+    """Two sizes of sines have common gains; a note reports a step that does not settle."""
     tuning = tune(load(EXAMPLES / "cylinder_position.toml"), at=["100 mm"], form="pid", amplitudes=[0.05, 0.3])
     (point,) = tuning.points
     unsettled = [run for run in point.verified if not math.isfinite(run.settling_time)]

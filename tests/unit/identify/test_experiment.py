@@ -1,4 +1,4 @@
-"""The forward model of a fit: sensors, late and slow inputs, slopes over a shared step script."""
+"""Model of a recording in a fit: sensors, delays and lags of inputs, and derivatives."""
 
 from __future__ import annotations
 
@@ -32,38 +32,38 @@ FREE = (
 )
 
 
-def pressure() -> np.ndarray:
+def simulate_pressure() -> np.ndarray:
     circuit = Circuit(PARTS, {"inlet.mass_flow_rate": SampledSignal(TIME, FLOW, "truth")})
     noise = np.random.default_rng(1).normal(0.0, 300.0, TIME.size)
     return circuit.simulate(60.0, 0.1, 1e-9).interpolate("tank.pressure", TIME) + noise
 
 
-def recording(flow: np.ndarray, **instrument: float | None) -> Measurement:
+def make_recording(flow: np.ndarray, **instrument: float | None) -> Measurement:
     return Measurement(
         "run",
-        (Channel("tank.pressure", TIME, pressure(), "Pa", noise=300.0),),
+        (Channel("tank.pressure", TIME, simulate_pressure(), "Pa", noise=300.0),),
         (InputChannel("inlet.mass_flow_rate", TIME, flow, "kg/s", **instrument),),
         duration=float(TIME[-1]),
     )
 
 
-def fitted(measurement: Measurement) -> dict[str, float]:
+def fit_values(measurement: Measurement) -> dict[str, float]:
     circuit = Circuit(PARTS)
     free = (*FREE, *recording_parameters([measurement], [circuit], ["fit"]))
-    found = optimise([Experiment(circuit.instance, measurement, free)], free)
-    return {f.name: float(v) for f, v in zip(free, found.x, strict=True)}
+    optimum = optimise([Experiment(circuit.instance, measurement, free)], free)
+    return {f.name: float(v) for f, v in zip(free, optimum.x, strict=True)}
 
 
-def test_a_slow_flow_meter_is_put_right():
-    values = fitted(recording(apply_lag(TIME, FLOW, 0.8), lag=None))
+def test_fit_recovers_the_lag_of_a_flow_meter():
+    values = fit_values(make_recording(apply_lag(TIME, FLOW, 0.8), lag=None))
     assert values["run.inlet.mass_flow_rate.lag"] == pytest.approx(0.8, abs=0.05)
     assert values["tank.volume"] == pytest.approx(8e-3, rel=2e-3)
     assert values["tank.wall_conductance"] == pytest.approx(6.0, rel=2e-2)
 
 
-def test_a_late_flow_meter_is_put_right():
-    late = np.interp(TIME - 1.3, TIME, FLOW)
-    values = fitted(recording(late, delay=None))
+def test_fit_recovers_the_delay_of_a_flow_meter():
+    delayed_flow = np.interp(TIME - 1.3, TIME, FLOW)
+    values = fit_values(make_recording(delayed_flow, delay=None))
     assert values["run.inlet.mass_flow_rate.delay"] == pytest.approx(1.3, abs=0.05)
     assert values["tank.volume"] == pytest.approx(8e-3, rel=2e-3)
 
@@ -102,10 +102,10 @@ inner = { gain = 1e-4, vent_delay = "0.5 s", sample_time = "10 ms", hold_band = 
 """
 
 
-def test_numbers_of_a_program_that_samples_are_found_again():
-    """Its decisions fall at samples: differences within one piece of the run would say nothing of delay and gain."""
+def test_fit_recovers_parameters_of_a_sampled_controller():
+    """The controller acts at sample instants: small differences would not show the effect of delay and gain."""
     circuit, grid = loads(SAMPLING), np.arange(0.0, 12.0, 0.03)
-    # The last command before the run still acts for the delay of the setpoint.
+    # The last command before the run acts until the delay of the setpoint has passed.
     time, command = np.array([-1.0, 0.0, 2.0, 5.0, 7.0, 9.0]), np.array([1.2e5, 2.5e5, 1.5e5, 3e5, 2e5, 1.1e5])
     truth = dataclasses.replace(
         circuit.with_values({"controller.setpoint_delay": 0.0, "tank.initial_pressure": 1.2e5}),
@@ -126,31 +126,31 @@ def test_numbers_of_a_program_that_samples_are_found_again():
         "controller.setpoint_delay": (0.05, 0.12),
     }
     free = tuple(read_free(name, {"start": start}, circuit) for name, (start, _) in starts.items())
-    found = optimise([Experiment(circuit.instance, measurement, free)], free)
-    for f, value in zip(free, found.x, strict=True):
+    optimum = optimise([Experiment(circuit.instance, measurement, free)], free)
+    for f, value in zip(free, optimum.x, strict=True):
         assert value == pytest.approx(starts[f.name][1], rel=0.02)
-    assert found.cost == pytest.approx(0.5 * grid.size, rel=0.3)
+    assert optimum.cost == pytest.approx(0.5 * grid.size, rel=0.3)
 
 
-def test_whole_runs_on_threads_have_the_bits_of_single_ones(monkeypatch):
+def test_runs_on_threads_equal_single_runs_exactly(monkeypatch):
     circuit = loads(SAMPLING)
     channel = Channel("tank.pressure", TIME[:20], 1e5 + TIME[:20], "Pa", noise=300.0)
     starts = {"fill.sonic_conductance": 1.5e-9, "controller.inner.gain": 2e-4, "controller.setpoint_delay": 0.05}
     free = tuple(read_free(name, {"start": start}, circuit) for name, start in starts.items())
     experiment = Experiment(circuit.instance, Measurement("run", (channel,), duration=float(TIME[19])), free)
-    found = []
+    slopes_by_threads = []
     for threads in (1, 2, 7):
         monkeypatch.setattr("poppet.identify.fit.experiment.usable_cores", lambda threads=threads: threads)
-        found.append(experiment.slopes(starts, 0.1)[0])
-    assert all(np.array_equal(each, found[0]) for each in found)
-    for f, column in zip(free, found[0].T, strict=True):
+        slopes_by_threads.append(experiment.slopes(starts, 0.1)[0])
+    assert all(np.array_equal(slopes, slopes_by_threads[0]) for slopes in slopes_by_threads)
+    for f, column in zip(free, slopes_by_threads[0].T, strict=True):
         low, high = 0.9 * f.start, 1.1 * f.start
         down, up = (experiment.outputs({**starts, f.name: value})[0] for value in (low, high))
         assert column == pytest.approx((up - down) / (high - low), rel=1e-6)
 
 
-def test_an_interrupt_among_runs_on_threads_keeps_the_best(monkeypatch):
-    """A terminal's signal reaches the main thread, which waits for the others: what has not begun does not begin."""
+def test_interruption_of_runs_on_threads_keeps_the_best_point(monkeypatch):
+    """The main thread receives the signal while it waits for others; runs that are not started do not start."""
     steps = Steps(np.array([0.0, 0.1]), np.array([1e5, 3e5]))
     circuit = dataclasses.replace(loads(SAMPLING), signals={"controller.setpoint": steps})
     starts = {"fill.sonic_conductance": 1.5e-9, "controller.inner.gain": 2e-4}
@@ -158,45 +158,45 @@ def test_an_interrupt_among_runs_on_threads_keeps_the_best(monkeypatch):
     channel = Channel("tank.pressure", TIME[:20], truth.simulate(1.9, 0.1)["tank.pressure"], "Pa", noise=300.0)
     free = tuple(read_free(name, {"start": start}, circuit) for name, start in starts.items())
     experiment = Experiment(circuit.instance, Measurement("run", (channel,), duration=float(TIME[19])), free)
-    plain, before = RepeatedCall.run, experiment.slopes(starts, 0.1)[0]
-    begun, costs = [], []
+    original_run, expected_slopes = RepeatedCall.run, experiment.slopes(starts, 0.1)[0]
+    started_runs, costs = [], []
 
     def run(runs: RepeatedCall) -> np.ndarray:
         if threading.current_thread() is not threading.main_thread():
-            begun.append(len(costs))
-            # Slopes of the third place that the search goes on from.
-            if len(begun) == 2 * 4 + 1:
+            started_runs.append(len(costs))
+            # Interrupt the derivatives at the third point of the search.
+            if len(started_runs) == 2 * 4 + 1:
                 signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
-        return plain(runs)
+        return original_run(runs)
 
     monkeypatch.setattr("poppet.identify.fit.experiment.usable_cores", lambda: 1)
     monkeypatch.setattr(RepeatedCall, "run", run)
-    found = optimise([experiment], free, progress=lambda count, cost: costs.append(cost))
-    assert found.interrupted
-    assert found.cost == costs[-1] < costs[0]
-    # Those of the interrupted slopes, and those of the statistics at the end.
-    assert len(begun) < 4 * 4
-    assert np.array_equal(experiment.slopes(starts, 0.1)[0], before)
+    optimum = optimise([experiment], free, progress=lambda count, cost: costs.append(cost))
+    assert optimum.interrupted
+    assert optimum.cost == costs[-1] < costs[0]
+    # Runs of the interrupted derivatives, and of the statistics at the end.
+    assert len(started_runs) < 4 * 4
+    assert np.array_equal(experiment.slopes(starts, 0.1)[0], expected_slopes)
 
 
-def test_bootstrap_fits_take_the_loss_of_the_fit_and_leave_no_minimum(monkeypatch):
-    """They begin at the optimum and their residuals are drawn one by one: what looks correlated is chance."""
-    experiment = Experiment(Circuit(PARTS).instance, recording(FLOW), FREE)
+def test_bootstrap_fits_use_the_loss_of_the_fit_without_restarts(monkeypatch):
+    """The fits start at the optimum and resample independent residuals: any correlation is random."""
+    experiment = Experiment(Circuit(PARTS).instance, make_recording(FLOW), FREE)
     plan = FitPlan((experiment,), FREE, settings=SearchSettings(loss="huber"))
-    result, seen = Result("fit", "", {}, {}), []
+    result, settings_of_fits = Result("fit", "", {}, {}), []
 
-    def fitted_again(again, begun, settings, **given):
-        seen.append((settings.loss, kick_rounds(settings, again)))
-        return optimise(again, begun, settings, **given)
+    def optimise_and_store(bootstrapped, free, settings, **arguments):
+        settings_of_fits.append((settings.loss, kick_rounds(settings, bootstrapped)))
+        return optimise(bootstrapped, free, settings, **arguments)
 
     optimum = optimise(plan.experiments, FREE, plan.settings)
-    monkeypatch.setattr("poppet.identify.fit.intervals.optimise", fitted_again)
-    again = add_bootstrap(plan, optimum, result, 2, lambda what, done, total: None)
-    assert seen == [("huber", 0)] * 2
-    assert [note.facts["fits"] for note in again.remarks] == [2, 2]
+    monkeypatch.setattr("poppet.identify.fit.fit_plan.optimise", optimise_and_store)
+    bootstrapped = add_bootstrap(plan, optimum, result, 2, lambda stage, done, total: None)
+    assert settings_of_fits == [("huber", 0)] * 2
+    assert [note.facts["fits"] for note in bootstrapped.remarks] == [2, 2]
 
 
-def test_values_of_a_table_keep_their_physical_bounds():
+def test_values_of_a_table_have_physical_bounds():
     table = {"kind": "table", "stroke": [0.0, 5e-4, 1e-3], "sonic_conductance": [0.0, 1e-9, 2e-9]}
     valve = Orifice(from_="tank", to="ambient", characteristic={**table, "critical_ratio": [0.3, 0.3, 0.2]})
     circuit = Circuit({"tank": Chamber(volume="8 l"), "valve": valve})
@@ -211,25 +211,25 @@ def test_values_of_a_table_keep_their_physical_bounds():
 
 @pytest.fixture(params=["1", "4", "8"])
 def lanes(request, monkeypatch):
-    """Fits with the scalar kernel, and in lanes."""
+    """Run a test with the scalar kernel and with lanes."""
     monkeypatch.setenv("POPPET_LANES", request.param)
 
 
 @pytest.mark.usefixtures("lanes")
-def test_slopes_are_those_of_central_differences():
-    circuit, measurement = Circuit(PARTS), recording(FLOW)
+def test_derivatives_agree_with_central_differences():
+    circuit, measurement = Circuit(PARTS), make_recording(FLOW)
     experiment = Experiment(circuit.instance, measurement, FREE, relative_tolerance=1e-9)
     values = {"tank.volume": 7.5e-3, "tank.wall_conductance": 5.0}
-    _, slopes = experiment.outputs_and_slopes(values)
+    slopes = experiment.slopes(values)
     for k, f in enumerate(FREE):
         step = 1e-3 * values[f.name]
-        up, down = (experiment.outputs({**values, f.name: values[f.name] + way * step})[0] for way in (1.0, -1.0))
+        up, down = (experiment.outputs({**values, f.name: values[f.name] + sign * step})[0] for sign in (1.0, -1.0))
         central = (up - down) / (2.0 * step)
         assert np.max(np.abs(slopes[0][:, k] - central)) < 1e-4 * np.max(np.abs(central))
 
 
-def test_numbers_that_others_follow_from_have_slopes_as_well():
-    """The conductance follows from Kv and b: these have no place of their own in the arrays of a run."""
+def test_derivatives_by_parameters_with_dependent_parameters():
+    """The conductance depends on Kv and b, which have no index in the arrays of a run."""
     valve = Orifice(from_="tank", to="ambient", flow_coefficient_kv=0.04, critical_ratio=0.3, subsonic_index=0.5)
     tank = Chamber(volume="8 l", initial_pressure=5e5, wall_conductance=6.0)
     names = ("valve.flow_coefficient_kv", "valve.critical_ratio", "tank.volume")
@@ -244,11 +244,11 @@ def test_numbers_that_others_follow_from_have_slopes_as_well():
         "valve.critical_ratio",
     ]
     values = {f.name: f.start for f in free}
-    (_,), (slopes,) = experiment.outputs_and_slopes(values)
+    (slopes,) = experiment.slopes(values)
     for k, name in enumerate(names):
         up, down = (
-            circuit.with_values({name: values[name] * way}).simulate(60.0, 0.1, 1e-9)
-            for way in (1.0 + 1e-3, 1.0 - 1e-3)
+            circuit.with_values({name: values[name] * factor}).simulate(60.0, 0.1, 1e-9)
+            for factor in (1.0 + 1e-3, 1.0 - 1e-3)
         )
         central = np.diff([run.interpolate("tank.pressure", TIME) for run in (down, up)], axis=0)[0]
         central /= 2e-3 * values[name]
@@ -257,14 +257,14 @@ def test_numbers_that_others_follow_from_have_slopes_as_well():
 
 def test_lag_of_a_step_and_of_a_ramp():
     step = np.where(TIME < 1.0, 0.0, 1.0)
-    shown = apply_lag(TIME, step, 2.0)
-    after = TIME > 1.5
-    assert np.max(np.abs(shown[after] - (1.0 - np.exp(-(TIME[after] - 0.95) / 2.0)))) < 2e-3
+    response = apply_lag(TIME, step, 2.0)
+    is_after_step = TIME > 1.5
+    assert np.max(np.abs(response[is_after_step] - (1.0 - np.exp(-(TIME[is_after_step] - 0.95) / 2.0)))) < 2e-3
     assert apply_lag(TIME, TIME, 2.0)[-1] == pytest.approx(TIME[-1] - 2.0, abs=1e-9)
     assert np.array_equal(apply_lag(TIME, step, 0.0), step)
 
 
-def test_a_shifted_record_begins_at_zero():
+def test_shifted_recording_begins_at_zero():
     time, values = shift_series(np.array([0.0, 1.0, 2.0]), np.array([0.0, 10.0, 20.0]), 0.5)
     assert time.tolist() == [0.0, 0.5, 1.5]
     assert values.tolist() == [5.0, 10.0, 20.0]
@@ -273,7 +273,7 @@ def test_a_shifted_record_begins_at_zero():
     assert values.tolist() == [3.0, 3.0, 4.0]
 
 
-def test_a_channel_that_the_circuit_lacks_is_refused():
+def test_unknown_channel_is_rejected():
     measurement = Measurement("run", (Channel("tank.presure", TIME, FLOW, "Pa"),), duration=60.0)
     with pytest.raises(InputError) as error:
         Experiment(Circuit(PARTS).instance, measurement, FREE)
@@ -281,32 +281,32 @@ def test_a_channel_that_the_circuit_lacks_is_refused():
     assert error.value.facts["near"].names[0] == "tank.pressure"
 
 
-def test_what_a_free_number_cannot_be():
+def test_invalid_free_parameters_are_rejected():
     circuit = Circuit(PARTS)
 
-    def refused(table, address="tank.volume"):
+    def problems_of(table, address="tank.volume"):
         with pytest.raises(InputError) as error:
             read_free(address, table, circuit)
         return [(e.code, e.address) for e in error.value.problems]
 
-    assert refused({}, "tank.volum") == [("names.unknown", "free.tank.volum")]
-    assert refused({"strt": 1.0}) == [("fields.unknown", "free.tank.volume.strt")]
-    assert refused({"start": "9 l", "max": "8 l"}) == [("free.bounds", "free.tank.volume")]
-    assert refused({"prior": {"mean": "8 l"}}) == [("fields.missing", "free.tank.volume.prior.sd")]
-    assert refused({"prior": {"mean": "8 l", "sd": 0.0}}) == [("fields.out_of_range", "free.tank.volume.prior.sd")]
-    assert refused({"prior": 3.0}) == [("fields.no_table", "free.tank.volume.prior")]
-    assert refused({"start": "3 kg", "min": "1 s"}) == [
+    assert problems_of({}, "tank.volum") == [("names.unknown", "free.tank.volum")]
+    assert problems_of({"strt": 1.0}) == [("fields.unknown", "free.tank.volume.strt")]
+    assert problems_of({"start": "9 l", "max": "8 l"}) == [("free.bounds", "free.tank.volume")]
+    assert problems_of({"prior": {"mean": "8 l"}}) == [("fields.missing", "free.tank.volume.prior.sd")]
+    assert problems_of({"prior": {"mean": "8 l", "sd": 0.0}}) == [("fields.out_of_range", "free.tank.volume.prior.sd")]
+    assert problems_of({"prior": 3.0}) == [("fields.no_table", "free.tank.volume.prior")]
+    assert problems_of({"start": "3 kg", "min": "1 s"}) == [
         ("quantity.other_quantity", "free.tank.volume.start"),
         ("quantity.other_quantity", "free.tank.volume.min"),
     ]
 
 
-def test_the_spread_of_a_prior_is_a_difference():
+def test_standard_deviation_of_a_prior_is_a_difference():
     free = read_free("tank.initial_pressure", {"prior": {"mean": "5 bar g", "sd": "0.1 bar"}}, Circuit(PARTS))
     assert (free.prior.mean, free.prior.sd) == (pytest.approx(6e5), pytest.approx(1e4))
 
 
-def test_the_first_value_is_freed_of_noise_where_there_are_many_samples():
+def test_first_value_is_smoothed_if_there_are_many_samples():
     truth = 7e5 * np.exp(-TIME / 30.0)
     errors = []
     for seed in range(50):
@@ -314,16 +314,16 @@ def test_the_first_value_is_freed_of_noise_where_there_are_many_samples():
         errors.append(first_value(Channel("tank.pressure", TIME, truth + noise, "Pa")) - 7e5)
     assert np.std(errors) < 0.8 * 700.0
     assert abs(np.mean(errors)) < 200.0
-    few = Channel("tank.pressure", TIME[::40], truth[::40] + 5.0, "Pa")
-    assert first_value(few) == 700005.0
+    sparse_channel = Channel("tank.pressure", TIME[::40], truth[::40] + 5.0, "Pa")
+    assert first_value(sparse_channel) == 700005.0
     jump = np.where(TIME < 0.25, 1e5, 6e5)
     assert first_value(Channel("tank.pressure", TIME, jump, "Pa")) == 1e5
 
 
-def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
+def test_free_start_value_without_channel_starts_at_the_value_of_the_circuit():
     measurement = Measurement(
         "run",
-        (Channel("tank.pressure", TIME, pressure(), "Pa"),),
+        (Channel("tank.pressure", TIME, simulate_pressure(), "Pa"),),
         (InputChannel("inlet.mass_flow_rate", TIME, FLOW, "kg/s"),),
         start={"tank.initial_temperature": "free"},
         duration=float(TIME[-1]),
@@ -335,12 +335,12 @@ def test_a_free_start_without_a_channel_of_its_own_begins_at_the_circuit():
 
 
 @pytest.mark.parametrize(("lanes", "runner"), [("1", RepeatedCall), ("4", LockstepLanes)])
-def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch, lanes, runner):
-    """The arrays of the last run are written over by the next: what it showed must not be taken for kept."""
+def test_outputs_after_an_interrupted_run_are_not_reused(monkeypatch, lanes, runner):
+    """A run overwrites the arrays of the previous run, whose outputs must not be used afterwards."""
     monkeypatch.setenv("POPPET_LANES", lanes)
-    experiment = Experiment(Circuit(PARTS).instance, recording(FLOW), FREE)
-    here, there = ({"tank.volume": v, "tank.wall_conductance": 5.0} for v in (7e-3, 9e-3))
-    expected = experiment.outputs(here)[0]
+    experiment = Experiment(Circuit(PARTS).instance, make_recording(FLOW), FREE)
+    first_values, other_values = ({"tank.volume": v, "tank.wall_conductance": 5.0} for v in (7e-3, 9e-3))
+    expected = experiment.outputs(first_values)[0]
     run = runner.run
 
     def interrupted(runs: RepeatedCall | LockstepLanes) -> np.ndarray:
@@ -349,13 +349,13 @@ def test_an_interrupted_run_leaves_no_mixture_behind(monkeypatch, lanes, runner)
 
     monkeypatch.setattr(runner, "run", interrupted)
     with pytest.raises(KeyboardInterrupt):
-        experiment.outputs(there)
+        experiment.outputs(other_values)
     monkeypatch.setattr(runner, "run", run)
-    assert np.array_equal(experiment.outputs(here)[0], expected)
+    assert np.array_equal(experiment.outputs(first_values)[0], expected)
 
 
-def test_a_start_next_to_nothing_is_no_measure_of_steps():
-    """A search divides its bounds by the scale, which the smallest of numbers would turn into infinity."""
+def test_tiny_start_value_is_not_used_as_scale():
+    """A search divides the bounds by the scale: a tiny scale would make them infinite."""
     free = FreeParameter("outlet.critical_ratio", "outlet.critical_ratio", "1", 1e-320, 0.0, 1.0)
     assert 1.0 / free.scale == pytest.approx(1e12)
     assert dataclasses.replace(free, start=1e-9).scale == 1e-9

@@ -33,8 +33,8 @@ FORCE = 26.0 * np.sin(2.0 * np.pi * 0.8 * TIME) + 9.0 * np.sin(2.0 * np.pi * 0.3
 """Two sines, so that the slide moves fast, slowly and not at all; straight between the samples, as an input is."""
 
 
-def slid(difference: float) -> np.ndarray:
-    """Positions of the slide under a pressure difference."""
+def simulate_slide(difference: float) -> np.ndarray:
+    """Return positions of the slide under a pressure difference."""
     fc, fs, vs, viscous, seal = TRUTH.values()
     fc, fs = fc + seal * difference, fs + seal * difference
 
@@ -111,12 +111,12 @@ inputs = { "slide.load_force" = { column = "F", unit = "N" }, "supply.pressure" 
 """
 
 
-def fitted(folder: Path, seed: int) -> Result:
-    """Both recordings with a noise of 0.05 mm, in steps of 0.01 mm."""
+def fit_recordings(folder: Path, seed: int) -> Result:
+    """Return a fit of both recordings, with a noise of 0.05 mm and steps of 0.01 mm."""
     random = np.random.default_rng(seed)
     for name, difference in PRESSED.items():
-        seen = np.round((1e3 * slid(difference) + 0.05 * random.standard_normal(TIME.size)) / 0.01) * 0.01
-        # A load acts towards smaller positions.
+        seen = np.round((1e3 * simulate_slide(difference) + 0.05 * random.standard_normal(TIME.size)) / 0.01) * 0.01
+        # The load acts towards smaller positions.
         columns = np.column_stack([TIME, -FORCE, np.full(TIME.size, 1.0 + difference / 1e5), seen])
         np.savetxt(folder / f"{name}.csv", columns, delimiter=",", header="t,F,p,x", comments="")
     (folder / "slide.toml").write_text(SLIDE)
@@ -125,10 +125,10 @@ def fitted(folder: Path, seed: int) -> Result:
 
 
 @pytest.mark.parametrize("count", [1, pytest.param(20, marks=pytest.mark.slow)])
-def test_friction_is_found_from_a_recorded_motion(tmp_path, count):
+def test_fit_recovers_friction_from_a_recorded_motion(tmp_path, count):
     held = []
     for seed in range(count):
-        found = fitted(tmp_path, seed).parameters
+        found = fit_recordings(tmp_path, seed).parameters
         assert {name: found[name].value for name in TRUTH} == pytest.approx(TRUTH, rel=0.1)
         held += [found[name].low <= value <= found[name].high for name, value in TRUTH.items()]
     assert np.mean(held) > (0.7 if count == 1 else 0.9)
@@ -143,8 +143,8 @@ LIFT = {
 """What differs from the example that lifts a weight."""
 
 
-def lifted(folder: Path, seed: int) -> Result:
-    """A muscle lifts a weight and lets it down; position and pressure are recorded, the pressure drives nothing."""
+def fit_lift(folder: Path, seed: int) -> Result:
+    """Return a fit of a muscle that lifts a weight and lets it down, from position and pressure."""
     example = Path(__file__).parents[3] / "examples" / "muscle_lift.toml"
     run = load(example).with_values(LIFT).simulate()
     random = np.random.default_rng(seed)
@@ -163,10 +163,10 @@ def lifted(folder: Path, seed: int) -> Result:
 
 
 @pytest.mark.parametrize("count", [1, pytest.param(20, marks=pytest.mark.slow)])
-def test_a_muscle_is_found_from_a_recorded_motion(tmp_path, count):
+def test_fit_recovers_a_muscle_from_a_recorded_motion(tmp_path, count):
     held = []
     for seed in range(count):
-        found = lifted(tmp_path, seed).parameters
+        found = fit_lift(tmp_path, seed).parameters
         assert {name: found[name].value for name in LIFT} == pytest.approx(LIFT, rel=0.1)
         held += [found[name].low <= value <= found[name].high for name, value in LIFT.items()]
     assert np.mean(held) > (0.7 if count == 1 else 0.9)

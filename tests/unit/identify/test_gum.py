@@ -1,4 +1,4 @@
-"""Uncertainty: printed values, exact combinatorics and limits."""
+"""Uncertainty: published values, exact combinatorics and limits."""
 
 from __future__ import annotations
 
@@ -21,51 +21,51 @@ from poppet.identify.gum import (
 
 
 @pytest.mark.parametrize(("freedom", "factor"), [(1, 12.71), (4, 2.78), (10, 2.23), (50, 2.01), (math.inf, 1.96)])
-def test_coverage_factors_of_the_gum(freedom, factor):
+def test_coverage_factors_agree_with_the_gum(freedom, factor):
     assert coverage_factor(float(freedom)) == pytest.approx(factor, abs=0.005)
 
 
-def test_welch_satterthwaite_of_the_gum():
+def test_effective_degrees_of_freedom_agree_with_the_gum():
     # example H.1.6: 25, 9.7 and 6.7 nm with 18, 25.6 and 8 degrees of freedom, 2.9 and 16.6 nm with 50 and 2
     components = [(25.0, 18.0), (9.7, 25.6), (2.9, 50.0), (16.6, 2.0)]
     assert int(effective_degrees_of_freedom(components)) == 16
 
 
-def test_known_components_alone_have_infinite_freedom():
+def test_known_components_have_infinite_degrees_of_freedom():
     assert effective_degrees_of_freedom([(1.0, math.inf), (2.0, math.inf)]) == math.inf
 
 
 @given(st.lists(st.tuples(st.floats(0.01, 10.0), st.floats(1.0, 100.0)), min_size=1, max_size=5))
 @settings(derandomize=True, deadline=None)
-def test_effective_freedom_lies_between_the_least_and_the_sum(components):
+def test_effective_degrees_of_freedom_are_between_minimum_and_sum(components):
     freedom = effective_degrees_of_freedom(components)
     assert min(nu for _, nu in components) * (1 - 1e-12) <= freedom
     assert freedom <= sum(nu for _, nu in components) * (1 + 1e-12)
 
 
-def test_chi_square_without_freedom_judges_nothing():
+def test_chi_square_probability_without_degrees_of_freedom_is_not_a_number():
     assert math.isnan(chi_square_probability(1.0, 0))
     assert chi_square_probability(0.0, 3) == 1.0
 
 
-def runs_of(signs):
+def count_runs(signs):
     return 1 + sum(a != b for a, b in itertools.pairwise(signs))
 
 
 @pytest.mark.parametrize("signs", ["+++---", "++-+--", "+-+-+-", "++++-", "+--++-+", "-+++++++"])
-def test_runs_by_counting_all_orders(signs):
+def test_runs_probability_agrees_with_enumeration_of_all_orders(signs):
     orders = set(itertools.permutations(signs))
-    as_few = sum(runs_of(order) <= runs_of(signs) for order in orders)
+    as_few = sum(count_runs(order) <= count_runs(signs) for order in orders)
     residuals = np.array([1.0 if sign == "+" else -1.0 for sign in signs])
     assert few_runs_probability(residuals) == pytest.approx(as_few / len(orders), rel=1e-12)
 
 
-def test_runs_of_one_sign_say_nothing():
+def test_runs_probability_of_one_sign_is_one():
     assert few_runs_probability(np.ones(8)) == 1.0
     assert few_runs_probability(np.zeros(8)) == 1.0
 
 
-def test_gain_tells_a_direction_that_no_residual_sees():
+def test_gain_marks_a_direction_without_effect_as_not_determined():
     jacobian = np.array([[1.0, 1.0, 0.0], [2.0, 2.0, 0.0], [0.0, 0.0, 3.0]])
     matrix, determined = gain(jacobian)
     assert determined.tolist() == [False, False, True]
@@ -79,11 +79,11 @@ def test_leave_one_out_of_a_linear_model_is_exact():
     full = np.linalg.lstsq(jacobian, data, rcond=None)[0]
     shifts = leave_one_out(jacobian, jacobian @ full - data, gain(jacobian)[0])
     for k in range(9):
-        kept = np.arange(9) != k
-        without = np.linalg.lstsq(jacobian[kept], data[kept], rcond=None)[0]
+        is_used = np.arange(9) != k
+        without = np.linalg.lstsq(jacobian[is_used], data[is_used], rcond=None)[0]
         assert shifts[:, k] == pytest.approx(without - full, rel=1e-10, abs=1e-13)
 
 
-def test_a_point_that_alone_fixes_a_number_has_no_finite_influence():
+def test_influence_of_a_point_that_alone_determines_a_parameter_is_not_a_number():
     jacobian = np.array([[1.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
     assert np.isnan(leave_one_out(jacobian, np.array([0.1, -0.1, 0.0]), gain(jacobian)[0])[:, 2]).all()

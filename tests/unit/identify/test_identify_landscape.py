@@ -1,4 +1,4 @@
-"""The misfit over its numbers: contours, profiles and where searches ended, of one answer and of a charge with two."""
+"""Contours, profiles and searches of fits with one optimum and with two equivalent optima."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CONDUCTANCE, NOISE = 1e-8, 500.0
 LIMIT = LEVELS["95 %"]
 
 
-def a_test(wall: float, direction: str, **more: Any) -> TankTest:
+def make_test(wall: float, direction: str, **arguments: Any) -> TankTest:
     is_charge = direction == "charge"
     tank = Chamber(volume="20 l", initial_pressure="1 bar" if is_charge else "7 bar", wall_conductance=wall)
     ports = ("supply", "tank") if is_charge else ("tank", "ambient")
@@ -32,17 +32,22 @@ def a_test(wall: float, direction: str, **more: Any) -> TankTest:
     recording = {"time": run.time, "tank.pressure": {"values": pressure, "noise": NOISE}}
     supply = {"supply_pressure": "7 bar"} if is_charge else {}
     return TankTest(
-        recordings={"a": recording}, volume="20 l", ambient_temperature="20 degC", direction=direction, **supply, **more
+        recordings={"a": recording},
+        volume="20 l",
+        ambient_temperature="20 degC",
+        direction=direction,
+        **supply,
+        **arguments,
     )
 
 
 @cache
-def found(wall: float, direction: str) -> Result:
-    return identify_tank(a_test(wall, direction), contour=True, profile=["tank.wall_conductance"])
+def fit(wall: float, direction: str) -> Result:
+    return identify_tank(make_test(wall, direction), contour=True, profile=["tank.wall_conductance"])
 
 
-def test_its_minimum_is_the_estimate_and_its_width_that_of_the_intervals() -> None:
-    result = found(6.0, "discharge")
+def test_contour_agrees_with_estimate_and_intervals() -> None:
+    result = fit(6.0, "discharge")
     table, parameters = result.series["contour"], result.parameters
     assert table["rise"].shape == table["x"].shape == (ROWS, COLUMNS)
     row, column = np.unravel_index(np.argmin(table["rise"]), table["rise"].shape)
@@ -50,7 +55,7 @@ def test_its_minimum_is_the_estimate_and_its_width_that_of_the_intervals() -> No
     assert table["x"][row, column] == pytest.approx(c.value, abs=0.02 * c.standard_error)
     assert table["y"][row] == pytest.approx(wall.value, abs=0.02 * wall.standard_error)
     assert np.min(table["rise"]) == pytest.approx(0.0, abs=1e-3)
-    # Along the wall heat the rise of the valley is the square of its sigmas.
+    # Along the wall conductance, chi-square is the square of the deviation in standard errors.
     sigmas = (table["y"] - wall.value) / wall.standard_error
     assert table["rise"].min(axis=1) == pytest.approx(sigmas**2, rel=0.25, abs=0.05)
     (region,) = [note for note in result.remarks if note.code.startswith("finding.contour")]
@@ -59,9 +64,9 @@ def test_its_minimum_is_the_estimate_and_its_width_that_of_the_intervals() -> No
     assert region.facts["wall_low"] < 6.0 < region.facts["wall_high"]
 
 
-def test_a_charge_without_wall_heat_has_two_regions_that_differ_by_kappa() -> None:
-    """Exact twins: adiabatic with C, isothermal with 1.4 C, and nothing between them."""
-    result = found(0.0, "charge")
+def test_adiabatic_charge_has_two_regions_that_differ_by_kappa() -> None:
+    """The fit is equally good for an adiabatic tank with C and an isothermal one with 1.4 C, but not between."""
+    result = fit(0.0, "charge")
     regions = [note.facts for note in result.remarks if note.code == "finding.contour.several"]
     assert [facts["place"] for facts in regions] == [1, 2]
     for facts, factor in zip(regions, (1.0, 1.4), strict=True):
@@ -70,71 +75,71 @@ def test_a_charge_without_wall_heat_has_two_regions_that_differ_by_kappa() -> No
         assert facts["high"] - facts["low"] < 0.02 * CONDUCTANCE
     assert regions[0]["wall_high"] < 0.01 * regions[1]["wall_low"]
     table = result.series["contour"]
-    between = (table["y"] > 1.0) & (table["y"] < 300.0)
-    assert between.sum() >= 4
-    assert np.min(table["rise"][between]) > 10.0 * LIMIT
+    is_between = (table["y"] > 1.0) & (table["y"] < 300.0)
+    assert is_between.sum() >= 4
+    assert np.min(table["rise"][is_between]) > 10.0 * LIMIT
 
 
 @pytest.mark.parametrize(("wall", "direction", "regions"), [(6.0, "discharge", 1), (0.0, "charge", 2)])
-def test_its_figure_shows_every_region(wall: float, direction: str, regions: int) -> None:
+def test_figure_shows_all_regions(wall: float, direction: str, regions: int) -> None:
     pytest.importorskip("matplotlib")
-    with style("a test"):
-        (axes,) = contour_figure(found(wall, direction).series["contour"]).axes
+    with style("test"):
+        (axes,) = contour_figure(fit(wall, direction).series["contour"]).axes
     outlines = axes.collections[1]  # lines at the two levels
     assert len(outlines.get_paths()) == len(LEVELS)
     assert all(len(path.to_polygons(closed_only=False)) == regions for path in outlines.get_paths())
     assert {text.get_text() for text in axes.get_legend().get_texts()} >= {"68 %", "95 %", "the estimate"}
 
 
-def test_without_a_free_wall_heat_it_is_refused() -> None:
+def test_contour_without_free_wall_conductance_is_rejected() -> None:
     with refused("fit.contour", "contour", wanted="wall_conductance"):
-        identify_tank(a_test(6.0, "discharge", wall_conductance=6.0), contour=True)
+        identify_tank(make_test(6.0, "discharge", wall_conductance=6.0), contour=True)
 
 
 # Profiles and searches --------------------------------------------------------------------------------------------
 
 
-def test_a_profile_has_its_points_its_limit_and_crosses_it_at_the_ends_of_the_interval() -> None:
-    result, name = found(6.0, "discharge"), "tank.wall_conductance"
+def test_profile_crosses_its_limit_at_the_ends_of_the_interval() -> None:
+    result, name = fit(6.0, "discharge"), "tank.wall_conductance"
     curve, estimate = result.series[f"profile.{name}"], result.parameters[name]
     assert curve["limit"] == pytest.approx(3.841, abs=1e-3)
     assert np.interp([estimate.low, estimate.high], curve["x"], curve["rise"]) == pytest.approx(
         curve["limit"], rel=0.02
     )
     assert curve["x"][np.argmin(curve["rise"])] == pytest.approx(estimate.value, abs=0.05 * estimate.standard_error)
-    near = np.abs(curve["x"] - estimate.value) < 2.0 * estimate.standard_error
-    assert near.sum() >= 6
-    sigmas = (curve["x"] - estimate.value)[near] / estimate.standard_error
-    assert curve["rise"][near] == pytest.approx(sigmas**2, rel=0.15, abs=0.05)
+    is_near = np.abs(curve["x"] - estimate.value) < 2.0 * estimate.standard_error
+    assert is_near.sum() >= 6
+    sigmas = (curve["x"] - estimate.value)[is_near] / estimate.standard_error
+    assert curve["rise"][is_near] == pytest.approx(sigmas**2, rel=0.15, abs=0.05)
 
 
-def test_a_profile_of_twins_is_low_at_both_and_high_between_them() -> None:
-    curve = found(0.0, "charge").series["profile.tank.wall_conductance"]
+def test_profile_of_two_equivalent_optima_is_high_between_them() -> None:
+    curve = fit(0.0, "charge").series["profile.tank.wall_conductance"]
     assert len(curve["answers"]) >= 2
     assert np.interp(curve["answers"], curve["x"], curve["rise"]) == pytest.approx(0.0, abs=1.0)
     assert np.max(curve["rise"][(curve["x"] > 0.2) & (curve["x"] < 1e3)]) > curve["limit"]
     pytest.importorskip("matplotlib")
-    with style("a test"):
+    with style("test"):
         (axes,) = profile_figure(curve, "wall").axes
-    drawn = axes.get_lines()[-1]
-    assert np.max(drawn.get_ydata()) == pytest.approx(np.max(curve["rise"][curve["x"] <= 100 * max(curve["answers"])]))
+    line = axes.get_lines()[-1]
+    assert np.max(line.get_ydata()) == pytest.approx(np.max(curve["rise"][curve["x"] <= 100 * max(curve["answers"])]))
     assert "0" in [label.get_text() for label in axes.get_xticklabels()]
 
 
-def test_every_search_is_told_with_its_cost_and_its_ends() -> None:
-    result = found(0.0, "charge")
+def test_result_lists_all_searches() -> None:
+    result = fit(0.0, "charge")
     searches = result.conditions["searches"]
-    assert {each["name"] for each in searches} >= {"given", "adiabatic", "isothermal"}
-    assert min(each["cost"] for each in searches) == pytest.approx(result.optima[0]["cost"], rel=1e-3)
-    ends = [each["end"]["valve.sonic_conductance"] / CONDUCTANCE for each in searches]
+    assert {search["name"] for search in searches} >= {"given", "adiabatic", "isothermal"}
+    assert min(search["cost"] for search in searches) == pytest.approx(result.optima[0]["cost"], rel=1e-3)
+    ends = [search["end"]["valve.sonic_conductance"] / CONDUCTANCE for search in searches]
     assert [end for end in ends if not (abs(end - 1.0) < 0.01 or abs(end - 1.4) < 0.014)] == []
     pytest.importorskip("matplotlib")
     units = {"valve.sonic_conductance": "m^3/(s Pa)", "tank.wall_conductance": "W/K"}
-    with style("a test"):
-        waterfall, ways = starts_figure(searches, list(units.items())).axes
-    rise = 2.0 * (np.sort([each["cost"] for each in searches]) - min(each["cost"] for each in searches))
+    with style("test"):
+        waterfall, paths = starts_figure(searches, list(units.items())).axes
+    rise = 2.0 * (np.sort([search["cost"] for search in searches]) - min(search["cost"] for search in searches))
     assert waterfall.get_lines()[1].get_ydata() == pytest.approx(rise)
-    assert ways.get_lines()[-1].get_xdata() == pytest.approx(ends, rel=1e-6)  # in dm^3/(s bar), 1 where C is 1e-8
+    assert paths.get_lines()[-1].get_xdata() == pytest.approx(ends, rel=1e-6)  # in dm^3/(s bar), 1 where C is 1e-8
     page = identification_page(result)
     table = page[page.index("<h2>Searches") :]
     assert table[: table.index("</table>")].count("<tr>") == 1 + len(searches)
@@ -146,8 +151,8 @@ def test_every_search_is_told_with_its_cost_and_its_ends() -> None:
 # Thermal laws -----------------------------------------------------------------------------------------------------
 
 
-def test_a_charge_under_two_laws_differs_by_kappa_and_the_recording_cannot_decide() -> None:
-    result = identify_tank(a_test(0.0, "charge", compare=["isothermal", "adiabatic"]))
+def test_charge_does_not_distinguish_two_laws_that_differ_by_kappa() -> None:
+    result = identify_tank(make_test(0.0, "charge", compare=["isothermal", "adiabatic"]))
     laws = result.comparison["thermal_laws"]
     assert undocumented(result) == []
     assert list(laws) == ["energy", "isothermal", "adiabatic"]
@@ -164,8 +169,8 @@ def test_a_charge_under_two_laws_differs_by_kappa_and_the_recording_cannot_decid
     assert table[: table.index("</table>")].count("<tr>") == 4
 
 
-def test_a_discharge_decides_between_laws() -> None:
-    result = identify_tank(a_test(6.0, "discharge", compare=["isothermal", "adiabatic"]))
+def test_discharge_distinguishes_two_laws() -> None:
+    result = identify_tank(make_test(6.0, "discharge", compare=["isothermal", "adiabatic"]))
     (note,) = [note for note in result.remarks if note.code.startswith("finding.laws")]
     assert (note.code, note.facts["left"]) == ("finding.laws.one", ("energy",))
     laws = result.comparison["thermal_laws"]
@@ -174,7 +179,7 @@ def test_a_discharge_decides_between_laws() -> None:
     assert laws["energy"]["rms"] == {"a.tank.pressure": pytest.approx(result.residuals["a.tank.pressure"].rms)}
 
 
-def test_an_unknown_law_is_refused() -> None:
+def test_unknown_law_is_rejected() -> None:
     with refused("fields.not_an_option", "compare", value="isotherm"):
         TankTest(recordings={"a": {}}, volume="20 l", compare=["isotherm"])
     assert TankTest(recordings={"a": {}}, volume="20 l", compare="isothermal").compare == ("isothermal",)

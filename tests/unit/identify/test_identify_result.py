@@ -1,4 +1,4 @@
-"""Results: what is written is what is read, in both formats, infinities and not-a-number included."""
+"""Result files: exact round trips in both formats, including infinities and not-a-number."""
 
 from __future__ import annotations
 
@@ -41,44 +41,44 @@ def result():
     )
 
 
-def same(first, second):
-    """Equal, with not-a-number equal to itself; tables in any order."""
-    return repr(in_order(first)) == repr(in_order(second))
+def are_equal(first, second):
+    """Return True if two tables are equal in any order; not-a-number equals itself."""
+    return repr(sort_keys(first)) == repr(sort_keys(second))
 
 
-def in_order(value):
-    return {k: in_order(value[k]) for k in sorted(value)} if isinstance(value, dict) else value
+def sort_keys(value):
+    return {k: sort_keys(value[k]) for k in sorted(value)} if isinstance(value, dict) else value
 
 
 @pytest.mark.parametrize("name", ["result.toml", "result.json"])
-def test_round_trip(result, name, tmp_path):
+def test_saved_result_is_read_unchanged(result, name, tmp_path):
     result.save(tmp_path / name)
-    again = read_result(tmp_path / name)
-    assert same(again.content(), result.content())
-    assert again.remarks == result.remarks
-    assert again.findings == result.findings == ("Did you mean b or C?", *result.findings[1:])
-    assert math.isnan(again.parameters["outlet.critical_ratio"].value)
-    assert again.parameters["run 1.outlet.lag"].low == -math.inf
+    read = read_result(tmp_path / name)
+    assert are_equal(read.content(), result.content())
+    assert read.remarks == result.remarks
+    assert read.findings == result.findings == ("Did you mean b or C?", *result.findings[1:])
+    assert math.isnan(read.parameters["outlet.critical_ratio"].value)
+    assert read.parameters["run 1.outlet.lag"].low == -math.inf
 
 
-def test_json_is_read_by_strict_readers(result, tmp_path):
+def test_json_is_valid_for_strict_readers(result, tmp_path):
     result.save(tmp_path / "result.json")
 
-    def refuse(word):
-        raise AssertionError(word)
+    def refuse(constant):
+        raise AssertionError(constant)
 
     data = json.loads((tmp_path / "result.json").read_text(encoding="utf-8"), parse_constant=refuse)
     assert data["parameters"]["outlet.critical_ratio"]["standard_error"] == "inf"
 
 
-def test_values_for_a_circuit_leave_out_nuisances_and_the_undetermined(result):
+def test_values_omit_nuisance_parameters_and_not_a_number(result):
     values = result.values()
     assert list(values) == ["outlet.sonic_conductance"]
     assert values["outlet.sonic_conductance"].source.kind == "fitted"
     assert "determined" in values["outlet.sonic_conductance"].source.note
 
 
-def test_numbers_of_numpy_are_written_as_numbers():
+def test_numpy_numbers_are_written_as_numbers():
     content = {"a": np.float64(0.1), "b": np.int64(3), "c": np.bool_(True), "d": np.array([1.5, np.inf]), "e": {}}
     expected = {"a": 0.1, "b": 3, "c": True, "d": [1.5, math.inf], "e": {}}
     assert tomllib.loads(toml_text(content)) == expected
@@ -96,12 +96,12 @@ tables = st.recursive(
 
 @given(tables)
 @settings(derandomize=True, deadline=None, max_examples=200)
-def test_any_table_comes_back_from_toml(content):
-    assert same(tomllib.loads(toml_text(content)), content)
+def test_toml_text_of_any_table_is_read_unchanged(content):
+    assert are_equal(tomllib.loads(toml_text(content)), content)
 
 
 @pytest.mark.parametrize("remarks", ["", 'remarks = [{ code = "near.no_such_code", address = "" }]\n'])
-def test_sentences_without_words_of_this_version_stay(remarks, tmp_path):
+def test_unknown_findings_remain_sentences(remarks, tmp_path):
     (tmp_path / "r.toml").write_text(f'findings = ["All is well."]\n{remarks}[parameters]\n', encoding="utf-8")
     assert read_result(tmp_path / "r.toml").remarks == (Note("said", text="All is well."),)
 
@@ -117,24 +117,24 @@ def test_sentences_without_words_of_this_version_stay(remarks, tmp_path):
         ("a.toml", "[parameters.x]\nvalue = 1.0"),
     ],
 )
-def test_other_files_are_refused(name, text, tmp_path):
+def test_other_files_are_rejected(name, text, tmp_path):
     (tmp_path / name).write_text(text, encoding="utf-8")
     with pytest.raises(InputError) as error:
         read_result(tmp_path / name)
     assert error.value.code == "result.unreadable"
 
 
-def test_an_unknown_verdict_is_refused(result, tmp_path):
+def test_unknown_verdict_is_rejected(result, tmp_path):
     result.save(tmp_path / "r.toml")
     text = (tmp_path / "r.toml").read_text(encoding="utf-8").replace('"weak"', '"week"')
     (tmp_path / "r.toml").write_text(text, encoding="utf-8")
     with pytest.raises(InputError) as error:
         read_result(tmp_path / "r.toml")
-    assert (error.value.code, error.value.address) == ("result.verdict", "run 1.outlet.lag")
+    assert (error.value.code, error.value.address) == ("fields.not_an_option", "parameters.run 1.outlet.lag.verdict")
     assert error.value.facts["near"].names == ["weak"]
 
 
-def test_only_two_formats(result, tmp_path):
+def test_other_formats_are_rejected(result, tmp_path):
     with refused("files.suffix"):
         result.save(tmp_path / "result.yaml")
 
@@ -149,7 +149,7 @@ def test_former_names_are_deprecated():
         _ = identify.nothing
 
 
-def test_every_public_name_is_imported_on_first_use():
+def test_public_names_are_imported_on_first_use():
     from poppet import identify
 
     assert all(getattr(identify, name).__name__ == name for name in identify.__all__)

@@ -1,4 +1,4 @@
-"""Bounded least squares against SciPy's, on problems whose answers are known or that chance makes."""
+"""Bounded least squares against SciPy, on problems with known solutions and on random ones."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from searches import Array, Problem, found, found_by_scipy, unbounded
 SAMPLES = np.linspace(0.0, 1.0, 60)
 
 
-def test_a_curved_valley_is_followed_to_its_end() -> None:
+def test_search_follows_a_curved_valley_to_its_end() -> None:
     for unit in (1.0, 1e-9, 1e6):
         valley = unbounded(
             lambda b, u=unit: np.array([10.0 * (b[1] / u - (b[0] / u) ** 2), 1.0 - b[0] / u]), [-1.2 * unit, unit]
@@ -25,33 +25,33 @@ def test_a_curved_valley_is_followed_to_its_end() -> None:
         assert end.evaluations < 20
 
 
-def test_a_linear_problem_within_bounds_ends_exactly_on_those_that_hold() -> None:
+def test_linear_problem_ends_exactly_at_active_bounds() -> None:
     generator = np.random.default_rng(2)
     for _ in range(15):
         matrix, right = generator.normal(size=(15, 5)), generator.normal(size=15)
         low, high = -generator.uniform(0.05, 0.6, 5), generator.uniform(0.05, 0.6, 5)
-        known = lsq_linear(matrix, right, (low, high), tol=1e-14)
+        expected = lsq_linear(matrix, right, (low, high), tol=1e-14)
         end = found(Problem(lambda b, m=matrix, r=right: m @ b - r, 0.5 * (low + high), low, high))
-        assert end.x == pytest.approx(known.x, abs=1e-6)
+        assert end.x == pytest.approx(expected.x, abs=1e-6)
         for bound in (low, high):
-            assert np.array_equal(end.x == bound, np.abs(known.x - bound) < 1e-9)
+            assert np.array_equal(end.x == bound, np.abs(expected.x - bound) < 1e-9)
 
 
-def test_a_search_may_begin_at_a_corner_and_leaves_it() -> None:
+def test_search_leaves_a_corner_of_the_bounds() -> None:
     corner = np.array([0.0, 2.0])
     end = found(Problem(lambda b: np.array([b[0] - 1.0, b[1] - 1.0]), corner, np.zeros(2), np.full(2, 2.0)))
     assert end.x == pytest.approx([1.0, 1.0], abs=1e-9)
 
 
-def test_what_is_not_seen_stays_where_it_is() -> None:
-    # Only the sum is felt, and the third number not at all.
+def test_parameters_without_effect_do_not_change() -> None:
+    # The residuals depend only on the sum of the first two parameters.
     end = found(
         unbounded(lambda b: np.array([b[0] + b[1] - 3.0, 2.0 * (b[0] + b[1]) - 5.0, 1.0 + 0.0 * b[2]]), np.ones(3))
     )
     assert end.x == pytest.approx([1.3, 1.3, 1.0], abs=1e-9)
 
 
-def test_a_cost_that_bends_down_everywhere_has_a_step_downhill() -> None:
+def test_step_decreases_a_concave_cost() -> None:
     slopes, wide = np.array([[1e-3]]), (np.array([-2.0]), np.array([2.0]))
     for bend in (-5.0, -1e-3):
         assert _solve_step(slopes, np.array([1.0]), np.array([[bend]]), wide, 0.5, 1e-10) == pytest.approx(
@@ -59,23 +59,23 @@ def test_a_cost_that_bends_down_everywhere_has_a_step_downhill() -> None:
         )
 
 
-def test_no_number_is_more_than_halved_or_tripled_in_a_step() -> None:
-    seen: list[Array] = []
+def test_step_limits_the_relative_change_of_parameters() -> None:
+    evaluated_points: list[Array] = []
 
     def residual(b: Array) -> Array:
         if not np.iscomplexobj(b):
-            seen.append(b)
+            evaluated_points.append(b)
         return np.array([b[0] - 100.0, b[1] - 0.01])
 
     assert found(unbounded(residual, [1.0, 1.0])).x == pytest.approx([100.0, 0.01], rel=1e-6)
-    places = np.array(seen)
-    factors = places[1:] / places[:-1]
+    points = np.array(evaluated_points)
+    factors = points[1:] / points[:-1]
     # A tenth of a usual size is small, and may be left in one step.
     assert factors.max() < 3.0 + 1e-9
-    assert factors[places[:-1] > 0.1].min() > 0.5 - 1e-9
+    assert factors[points[:-1] > 0.1].min() > 0.5 - 1e-9
 
 
-def test_evaluations_may_be_too_many() -> None:
+def test_search_ends_at_the_maximum_number_of_evaluations() -> None:
     end = found(unbounded(lambda b: np.array([10.0 * (b[1] - b[0] ** 2), 1.0 - b[0]]), [-1.2, 1.0]), most=4)
     assert (end.evaluations, end.reason) == (4, "evaluations")
     assert end.cost < 12.1  # half the squares at the begin
@@ -91,7 +91,7 @@ def test_weights_and_curvatures_are_derivatives_of_the_cost(loss: str) -> None:
 
 
 @pytest.mark.parametrize("loss", LOSSES)
-def test_robust_losses_find_what_scipy_finds(loss: str) -> None:
+def test_robust_losses_agree_with_scipy(loss: str) -> None:
     generator = np.random.default_rng(4)
     values = 2.0 * np.exp(-3.0 * SAMPLES) + 0.5 + generator.normal(0.0, 0.01, SAMPLES.size)
     values[::9] += 0.4
@@ -111,7 +111,7 @@ def exponentials(generator: np.random.Generator) -> tuple[Model, Array]:
 
 
 def valleys(generator: np.random.Generator) -> tuple[Model, Array]:
-    """Rosenbrock's, in numbers of any size."""
+    """Return Rosenbrock functions with parameters of any size."""
     units = 10 ** generator.uniform(-6, 6, int(generator.integers(2, 7)))
     return lambda b: np.append(
         10.0 * (b[1:] / units[1:] - (b[:-1] / units[:-1]) ** 2), 1.0 - b[:-1] / units[:-1]
@@ -125,13 +125,13 @@ def bumpy(generator: np.random.Generator) -> tuple[Model, Array]:
 
 
 def deficient(generator: np.random.Generator) -> tuple[Model, Array]:
-    """One direction is not seen at all."""
+    """Return a model that does not depend on one direction of the parameters."""
     count = int(generator.integers(3, 7))
-    fewer, matrix = generator.normal(size=(count - 1, count)), generator.normal(size=(30, count - 1))
+    projection, matrix = generator.normal(size=(count - 1, count)), generator.normal(size=(30, count - 1))
 
     def model(b: Array) -> Array:
-        seen = matrix @ (fewer @ b)
-        return seen + 0.2 * seen**2
+        linear = matrix @ (projection @ b)
+        return linear + 0.2 * linear**2
 
     return model, generator.normal(size=count)
 
@@ -148,13 +148,13 @@ def badly_scaled(generator: np.random.Generator) -> tuple[Model, Array]:
 
 
 SINGLE, SEVERAL = (valleys, bumpy, deficient, badly_scaled), (exponentials, fractions)
-"""Families with one minimum, and with several."""
+"""Families of models with one minimum, and with several."""
 
 
 def problems(
     families: tuple[Callable[[np.random.Generator], tuple[Model, Array]], ...], count: int
 ) -> Iterator[Problem]:
-    """Noisy samples, starts up to a factor of two off, and in most of them bounds, some of which hold."""
+    """Yield problems with noise, start values up to a factor of two off, and often active bounds."""
     generator = np.random.default_rng(0)
     for k in range(count):
         model, truth = families[k % len(families)](generator)
@@ -173,23 +173,23 @@ def problems(
 
 
 @pytest.mark.parametrize("count", [40, pytest.param(400, marks=pytest.mark.slow)])
-def test_the_least_cost_is_found_in_fewer_evaluations(count: int) -> None:
+def test_search_needs_fewer_evaluations_than_scipy(count: int) -> None:
     ours = theirs = 0
     for problem in problems(SINGLE, count):
-        end, known = found(problem), found_by_scipy(problem)
-        least = min(known.cost, found_by_scipy(problem, precision=1e-13, most=1000).cost)
+        end, scipy_result = found(problem), found_by_scipy(problem)
+        least = min(scipy_result.cost, found_by_scipy(problem, precision=1e-13, most=1000).cost)
         assert end.cost <= least * (1.0 + 1e-9) + 1e-9
-        ours, theirs = ours + end.evaluations, theirs + known.nfev
+        ours, theirs = ours + end.evaluations, theirs + scipy_result.nfev
     assert ours < 0.8 * theirs
 
 
 @pytest.mark.parametrize("count", [8, pytest.param(200, marks=pytest.mark.slow)])
-def test_among_several_minima_none_of_both_is_better(count: int) -> None:
+def test_search_and_scipy_reach_equally_low_minima(count: int) -> None:
     ours = theirs = worse = better = 0
     for problem in problems(SEVERAL, count):
-        end, known = found(problem), found_by_scipy(problem)
-        ours, theirs = ours + end.evaluations, theirs + known.nfev
-        worse += end.cost > known.cost * (1.0 + 1e-6) + 1e-9
-        better += known.cost > end.cost * (1.0 + 1e-6) + 1e-9
+        end, scipy_result = found(problem), found_by_scipy(problem)
+        ours, theirs = ours + end.evaluations, theirs + scipy_result.nfev
+        worse += end.cost > scipy_result.cost * (1.0 + 1e-6) + 1e-9
+        better += scipy_result.cost > end.cost * (1.0 + 1e-6) + 1e-9
     assert worse <= better + 2 + 0.02 * count
     assert ours < 0.7 * theirs

@@ -24,9 +24,8 @@ from poppet.bench.iso10094.step import STEP
 from poppet.bench.iso10094.supply import LEAKAGE, SUPPLY
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError
-from poppet.core.files import by_suffix, write_whole
 from poppet.core.notebook import HtmlMixin
-from poppet.core.toml import from_json, json_text, toml_text
+from poppet.core.toml import ResultFileMixin, from_json
 
 _ALL = (CHARACTERISTIC, RESOLUTION, FLOW, SUPPLY, LEAKAGE, STEP, FREQUENCY)
 TESTS: Mapping[str, BenchTest] = MappingProxyType({test.name: test for test in _ALL})  # tests by name, as in `--tests`
@@ -41,7 +40,7 @@ MOST_POINTS = 240
 
 
 @dataclass(frozen=True)
-class BenchResult(HtmlMixin):
+class BenchResult(ResultFileMixin, HtmlMixin):
     """Characteristic values, tables of cases, curves and notes of one test valve."""
 
     title: str
@@ -78,14 +77,6 @@ class BenchResult(HtmlMixin):
             **tables, "curves": curves,
         }  # fmt: skip
 
-    def save(self, path: str | Path) -> None:
-        """Write the result as a `.toml` or `.json` file.
-
-        The function replaces an existing file completely or not at all.
-        """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
-
 
 def _thinned(values: Any) -> list[float]:
     indices = np.unique(np.linspace(0, len(values) - 1, min(len(values), MOST_POINTS)).astype(int))
@@ -100,7 +91,28 @@ def read_bench_result(path: str | Path) -> BenchResult:
     file = TomlFile.read(path)
     try:
         data = from_json(json.loads(file.text)) if path.suffix.lower() == ".json" else file.tables
-        return _result(data)
+        if not is_result(data):
+            raise ValueError(f"method is not {METHOD}")
+        figures = {
+            name: CharacteristicValue(
+                float(f["value"]), f["unit"], f["definition"], f.get("bound", ""), f.get("conditions", {}),
+                f.get("uncertainty"), tuple(f["interval"]) if "interval" in f else None,
+            )
+            for name, f in data["figures"].items()
+        }  # fmt: skip
+        unknown = [name for name in figures if name not in DEFINITIONS]
+        if unknown:
+            raise ValueError(f"unknown figures: {', '.join(unknown)}")
+        curves: dict[str, list[PlottedCurve]] = {}
+        for test, test_curves in data.get("curves", {}).items():
+            for heading, points in test_curves.items():
+                case, _, name = heading.rpartition(" / ")
+                x, y = (np.array(points[key], dtype=float) for key in ("x", "y"))
+                curves.setdefault(test, []).append(PlottedCurve(name, case, x, y))
+        rows = {name: data[test.table or name] for name, test in TESTS.items() if (test.table or name) in data}
+        conditions, comparison = data.get("conditions", {}), data.get("comparison", {})
+        outcome, notes = data.get("outcome", "done"), _notes(data)
+        return BenchResult(data["title"], data["source"], figures, rows, curves, notes, conditions, comparison, outcome)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None
 
@@ -108,38 +120,6 @@ def read_bench_result(path: str | Path) -> BenchResult:
 def is_result(data: Mapping[str, Any]) -> bool:
     """Return True if the content of a file is a bench result."""
     return data.get("method") == METHOD
-
-
-def _result(data: Mapping[str, Any]) -> BenchResult:
-    if not is_result(data):
-        raise ValueError(f"method is not {METHOD}")
-    figures = {
-        name: CharacteristicValue(
-            float(f["value"]), f["unit"], f["definition"], f.get("bound", ""), f.get("conditions", {}),
-            f.get("uncertainty"), tuple(f["interval"]) if "interval" in f else None,
-        )
-        for name, f in data["figures"].items()
-    }  # fmt: skip
-    unknown = [name for name in figures if name not in DEFINITIONS]
-    if unknown:
-        raise ValueError(f"unknown figures: {', '.join(unknown)}")
-    curves: dict[str, list[PlottedCurve]] = {}
-    for test, test_curves in data.get("curves", {}).items():
-        for heading, points in test_curves.items():
-            case, _, name = heading.rpartition(" / ")
-            x, y = (np.array(points[key], dtype=float) for key in ("x", "y"))
-            curves.setdefault(test, []).append(PlottedCurve(name, case, x, y))
-    return BenchResult(
-        data["title"],
-        data["source"],
-        figures,
-        {name: data[test.table or name] for name, test in TESTS.items() if (test.table or name) in data},
-        curves,
-        _notes(data),
-        data.get("conditions", {}),
-        data.get("comparison", {}),
-        data.get("outcome", "done"),
-    )
 
 
 def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import ROWS, BenchTest, Evaluation, PlottedCurve, Trial
+from poppet.bench.iso10094.evaluation import ROWS, BenchTest, Evaluation, Trial
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import (
     CHOSEN,
@@ -24,6 +24,7 @@ from poppet.bench.iso10094.shapes import (
     rested,
     scatter_of,
     stairs,
+    stretch_without,
 )
 from poppet.bench.iso10094.uncertainty import (
     NORMAL,
@@ -114,28 +115,41 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     all_sweeps = [replace(item, late=caught_up(item.time, item.x, lags)) for item in all_sweeps]
     # The evaluated range must not contain clipped samples.
     evaluated = [s for s in all_sweeps if not np.any(s.cut & (s.x >= RANGE[0]) & (s.x <= RANGE[1]))]
-    sweep = _on_grid(evaluated)
+    sweep = _branch_curves(evaluated)
     up, down = (rows.mean(axis=0) if rows.size else np.full(GRID.size, np.nan) for rows in (sweep.up, sweep.down))
+    rates = []  # of the setpoint [% FS/s]
+    for setpoint_sweep, branch in ((s, branch) for s in evaluated for branch in s.parts):
+        x, time = setpoint_sweep.x[branch.samples], setpoint_sweep.time[branch.samples]
+        indices = np.flatnonzero((x >= RANGE[0]) & (x <= RANGE[1]))
+        if indices.size > 1:
+            first, last = indices[0], indices[-1]
+            rates.append(abs(x[last] - x[first]) / (time[last] - time[first]))
     evaluation.conditions |= {
         "branches_up": len(sweep.up), "branches_down": len(sweep.down), "range": list(RANGE),
-        "sweep_rate": _rate(evaluated), "noise": sweep.error,
+        "sweep_rate": float(np.median(rates)) if rates else math.nan, "noise": sweep.error,
     }  # fmt: skip
     lag_change, uncertainty = moved_by(lags) if lags else (0.0, Uncertainty(0.0))
-    _straightness(evaluation, sweep, up, down, uncertainty.standard)
-    _accuracy(evaluation, sweep, uncertainty.standard)
-    _repeatability(evaluation, sweep)
+    _deviations(evaluation, sweep, up, down, uncertainty.standard)
     _ends(evaluation, all_sweeps, lag_change, uncertainty.standard)
     if lags:
         delay = max(0.0, float(np.mean([lag.time for lag in lags])))
         evaluation.add("sweep_lag", max(0.0, lag_change), uncertainty, time=delay)
     else:
         evaluation.note_absence("no_stop" if len(complete) == len(all_sweeps) else "clipped_stop", "sweep_lag")
-    _curves(evaluation, sweep, up, down)
+    for name, mean_values, rows in (("up", up, sweep.up), ("down", down, sweep.down)):
+        evaluation.add_curve(name, "characteristic", GRID, mean_values)
+        for k, row in enumerate(rows):
+            evaluation.add_curve(f"{name} {k + 1}", "cycles", GRID, row)
+    evaluation.rows = [
+        {"setpoint": float(x), "up": float(u), "down": float(d)}
+        for x, u, d in zip(GRID[::5], up[::5], down[::5], strict=True)
+        if math.isfinite(u) and math.isfinite(d)
+    ]
     if all_sweeps and not evaluated:
         evaluation.limit_to_bounds("linearity", "hysteresis", "repeatability", "accuracy")
 
 
-def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
+def _branch_curves(swept: Sequence[SetpointSweep]) -> Branches:
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares = [1]
     for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
@@ -157,8 +171,8 @@ def _on_grid(swept: Sequence[SetpointSweep]) -> Branches:
     return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share)
 
 
-def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
-    """Add linearity and hysteresis to the evaluation.
+def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
+    """Add linearity, hysteresis, accuracy and repeatability to the evaluation.
 
     `up` and `down` are the means of the rising and falling branches. `lag` is the standard uncertainty of the removed
     lag [% FS].
@@ -166,55 +180,49 @@ def _straightness(evaluation: Evaluation, sweep: Branches, up: FloatArray, down:
     is_common = INSIDE & np.isfinite(up) & np.isfinite(down)
     if np.count_nonzero(is_common) < FEWEST_STAIRS:
         evaluation.note_absence("one_way", "linearity", "hysteresis")
-        return
-    x, mean, gap = GRID[is_common], 0.5 * (up + down)[is_common], (down - up)[is_common]
-    # The ends have half weight, as in an integral, so the line does not depend on the spacing of the grid.
-    weight = np.ones(x.size)
-    weight[[0, -1]] = math.sqrt(0.5)
-    slope, offset = np.polyfit(x, mean, 1, w=weight)
-    evaluation.conditions |= {"slope": float(slope), "offset": float(offset)}
-    matrix = np.vander(x, 2)
-    deviation = np.eye(x.size) - matrix @ np.linalg.pinv(matrix * weight[:, None]) * weight
-    error = sweep.error * math.sqrt(1.0 / len(sweep.up) + 1.0 / len(sweep.down))
-    mean_curve, gap_curve = (smooth(x, y, e, sweep.share) for y, e in ((mean, 0.5 * error), (gap, error)))
-    k, j = (int(np.argmax(np.abs(y))) for y in (deviation @ mean_curve.values, gap_curve.values))
-    value, uncertainty = unbiased([mean_curve], lambda draws: np.max(np.abs(draws[0] @ deviation.T), axis=1))
-    evaluation.add_nonnegative("linearity", value, uncertainty, at=float(x[k]))
-    value, uncertainty = unbiased([gap_curve], lambda draws: np.max(np.abs(draws[0]), axis=1))
-    # Rising and falling branches lag by the same amount in opposite directions, so the gap has twice the error.
-    evaluation.add_nonnegative("hysteresis", value, uncertainty.wider(2.0 * lag), at=float(x[j]))
-    if gap_curve.values[j] < -NORMAL * math.hypot(uncertainty.standard, 2.0 * lag):
-        evaluation.note("characteristic.leads", at=float(x[j]))
-
-
-def _accuracy(evaluation: Evaluation, sweep: Branches, lag: float) -> None:
+    else:
+        x, mean, gap = GRID[is_common], 0.5 * (up + down)[is_common], (down - up)[is_common]
+        # The ends have half weight, as in an integral, so the line does not depend on the spacing of the grid.
+        weight = np.ones(x.size)
+        weight[[0, -1]] = math.sqrt(0.5)
+        slope, offset = np.polyfit(x, mean, 1, w=weight)
+        evaluation.conditions |= {"slope": float(slope), "offset": float(offset)}
+        matrix = np.vander(x, 2)
+        deviation = np.eye(x.size) - matrix @ np.linalg.pinv(matrix * weight[:, None]) * weight
+        error = sweep.error * math.sqrt(1.0 / len(sweep.up) + 1.0 / len(sweep.down))
+        mean_curve, gap_curve = (smooth(x, y, e, sweep.share) for y, e in ((mean, 0.5 * error), (gap, error)))
+        k, j = (int(np.argmax(np.abs(y))) for y in (deviation @ mean_curve.values, gap_curve.values))
+        value, uncertainty = unbiased([mean_curve], lambda draws: np.max(np.abs(draws[0] @ deviation.T), axis=1))
+        evaluation.add_nonnegative("linearity", value, uncertainty, at=float(x[k]))
+        value, uncertainty = unbiased([gap_curve], lambda draws: np.max(np.abs(draws[0]), axis=1))
+        # Rising and falling branches lag by the same amount in opposite directions, so the gap has twice the error.
+        evaluation.add_nonnegative("hysteresis", value, uncertainty.wider(2.0 * lag), at=float(x[j]))
+        if gap_curve.values[j] < -NORMAL * math.hypot(uncertainty.standard, 2.0 * lag):
+            evaluation.note("characteristic.leads", at=float(x[j]))
     # The known points of each branch in the evaluated range.
-    parts = [(row, INSIDE & np.isfinite(row)) for row in np.concatenate([sweep.up, sweep.down])]
-    rows = [(row[is_known], GRID[is_known]) for row, is_known in parts]
-    if not rows:
+    known_points = [(row, INSIDE & np.isfinite(row)) for row in np.concatenate([sweep.up, sweep.down])]
+    rows = [(row[is_known], GRID[is_known]) for row, is_known in known_points]
+    if rows:
+        curves = [smooth(x, row - x, sweep.error, sweep.share) for row, x in rows]
+        value, uncertainty = unbiased(curves, lambda draws: np.max([np.max(np.abs(d), axis=1) for d in draws], axis=0))
+        worst = max(range(len(rows)), key=lambda k: float(np.max(np.abs(curves[k].values))))
+        index = int(np.argmax(np.abs(curves[worst].values)))
+        evaluation.add_nonnegative("accuracy", value, uncertainty.wider(lag), at=float(rows[worst][1][index]))
+    else:
         evaluation.note_absence("no_sweep", "accuracy")
-        return
-    curves = [smooth(x, row - x, sweep.error, sweep.share) for row, x in rows]
-    value, uncertainty = unbiased(curves, lambda draws: np.max([np.max(np.abs(d), axis=1) for d in draws], axis=0))
-    worst = max(range(len(rows)), key=lambda k: float(np.max(np.abs(curves[k].values))))
-    index = int(np.argmax(np.abs(curves[worst].values)))
-    evaluation.add_nonnegative("accuracy", value, uncertainty.wider(lag), at=float(rows[worst][1][index]))
-
-
-def _repeatability(evaluation: Evaluation, sweep: Branches) -> None:
-    directions = []
-    for rows in (sweep.up, sweep.down):
-        is_known = INSIDE & np.isfinite(rows).all(axis=0)
-        if len(rows) > 1 and np.count_nonzero(is_known) > FEWEST_STAIRS:
-            deviations = rows[:, is_known] - rows[:, is_known].mean(axis=0)
+    spreads = []
+    for branch_rows in (sweep.up, sweep.down):
+        is_known = INSIDE & np.isfinite(branch_rows).all(axis=0)
+        if len(branch_rows) > 1 and np.count_nonzero(is_known) > FEWEST_STAIRS:
+            deviations = branch_rows[:, is_known] - branch_rows[:, is_known].mean(axis=0)
             curves = [smooth(GRID[is_known], row, sweep.error, sweep.share) for row in deviations]
-            directions.append(unbiased(curves, lambda draws: np.max(np.ptp(draws, axis=0), axis=1)))
-    if not directions:
+            spreads.append(unbiased(curves, lambda draws: np.max(np.ptp(draws, axis=0), axis=1)))
+    if spreads:
+        value, uncertainty, _ = greatest(*zip(*spreads, strict=True))
+        cycles = min(len(branch_rows) for branch_rows in (sweep.up, sweep.down) if len(branch_rows) > 1)
+        evaluation.add_nonnegative("repeatability", value, uncertainty, cycles=cycles)
+    else:
         evaluation.note_absence("one_cycle", "repeatability")
-        return
-    value, uncertainty, _ = greatest(*zip(*directions, strict=True))
-    cycles = min(len(rows) for rows in (sweep.up, sweep.down) if len(rows) > 1)
-    evaluation.add_nonnegative("repeatability", value, uncertainty, cycles=cycles)
 
 
 def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
@@ -263,12 +271,11 @@ def _level(x: FloatArray, index: int) -> float:
 def _held_at(x: FloatArray, index: int) -> slice:
     """Return the final part of the setpoint hold that contains the sample `index`."""
     is_away = np.abs(x - _level(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
-    earlier, later = np.flatnonzero(is_away[:index]), np.flatnonzero(is_away[index:])
-    begin = int(earlier[-1]) + 1 if earlier.size else 0
-    end = index + int(later[0]) if later.size else x.size
+    hold = stretch_without(is_away, index, index)
+    size = hold.stop - hold.start
     # The last third without the last eighth, in which a noisy setpoint may already change.
-    middle = max(begin, end - max(1, (end - begin) // 3))
-    return slice(middle, max(middle + 1, end - (end - begin) // 8))
+    middle = max(hold.start, hold.stop - max(1, size // 3))
+    return slice(middle, max(middle + 1, hold.stop - size // 8))
 
 
 def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
@@ -313,31 +320,6 @@ def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncer
     # The selection of the samples by a noisy start increases the uncertainty.
     error = CHOSEN * math.hypot(noise.of(inverse[1] - distance * inverse[0]), noise.mean(begin))
     return max(0.0, left - distance), Uncertainty(math.hypot(error / slope, UNDER_WAY * max(lag, 0.0)))
-
-
-def _rate(swept: Sequence[SetpointSweep]) -> float:
-    """Return the median rate of the setpoint in all sweeps [% FS/s]."""
-    rates = []
-    for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
-        x, time = sweep.x[branch.samples], sweep.time[branch.samples]
-        indices = np.flatnonzero((x >= RANGE[0]) & (x <= RANGE[1]))
-        if indices.size > 1:
-            first, last = indices[0], indices[-1]
-            rates.append(abs(x[last] - x[first]) / (time[last] - time[first]))
-    return float(np.median(rates)) if rates else math.nan
-
-
-def _curves(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray) -> None:
-    for name, mean, rows in (("up", up, sweep.up), ("down", down, sweep.down)):
-        curves = [(name, "characteristic", mean), *((f"{name} {k + 1}", "cycles", row) for k, row in enumerate(rows))]
-        for label, case, values in curves:
-            is_known = np.isfinite(values)
-            evaluation.curves.append(PlottedCurve(label, case, GRID[is_known], values[is_known]))
-    evaluation.rows = [
-        {"setpoint": float(x), "up": float(u), "down": float(d)}
-        for x, u, d in zip(GRID[::5], up[::5], down[::5], strict=True)
-        if math.isfinite(u) and math.isfinite(d)
-    ]
 
 
 _FIGURES = "linearity", "hysteresis", "repeatability", "accuracy", "zero_suppression", "zero_offset", "sweep_lag"

@@ -10,6 +10,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple, Protocol
 
+import numpy as np
+
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest
 from poppet.core.codes import Note
@@ -228,6 +230,11 @@ class Evaluation:
     def pairs(self, rows: Sequence[Row], key: str) -> tuple[list[float], list[Uncertainty]]:
         """Return the values `key` of the given rows, and their uncertainties."""
         return [row[key] for row in rows], [self.uncertainties[id(row), key] for row in rows]
+
+    def add_curve(self, name: str, case: str, x: FloatArray, y: FloatArray) -> None:
+        """Add a curve for the figures; points with undefined values are omitted."""
+        is_known = np.isfinite(y)
+        self.curves.append(PlottedCurve(name, case, x[is_known], y[is_known]))
 
     def note(self, code: str, address: str = "", /, **facts: Any) -> None:
         """Add a note unless the same note is already present."""

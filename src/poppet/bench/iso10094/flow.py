@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, ROWS, BenchTest, Evaluation, Pace, PlottedCurve, Row, Trial, held
+from poppet.bench.iso10094.evaluation import AT_LEAST, ROWS, BenchTest, Evaluation, Pace, Row, Trial, held
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale
 from poppet.bench.iso10094.shapes import Lag, at_places, branches, caught_up, lags_of
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about, roughness, smooth, unbiased
@@ -56,6 +56,7 @@ class Side(NamedTuple):
     """
 
     name: str
+    direction: str  # for messages
     sign: float
     change: str
     figure: str
@@ -63,8 +64,8 @@ class Side(NamedTuple):
 
 
 SIDES = (
-    Side("drawn", 1.0, "droop", "flow_droop", "flow_hysteresis"),
-    Side("fed", -1.0, "rise", "relief_rise", "relief_hysteresis"),
+    Side("drawn", "forward", 1.0, "droop", "flow_droop", "flow_hysteresis"),
+    Side("fed", "relief", -1.0, "rise", "relief_rise", "relief_hysteresis"),
 )
 
 
@@ -127,7 +128,7 @@ def _one(
     grid = np.linspace(0.0, top, PLACES)
     going, coming = _there_and_back(clipped_flow, delayed, y, grid)
     if going is None:
-        evaluation.note("flow.no_rise", record.name, way=side.name)
+        evaluation.note("flow.no_rise", record.name, way=side.direction)
         return None
     # At the limit of the valve, the outlet falls at almost constant flow, which is not hysteresis.
     fallen = flow[(side.sign * y < np.nanmin(side.sign * going) - FALLEN) & (flow > 0.5 * top)]
@@ -135,9 +136,8 @@ def _one(
     case = f"{row['setpoint']:.0f} % FS"
     for direction, curve, end in (("going", going, top), ("coming", coming, limit)):
         if curve is not None:
-            is_known = np.isfinite(curve) & (grid <= end)
-            name = f"{side.name} {direction}"
-            evaluation.curves.append(PlottedCurve(name, case, side.sign * grid[is_known], curve[is_known]))
+            is_shown = grid <= end
+            evaluation.add_curve(f"{side.name} {direction}", case, side.sign * grid[is_shown], curve[is_shown])
     if side.sign > 0.0:
         _falls(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)
         if "capacity" in row:
@@ -147,7 +147,7 @@ def _one(
     sigma = roughness(np.array(curves), 1)
     lag = _lag_error(lags) / top
     if coming is None:
-        evaluation.note("flow.no_return", record.name, way=side.name)
+        evaluation.note("flow.no_return", record.name, way=side.direction)
         return FlowSweep(row, grid, going, None, sigma, rest_uncertainty, None, lag)
     judged = (grid > 0.1 * limit) & (grid < 0.9 * limit) & np.isfinite(going) & np.isfinite(coming)
     if np.count_nonzero(judged) > FEWEST:
@@ -235,40 +235,28 @@ def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> No
         evaluation.conditions[f"flow_{side.name}"] = rated
     for sweep in sweeps:
         row, grid = sweep.row, sweep.grid
-        if rated <= grid[-1]:
-            curve = sweep.going if sweep.coming is None else 0.5 * (sweep.going + sweep.coming)
-            is_given = math.isfinite(evaluation.rated_flow)
-            evaluation.set_value(row, side.change, *_change(side, sweep, curve, rated, is_given=is_given))
-        else:
+        if rated > grid[-1]:
             reached = float(grid[-1])
-            evaluation.note("flow.below_rated", row["record"], way=side.name, reached=reached, rated=rated)
+            evaluation.note("flow.below_rated", row["record"], way=side.direction, reached=reached, rated=rated)
+            continue
+        curve = sweep.going if sweep.coming is None else 0.5 * (sweep.going + sweep.coming)
+        is_known = np.isfinite(curve)
+        is_near = is_known & (np.abs(grid - rated) <= NEIGHBOURS * (grid[1] - grid[0]) * 1.001)
+        sigma = error = sweep.sigma / math.sqrt(1.0 if sweep.coming is None else 2.0)
+        if sigma <= 1e-6 or np.count_nonzero(is_near) < 4:
+            outlet = float(np.interp(rated, grid[is_known], curve[is_known]))
+        else:
+            inverse = np.linalg.pinv(np.vander((grid[is_near] - rated) / grid[-1], 3))
+            _, slope, outlet = (inverse @ curve[is_near]).tolist()
+            # The default rated flow has the uncertainty of the largest flow.
+            flow_error = 0.0 if math.isfinite(evaluation.rated_flow) else slope * TOP_ERROR
+            lag = slope * sweep.lag if sweep.coming is None else 0.0
+            error = math.hypot(sigma * float(np.linalg.norm(inverse[2])), flow_error, lag)
+        evaluation.set_value(row, side.change, side.sign * (row["outlet"] - outlet), sweep.rest.wider(error))
     case = ("setpoint",)
     evaluation.add_greatest(side.figure, side.change, f"little_{side.name}", conditions=case, flow=rated)
     key, reason = f"hysteresis_{side.name}", f"{side.name}_one_way"
     evaluation.add_greatest(side.hysteresis, key, reason, conditions=case, is_nonnegative=True)
-
-
-def _change(
-    side: Side, sweep: FlowSweep, curve: FloatArray, rated: float, *, is_given: bool
-) -> tuple[float, Uncertainty]:
-    """Return the droop or rise of the outlet at the rated flow, with its uncertainty.
-
-    `is_given` is True if the user specified the rated flow.
-    """
-    grid, is_known = sweep.grid, np.isfinite(curve)
-    is_near = is_known & (np.abs(grid - rated) <= NEIGHBOURS * (grid[1] - grid[0]) * 1.001)
-    sigma = sweep.sigma / math.sqrt(1.0 if sweep.coming is None else 2.0)
-    if sigma <= 1e-6 or np.count_nonzero(is_near) < 4:
-        value = float(np.interp(rated, grid[is_known], curve[is_known]))
-        return side.sign * (sweep.row["outlet"] - value), sweep.rest.wider(sigma)
-    inverse = np.linalg.pinv(np.vander((grid[is_near] - rated) / grid[-1], 3))
-    _, slope, value = (inverse @ curve[is_near]).tolist()
-    error = sigma * float(np.linalg.norm(inverse[2]))
-    # The default rated flow has the uncertainty of the largest flow.
-    flow_error = 0.0 if is_given else slope * TOP_ERROR
-    lag = slope * sweep.lag if sweep.coming is None else 0.0
-    uncertainty = sweep.rest.wider(math.hypot(error, flow_error, lag))
-    return side.sign * (sweep.row["outlet"] - value), uncertainty
 
 
 def _capacity(evaluation: Evaluation) -> None:

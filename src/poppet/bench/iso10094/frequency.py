@@ -10,8 +10,9 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row, Trial
+from poppet.bench.iso10094.evaluation import AT_LEAST, DYNAMIC, BenchTest, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
+from poppet.bench.iso10094.shapes import stretch_without
 from poppet.bench.iso10094.uncertainty import SEED, Uncertainty, greatest, noise_about
 from poppet.laws.curves.pchip import pchip_slopes
 from poppet.timeseries.signals import Sine
@@ -84,16 +85,27 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     """Add Bode plots, bandwidths and distortion to the evaluation.
 
     The rows are grouped by amplitude, mean and volume, with one Bode plot for each group. The bandwidths are those of
-    the first group.
+    the first group. Rows are in ascending order of the frequency, with continuous phases and with gains relative to the
+    gain at the lowest frequency. If several rows have the same frequency, the one with the most periods is used.
     """
     series: dict[str, list[Row]] = {}
     for row in rows:
         series.setdefault(_series(row, rows), []).append(row)
     for name, group in series.items():
-        ordered = _ordered(group)
+        by_frequency: dict[float, Row] = {}
+        for row in group:
+            key = float(f"{row['frequency']:.3g}")
+            if key not in by_frequency or row["periods"] > by_frequency[key]["periods"]:
+                by_frequency[key] = row
+        ordered = sorted(by_frequency.values(), key=lambda row: float(row["frequency"]))
         frequency = np.array([row["frequency"] for row in ordered])
-        for curve, key in (("gain", "gain_db"), ("phase", "phase")):
-            evaluation.curves.append(PlottedCurve(curve, name, frequency, np.array([row[key] for row in ordered])))
+        phases = np.degrees(np.unwrap(np.radians([row["phase"] for row in ordered])))
+        phases -= 360.0 if phases[0] > 90.0 else 0.0  # a response lags
+        gains = np.array([20.0 * math.log10(row["gain"] / ordered[0]["gain"]) for row in ordered])
+        triples = zip(ordered, phases.tolist(), gains.tolist(), strict=True)
+        ordered = [row | {"phase": phase, "gain_db": gain} for row, phase, gain in triples]
+        evaluation.add_curve("gain", name, frequency, gains)
+        evaluation.add_curve("phase", name, frequency, phases)
         if not evaluation.rows:  # the first series is the one that counts
             _bandwidths(evaluation, ordered, frequency)
         evaluation.rows += ordered
@@ -156,8 +168,7 @@ def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -
     noise = fit.error * math.sqrt(0.5 * (part.stop - part.start))
     is_foreign = deviation > ASTRAY * abs(fit.value) + 4.0 * noise
     is_foreign |= (time < time[part.start] - 1.5 * period) | (time > time[part.stop - 1] + 1.5 * period)
-    earlier, later = np.flatnonzero(is_foreign[: part.start]), np.flatnonzero(is_foreign[part.stop :])
-    return slice(int(earlier[-1]) + 1 if earlier.size else 0, part.stop + int(later[0]) if later.size else time.size)
+    return stretch_without(is_foreign, part.start, part.stop)
 
 
 def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
@@ -307,25 +318,6 @@ def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
     return len(waves)
 
 
-def _ordered(rows: list[Row]) -> list[Row]:
-    """Return one row per frequency in ascending order, with continuous phases and relative gains.
-
-    If several rows have the same frequency, the result contains the row with the most periods. Gains are relative to
-    the gain at the lowest frequency.
-    """
-    by_frequency: dict[float, Row] = {}
-    for row in rows:
-        key = float(f"{row['frequency']:.3g}")
-        if key not in by_frequency or row["periods"] > by_frequency[key]["periods"]:
-            by_frequency[key] = row
-    rows = sorted(by_frequency.values(), key=lambda row: float(row["frequency"]))
-    phases = np.degrees(np.unwrap(np.radians([row["phase"] for row in rows])))
-    if phases[0] > 90.0:  # a response lags
-        phases -= 360.0
-    gains = [20.0 * math.log10(row["gain"] / rows[0]["gain"]) for row in rows]
-    return [row | {"phase": float(p), "gain_db": g} for row, p, g in zip(rows, phases, gains, strict=True)]
-
-
 def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) -> None:
     first, highest = rows[0], float(frequency[-1])
     evaluation.conditions |= {
@@ -339,8 +331,14 @@ def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) 
         values = np.array([row[key] for row in rows])
         name, value = f"bandwidth_{quantity}", falls_to(frequency, values, level)
         if not math.isnan(value):
-            errors, is_relative = relative_errors * factor, quantity == "gain"
-            evaluation.add(name, value, _doubt_of(frequency, values, errors, level, is_relative=is_relative), **case)
+            # Noise of the points, and error of the interpolation between them.
+            chance = relative_errors * factor * np.random.default_rng(SEED).standard_normal((SINE_DRAWS, values.size))
+            chance -= chance[:, :1] if quantity == "gain" else 0.0  # gains are relative to the first one
+            samples = np.array([falls_to(frequency, values + deviation, level) for deviation in chance])
+            samples = samples[np.isfinite(samples)]
+            straight = math.exp(float(np.interp(-level, -np.minimum.accumulate(values), np.log(frequency))))
+            spread = float(np.std(samples)) if samples.size >= SINE_DRAWS // 2 else math.nan
+            evaluation.add(name, value, Uncertainty(spread, BETWEEN * abs(straight - value)), **case)
         elif values[0] > level and len(rows) > 1:
             evaluation.note(f"frequency.low_{quantity}", name, level=level_text, highest=highest)
             evaluation.add(name, highest, bound=AT_LEAST, **case)
@@ -353,26 +351,6 @@ def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) 
     uncertainties = [Uncertainty(row["distortion_uncertainty"]) for row in rows_in_band]
     value, uncertainty, k = greatest([row["distortion"] for row in rows_in_band], uncertainties)
     evaluation.add_nonnegative("distortion", value, uncertainty, frequency=rows_in_band[k]["frequency"], **case)
-
-
-def _doubt_of(
-    frequency: FloatArray, values: FloatArray, errors: FloatArray, level: float, *, is_relative: bool
-) -> Uncertainty:
-    """Return the uncertainty of the frequency at which a curve falls to a level.
-
-    `values` are gains or phases, and `errors` their standard errors. The uncertainty includes the noise of the points
-    and the error of the interpolation between them.
-    """
-    value = falls_to(frequency, values, level)
-    random = np.random.default_rng(SEED)
-    chance = errors * random.standard_normal((SINE_DRAWS, values.size))
-    chance -= chance[:, :1] if is_relative else 0.0
-    samples = np.array([falls_to(frequency, values + deviation, level) for deviation in chance])
-    samples = samples[np.isfinite(samples)]
-    if samples.size < SINE_DRAWS // 2:
-        return Uncertainty(math.nan)
-    straight = math.exp(float(np.interp(-level, -np.minimum.accumulate(values), np.log(frequency))))
-    return Uncertainty(float(np.std(samples)), BETWEEN * abs(straight - value))
 
 
 def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:

@@ -7,11 +7,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Evaluation, PlottedCurve, Row, Trial, largest
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, BenchTest, Evaluation, Row, Trial, largest
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import rested, stairs
 from poppet.bench.iso10094.uncertainty import Uncertainty, noise_about
@@ -71,11 +70,11 @@ def _one(evaluation: Evaluation, record: Record) -> None:
     evaluation.rows.append(row)
     if least > stair:
         evaluation.note("resolution.noise", record.name, least=least, stair=stair)
-    moves = _moves(level, answer, least)
+    changes = _largest_changes(level, answer, least)
     for name, is_reversal in (("resolution", False), ("reversal_threshold", True)):
-        change = max((move.change for move in moves if move.is_reversal is is_reversal), default=math.nan)
-        if math.isnan(change):
+        if is_reversal not in changes:
             continue
+        change = changes[is_reversal]
         # A motion after one stair gives a bound, because smaller stairs were not tested.
         is_bound = change < 1.5 * stair
         row |= {name: change, f"{name}_bound": AT_MOST if is_bound else ""}
@@ -88,35 +87,27 @@ def _one(evaluation: Evaluation, record: Record) -> None:
             evaluation.set_value(row, name, change, Uncertainty(blur, 0.5 * stair, (max(low, 0.0), high)))
         if is_bound and least <= stair:
             evaluation.note("resolution.every_stair", name, stair=stair)
-    turned = _turns(level)
-    if turned and not any(move.is_reversal for move in moves):
-        changed = max(float(np.ptp(level[a : b + 1])) for a, b in turned)
+    signs = np.sign(np.diff(level))
+    turns = np.flatnonzero(signs[1:] * signs[:-1] < 0.0) + 1
+    if turns.size and True not in changes:
+        # The largest change between a reversal and the next one.
+        ends = [*turns[1:], level.size - 1]
+        changed = max(float(np.ptp(level[a : b + 1])) for a, b in zip(turns, ends, strict=True))
         row |= {"reversal_threshold": changed, "reversal_threshold_bound": AT_LEAST}
         evaluation.note("resolution.no_turn", record.name, changed=changed)
-    evaluation.curves += [
-        PlottedCurve("setpoint", record.name, record.time, x),
-        PlottedCurve("outlet", record.name, record.time, y),
-    ]
+    evaluation.add_curve("setpoint", record.name, record.time, x)
+    evaluation.add_curve("outlet", record.name, record.time, y)
 
 
-class Move(NamedTuple):
-    """Change of the setpoint that was necessary to move the outlet [% FS].
+def _largest_changes(level: FloatArray, answer: FloatArray, least: float) -> dict[bool, float]:
+    """Return the largest changes of the setpoint that were necessary to move the outlet [% FS].
 
-    The change is relative to the last motion of the outlet. If `is_reversal` is True, it is relative to the reversal
-    of the setpoint.
+    The key False has the change since the previous motion, and the key True the change since a reversal of the
+    setpoint. `level` is the setpoint and `answer` the outlet on each stair. A change of the outlet by `least` or more
+    counts as a motion. The first motion is omitted unless it follows a reversal, because the setpoint change before it
+    is unknown.
     """
-
-    change: float
-    is_reversal: bool
-
-
-def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
-    """Return the motions of the outlet on a staircase of the setpoint.
-
-    `level` is the setpoint and `answer` the outlet on each stair. A change of the outlet by `least` or more counts as a
-    motion. The first motion is omitted unless it follows a reversal, because the setpoint change before it is unknown.
-    """
-    moves: list[Move] = []
+    changes: dict[bool, float] = {}
     since, direction, is_known, has_turned = 0, 0, False, False
     for k in range(1, level.size):
         sign = int(np.sign(level[k] - level[k - 1]))
@@ -125,17 +116,9 @@ def _moves(level: FloatArray, answer: FloatArray, least: float) -> list[Move]:
         direction = sign or direction
         if direction * (answer[k] - answer[k - 1]) >= least:
             if is_known:
-                moves.append(Move(abs(float(level[k] - level[since])), has_turned))
+                changes[has_turned] = max(changes.get(has_turned, 0.0), abs(float(level[k] - level[since])))
             since, is_known, has_turned = k, True, False
-    return moves
-
-
-def _turns(level: FloatArray) -> list[tuple[int, int]]:
-    """Return the indices of the first and last stair after each reversal of the setpoint."""
-    signs = np.sign(np.diff(level))
-    turns = np.flatnonzero(signs[1:] * signs[:-1] < 0.0) + 1
-    ends = np.append(turns[1:], level.size - 1)[: turns.size]
-    return [(int(a), int(b)) for a, b in zip(turns, ends, strict=True)]
+    return changes
 
 
 RESOLUTION = BenchTest(

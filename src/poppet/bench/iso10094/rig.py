@@ -57,7 +57,16 @@ class Rig:
 
     def respond(self, trial: Trial) -> Record:
         """Simulate a trial and return its record."""
-        trial = replace(trial, step=self._row_time(trial))
+        numbers, prefix = self.circuit.parameters, f"{self.valve}."
+        clocks = [name for name in numbers if name.startswith(prefix) and name.endswith(".sample_time")]
+        fastest = min((numbers[name] for name in clocks), default=math.inf)
+        if trial.kind == "leakage" and fastest < trial.step:
+            # Rows at the sample time: solenoids can open for single samples, which affects the mean flow.
+            if trial.duration <= MOST_SAMPLES * fastest:
+                trial = replace(trial, step=fastest)
+            else:
+                note = Note("rig.pulses", step=trial.step, sample=fastest)
+                self.notes += [] if note in self.notes else [note]
         bleed, feed = NOT_DRAWN, NOT_FED
         if trial.load is not None:
             assert isinstance(trial.load, Points)
@@ -108,39 +117,14 @@ class Rig:
             raise SimulationError(recording.outcome, recording)
         return recording
 
-    def _row_time(self, trial: Trial) -> float:
-        """Return the time between recorded samples for a trial.
-
-        For leakage, it is the sample time of the controller, because solenoids can open for single samples and affect
-        the mean flow. If this would give too many samples, a note reports it.
-        """
-        numbers, prefix = self.circuit.parameters, f"{self.valve}."
-        clocks = [name for name in numbers if name.startswith(prefix) and name.endswith(".sample_time")]
-        fastest = min((numbers[name] for name in clocks), default=math.inf)
-        if trial.kind != "leakage" or fastest >= trial.step:
-            return trial.step
-        if trial.duration > MOST_SAMPLES * fastest:
-            note = Note("rig.pulses", step=trial.step, sample=fastest)
-            self.notes += [] if note in self.notes else [note]
-            return trial.step
-        return fastest
-
-    # Flow --------------------------------------------------------------------------------------------------------
-
     def _size(self, sign: float, volume: float) -> float:
         """Return the bleed conductance or feed flow that changes the outlet by `PROBED`.
 
-        `sign` is +1 for the bleed and -1 for the feed. All trials use the same value.
+        `sign` is +1 for the bleed and -1 for the feed. A run with increasing load gives the value, which all
+        trials use, so their flows are comparable.
         """
-        if sign not in self._sizes:  # one value for all trials, so their flows are comparable
-            self._sizes[sign] = self._probe(sign, volume)
-        return self._sizes[sign]
-
-    def _probe(self, sign: float, volume: float) -> float:
-        """Find the load that changes the outlet by `PROBED`, by a run with increasing load.
-
-        `sign` is +1 for the bleed and -1 for the feed.
-        """
+        if sign in self._sizes:
+            return self._sizes[sign]
         steps = np.arange(10 * DECADES + 1, dtype=np.float64)  # two seconds for each tenth of a decade
         times, load = 2.0 * (1.0 + steps), SMALLEST * 10.0 ** (steps / 10.0)
         largest, growing = float(load[-1]), load / load[-1]
@@ -154,7 +138,8 @@ class Rig:
         end = float(times[-1])
         trial = Trial("flow", "probe", held(self.scale, PROBE_SETPOINT), end, 0.0, 0.05, volume)
         reached = np.interp(self._run(trial, bleed, feed, [stop]).time[-1], times, load, left=SMALLEST)
-        return (BLEED_UNIT if sign > 0.0 else FEED_UNIT) * float(reached)
+        self._sizes[sign] = (BLEED_UNIT if sign > 0.0 else FEED_UNIT) * float(reached)
+        return self._sizes[sign]
 
 
 def rig_of(
@@ -219,28 +204,28 @@ def rig_of(
     return Rig(rig, valve, f"{valve}.{item.name}", scale, pressure, circuit.title or valve, notes)
 
 
-def valve_of(circuit: BaseCircuit, name: str | None = None) -> str:
+def valve_of(circuit: BaseCircuit, name: str | None = None, kind: type[Part] = Part) -> str:
     """Return the name of the test valve in a circuit.
 
-    Without `name`, the circuit must contain exactly one suitable valve.
+    Without `name`, the circuit must contain exactly one suitable valve. A suitable valve is a part of the class `kind`
+    with a setpoint and with the ports of a pressure valve.
     """
-    candidates = [
+    valves = [
         name
         for name, part in circuit.parts.items()
-        if {*NEEDED} <= {*part.ports()} and any(item.name in SETPOINTS for item in part.inputs())
+        if isinstance(part, kind)
+        and {*NEEDED} <= {*part.ports()}
+        and any(item.name in SETPOINTS for item in part.inputs())
     ]
-    if name in candidates:
-        return str(name)
-    if name is None and len(candidates) == 1:
-        return candidates[0]
-    if name is None:
-        code = "rig.several_valves" if candidates else "rig.no_valve"
-        raise InputError(code, count=len(candidates), valves=tuple(candidates))
-    if not candidates:
-        raise InputError("rig.none_fit", given=name)
-    if name not in circuit.parts:
-        raise InputError("rig.unknown", given=name, near=NameSuggestion(name, candidates))
-    raise InputError("rig.unfit", given=name, kind=circuit.parts[name].kind, valves=tuple(candidates))
+    if not valves:
+        raise InputError("rig.no_valve")
+    if name is None and len(valves) > 1:
+        raise InputError("rig.several_valves", count=len(valves), valves=tuple(valves))
+    name = name or valves[0]
+    if name not in valves:
+        suggestion = NameSuggestion(name, valves)
+        raise InputError("names.unknown", name, meaning="a pressure valve of this circuit", near=suggestion)
+    return name
 
 
 def _at_start(signal: Signal) -> float:

@@ -37,7 +37,7 @@ class EvaluatedRecord(NamedTuple):
 
 
 @dataclass
-class Bench:
+class BenchRun:
     """Test valve on the bench, with its settings and completed measurements."""
 
     specimen: Specimen
@@ -191,7 +191,7 @@ def run_bench(
     """
     settings = settings or BenchSettings()
     check_tests(tests)
-    bench = Bench(specimen, settings, say or (lambda _: None))
+    bench = BenchRun(specimen, settings, say or (lambda _: None))
     evaluations: dict[str, Evaluation] = {}
     outcome = "done"
     # The steps come first, because the durations of the other tests depend on their response times.
@@ -230,7 +230,8 @@ def check_tests(tests: Sequence[str]) -> None:
         raise InputError("bench.no_test", known=tuple(TESTS))
     for test in tests:
         if test not in TESTS:
-            raise InputError("bench.unknown_test", given=test, near=NameSuggestion(test, TESTS))
+            suggestion = NameSuggestion(test, TESTS)
+            raise InputError("fields.not_an_option", "tests", value=test, meaning="test", near=suggestion)
 
 
 def _assembled(

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.core.errors import InputError, collect
-from poppet.core.units import Quantity, quantity
+from poppet.core.tables import Field
 
 FloatArray = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -117,14 +117,8 @@ def pressure(raw: Any, ambient: float, name: str) -> float:
     >>> pressure("6 bar g", 1e5, "supply")
     700000.0
     """
-    value = _absolute(quantity(raw, "Pa", kind="pressure", name=name), ambient)
-    if value < 0.0:
-        raise InputError("bench.range.vacuum", name, given=raw)
+    value: float = Field(unit="Pa", kind="pressure", low=0.0, meaning="pressure").read(raw, name, ambient)
     return value
-
-
-def _absolute(read: Quantity, ambient: float) -> float:
-    return read.value + (ambient if read.reference == "gauge" else 0.0)
 
 
 def pressure_range(raw: Any, ambient: float, name: str = "full_scale") -> tuple[float, float]:
@@ -176,11 +170,10 @@ def _setpoint(raw: Any, ambient: float) -> tuple[float, str]:
     problem: InputError | None = None
     for unit in ("Pa", *ELECTRIC) if isinstance(raw, str) else ("1",):
         try:
-            read = quantity(raw, unit, kind="pressure" if unit == "Pa" else "plain", name="setpoint_range")
+            field = Field(unit=unit, kind="pressure" if unit == "Pa" else "plain")
+            return field.read(raw, "setpoint_range", ambient), unit
         except InputError as error:
             problem = problem or error
-        else:
-            return _absolute(read, ambient), unit
     assert problem is not None
     raise problem
 
@@ -193,13 +186,10 @@ def listed(raw: str, unit: str, name: str) -> tuple[float, ...]:
     >>> listed("1 l, 5 l", "m^3", "--volume")
     (0.001, 0.005)
     """
-    values = []
+    values, field = [], Field(unit=unit, above=0.0, meaning=name.lstrip("-"))
     for part in raw.split(","):
         number: Any = (text := part.strip())
         with suppress(ValueError):  # a bare number is in the SI unit
             number = float(text)
-        value = quantity(number, unit, name=name).value
-        if not (math.isfinite(value) and value > 0.0):
-            raise InputError("bench.range.not_positive", name, given=text)
-        values.append(value)
+        values.append(field.read(number, name))
     return tuple(values)

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from poppet.bench.iso10094.scale import FloatArray
+from poppet.bench.iso10094.scale import FloatArray, Mask
 from poppet.bench.iso10094.uncertainty import Uncertainty, mean_of, noise_about
 from poppet.timeseries.measurements.measurement import noise_of
 
@@ -172,6 +172,18 @@ def stairs(setpoint: FloatArray) -> list[slice]:
 def _end_mean(values: FloatArray) -> float:
     """Return the mean of the last third of the values."""
     return float(np.mean(values[-max(1, values.size // 3) :]))
+
+
+def stretch_without(outside: Mask, first: int, end: int) -> slice:
+    """Return the slice around the samples `first` to `end` that extends to the nearest samples of a mask.
+
+    Examples
+    --------
+    >>> stretch_without(np.array([False, True, False, False, True]), 2, 2)
+    slice(2, 4, None)
+    """
+    earlier, later = np.flatnonzero(outside[:first]), np.flatnonzero(outside[end:])
+    return slice(int(earlier[-1]) + 1 if earlier.size else 0, end + int(later[0]) if later.size else outside.size)
 
 
 def rested(time: FloatArray, part: slice, fraction: float) -> slice:

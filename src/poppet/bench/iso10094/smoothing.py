@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from poppet.bench.iso10094.scale import FloatArray
+from poppet.bench.iso10094.shapes import stretch_without
 from poppet.bench.iso10094.uncertainty import DRAWS, NORMAL, SEED, Noise, Uncertainty
 
 # Half widths of the fitted parabolas [samples].
@@ -52,10 +53,7 @@ class SmoothedSeries:
         """
         k = int(np.argmax(self.values))
         flank = 1.0 + part * (float(self.values[k]) - 1.0)
-        earlier, later = np.flatnonzero(self.values[:k] < flank), np.flatnonzero(self.values[k:] < flank)
-        window = slice(
-            int(earlier[-1]) + 1 if earlier.size else 0, k + int(later[0]) if later.size else self.values.size
-        )
+        window = stretch_without(self.values < flank, k, k)
         count = window.stop - window.start
         if count < 5:
             a, b, c = np.interp([k - 1, k, k + 1], np.arange(self.values.size), self.values).tolist()
@@ -149,26 +147,23 @@ class SmoothedSeries:
 
         The default is the rise to the level. If `last` is True, it is the final fall below the level.
         """
-        if last:
-            return self._left(level)
-        risen = np.flatnonzero(self.values >= level)
-        if not risen.size or risen[0] == 0:
-            return math.nan if not risen.size else float(self.time[0])
-        first = int(risen[0])
-        certain = np.flatnonzero(self.values[first:] >= level + CLEAR * self.errors[first])
-        limit = first + int(certain[0]) if certain.size else first
-        fallen = np.flatnonzero(self.values[:limit] < level)
-        return 0.5 * (self._between(first, level) + self._between(int(fallen[-1]) + 1, level))
-
-    def _left(self, level: float) -> float:
-        outside_samples = np.flatnonzero(self.values > level)
-        if not outside_samples.size or outside_samples[-1] + 1 >= self.values.size:
-            return math.nan if outside_samples.size else float(self.time[0])
-        last = int(outside_samples[-1]) + 1
-        certain = np.flatnonzero(self.values[:last] > level + CLEAR * self.errors[last])
-        since = int(certain[-1]) if certain.size else last - 1
-        first = since + int(np.argmax(self.values[since:] <= level))
-        return 0.5 * (self._between(first, level) + self._between(last, level))
+        if not last:
+            risen = np.flatnonzero(self.values >= level)
+            if not risen.size or risen[0] == 0:
+                return float(self.time[0]) if risen.size else math.nan
+            first = int(risen[0])
+            certain = np.flatnonzero(self.values[first:] >= level + CLEAR * self.errors[first])
+            limit = first + int(certain[0]) if certain.size else first
+            final = int(np.flatnonzero(self.values[:limit] < level)[-1]) + 1
+        else:
+            outside_samples = np.flatnonzero(self.values > level)
+            if not outside_samples.size or outside_samples[-1] + 1 >= self.values.size:
+                return math.nan if outside_samples.size else float(self.time[0])
+            final = int(outside_samples[-1]) + 1
+            certain = np.flatnonzero(self.values[:final] > level + CLEAR * self.errors[final])
+            since = int(certain[-1]) if certain.size else final - 1
+            first = since + int(np.argmax(self.values[since:] <= level))
+        return 0.5 * (self._between(first, level) + self._between(final, level))
 
     def _between(self, k: int, level: float) -> float:
         """Return the time at which a cubic between the samples `k - 1` and `k` reaches a level."""

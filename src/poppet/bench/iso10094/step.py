@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, PlottedCurve, Row, Trial
+from poppet.bench.iso10094.evaluation import AT_LEAST, AT_MOST, DYNAMIC, BenchTest, Evaluation, Row, Trial
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import Jump, jumps, rested
-from poppet.bench.iso10094.smoothing import SmoothedSeries, smoothed
+from poppet.bench.iso10094.smoothing import smoothed
 from poppet.bench.iso10094.uncertainty import NORMAL, Noise, Uncertainty, greatest, mean_of, noise_about
 from poppet.timeseries.measurements.measurement import noise_of
 from poppet.timeseries.signals import Steps
@@ -97,91 +97,58 @@ def _one(
     if (end - start) / (high - low) < FOLLOWS:
         note("hardly", moved=end - start)
         return
-    answer = _Answer.of(record, y, jump, slice(before.start, after.stop), earlier, tail)
-    answer.times(evaluation, row)
+    reason = _add_times(evaluation, row, record, y, jump, slice(before.start, after.stop), earlier, tail)
     if record.cuts("outlet", part=after):
         row["overshoot_bound"] = AT_LEAST
         note("clipped_peak")
-    if hum is not None and hum.amplitude > BAND * abs(end - start):
-        note("swings_out", band=100.0 * BAND)
-    elif not answer.is_at_rest():
-        row["is_settled"] = False
-        note("unsettled")
-    elif not answer.settles(evaluation, row):
-        note("noisy", band=100.0 * BAND)
-    row.setdefault("is_settled", True)
+    if reason:
+        note(reason, **({} if reason == "unsettled" else {"band": 100.0 * BAND}))
+    row["is_settled"] = reason != "unsettled"
     if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
         note("coarse", error=0.5 * jump.duration, delay=row["delay"])
     _curve(evaluation, record, row, y, jump, after.stop)
 
 
-@dataclass(frozen=True, eq=False)
-class _Answer:
-    """Step response of the outlet, scaled from 0 (initial value) to 1 (final value).
+def _add_times(
+    evaluation: Evaluation, row: Row, record: Record, y: FloatArray, jump: Jump, section: slice, *holds: slice
+) -> str:
+    """Set the times and the overshoot of a row; return a note code if the settling time cannot be determined.
 
-    It begins with the last sample before the step.
+    `section` is the part of the record with both holds. `holds` are the steady parts before and after the step.
     """
-
-    smooth: SmoothedSeries
-    part: FloatArray  # as recorded, on the same clock
-    noise: Noise
-    errors: tuple[float, float]  # standard deviations of the initial and the final value
-    jump: Uncertainty  # uncertainty of the time of the step
-
-    @classmethod
-    def of(cls, record: Record, y: FloatArray, jump: Jump, section: slice, *holds: slice) -> _Answer:
-        start, end = (float(np.mean(y[hold])) for hold in holds)
-        part = (y[section] - start) / (end - start)
-        noise = noise_about([y[hold] for hold in holds])
-        noise = Noise(noise.covariance / (end - start) ** 2)
-        evaluation = smoothed(record.time[section] - jump.time, part, noise)
-        first = jump.before - section.start
-        low, high = (noise.mean(hold.stop - hold.start) for hold in holds)
-        instant = Uncertainty(0.0, 0.0 if record.is_exact else 0.5 * jump.duration)
-        return cls(evaluation.since(first), part[first:], noise, (low, high), instant)
-
-    def crossing(self, level: float) -> tuple[float, Uncertainty]:
-        extra = math.hypot((1.0 - level) * self.errors[0], level * self.errors[1])
-        return self.smooth.crossing(level, extra)
-
-    def times(self, evaluation: Evaluation, row: Row) -> None:
-        """Set delay, rise time, response time and overshoot of the row, if they can be determined."""
-        (low, low_doubt), (high, high_doubt) = self.crossing(LOW), self.crossing(HIGH)
-        if math.isfinite(low_doubt.standard) and math.isfinite(high_doubt.standard):
-            evaluation.set_value(row, "delay", low, low_doubt.plus(self.jump))
-            evaluation.set_value(row, "rise_time", high - low, low_doubt.plus(high_doubt))
-            evaluation.set_value(row, "response_time", high, high_doubt.plus(self.jump))
-        summit, uncertainty = self.smooth.summit()
-        excess, uncertainty = summit - 1.0, uncertainty.wider(self.errors[1])
-        error = uncertainty.standard
-        # Without overshoot, the largest sample is noise.
-        is_seen = excess > max(SEEN * error, 1e-6)
-        evaluation.set_value(row, "overshoot", 100.0 * excess if is_seen else 0.0, Uncertainty(100.0 * error))
-        row["overshoot_known_to"] = 100.0 * (max(excess, 0.0) + NORMAL * error)
-
-    def is_at_rest(self) -> bool:
-        """Return True if the outlet is in steady state at the end of the hold."""
-        time = self.smooth.time
-        last = self.part[time >= time[-1] - TAIL * (time[-1] - time[0])]
-        half = last.size // 2
-        drift = abs(float(np.mean(last[half:]) - np.mean(last[:half])))
-        return drift <= max(DRIFT, 4.0 * math.sqrt(2.0) * self.noise.mean(half)) and math.isfinite(self._settled()[0])
-
-    def _settled(self) -> tuple[float, Uncertainty]:
-        return self.smooth.leaving(BAND, self.errors[1])
-
-    def settles(self, evaluation: Evaluation, row: Row) -> bool:
-        """Set the settling time of the row, and return True if it could be determined.
-
-        The result is False if the response settles too late or noise hides the settling time.
-        """
-        time, uncertainty = self._settled()
-        clock = self.smooth.time
-        begin = clock[-1] - TAIL * (clock[-1] - clock[0])
-        if not math.isfinite(uncertainty.standard) or uncertainty.interval(time)[1] > begin:
-            return False
-        evaluation.set_value(row, "settling_time", time, uncertainty.plus(self.jump))
-        return True
+    start, end = row["outlet_from"], row["outlet_to"]
+    noise = noise_about([y[hold] for hold in holds])
+    noise = Noise(noise.covariance / (end - start) ** 2)
+    # The step response from 0 (initial value) to 1 (final value), from the last sample before the step.
+    response = smoothed(record.time[section] - jump.time, (y[section] - start) / (end - start), noise)
+    response = response.since(jump.before - section.start)
+    start_error, end_error = (noise.mean(hold.stop - hold.start) for hold in holds)
+    instant = Uncertainty(0.0, 0.0 if record.is_exact else 0.5 * jump.duration)
+    errors = [math.hypot((1.0 - level) * start_error, level * end_error) for level in (LOW, HIGH)]
+    (low, low_doubt), (high, high_doubt) = map(response.crossing, (LOW, HIGH), errors)
+    if math.isfinite(low_doubt.standard) and math.isfinite(high_doubt.standard):
+        evaluation.set_value(row, "delay", low, low_doubt.plus(instant))
+        evaluation.set_value(row, "rise_time", high - low, low_doubt.plus(high_doubt))
+        evaluation.set_value(row, "response_time", high, high_doubt.plus(instant))
+    summit, uncertainty = response.summit()
+    excess, error = summit - 1.0, uncertainty.wider(end_error).standard
+    # Without overshoot, the largest sample is noise.
+    is_seen = excess > max(SEEN * error, 1e-6)
+    evaluation.set_value(row, "overshoot", 100.0 * excess if is_seen else 0.0, Uncertainty(100.0 * error))
+    row["overshoot_known_to"] = 100.0 * (max(excess, 0.0) + NORMAL * error)
+    if row.get("hum_amplitude", 0.0) > BAND * abs(end - start):
+        return "swings_out"
+    begin = response.time[-1] - TAIL * (response.time[-1] - response.time[0])
+    last = response.raw[response.time >= begin]
+    half = last.size // 2
+    drift = abs(float(np.mean(last[half:]) - np.mean(last[:half])))
+    time, uncertainty = response.leaving(BAND, end_error)
+    if drift > max(DRIFT, 4.0 * math.sqrt(2.0) * noise.mean(half)) or not math.isfinite(time):
+        return "unsettled"
+    if not math.isfinite(uncertainty.standard) or uncertainty.interval(time)[1] > begin:
+        return "noisy"
+    evaluation.set_value(row, "settling_time", time, uncertainty.plus(instant))
+    return ""
 
 
 def _figures(evaluation: Evaluation) -> None:
@@ -189,24 +156,6 @@ def _figures(evaluation: Evaluation) -> None:
 
     If steps are clipped, the largest values of the other steps become bounds.
     """
-    _of_judged(evaluation)
-    sizes = [row["amplitude"] for row in evaluation.rows if "is_clipped" in row]
-    if not sizes:
-        return
-    names = {"settling_time", "overshoot"}
-    for name, figure in list(evaluation.figures.items()):
-        step = abs(figure.conditions.get("to", math.nan) - figure.conditions.get("from", math.nan))
-        if name not in names and not name.startswith("hum") and not step > 0.98 * max(sizes):
-            del evaluation.figures[name]
-            names.add(name)
-    absent = (name for name in _FIGURES if name not in evaluation.figures and not name.startswith("hum"))
-    evaluation.limit_to_bounds(*names, *absent)
-    if "hum_amplitude" not in evaluation.figures:
-        evaluation.notes = [note for note in evaluation.notes if note.code != "bench.step.rests"]
-        evaluation.note_absence("clipped", "hum_amplitude", "hum_frequency")
-
-
-def _of_judged(evaluation: Evaluation) -> None:
     volumes = list(dict.fromkeys(row.get("volume", math.nan) for row in evaluation.rows))
     # The final value of an unsettled step is unknown, and so are fractions of this step.
     evaluated = [row for row in evaluation.rows if "response_time" in row and row["is_settled"]]
@@ -235,6 +184,20 @@ def _of_judged(evaluation: Evaluation) -> None:
     else:
         uncertainty = evaluation.uncertainties[id(row), "hum_frequency"]
         evaluation.add("hum_frequency", row["hum_frequency"], uncertainty, **_case(row))
+    sizes = [row["amplitude"] for row in evaluation.rows if "is_clipped" in row]
+    if not sizes:
+        return
+    names = {"settling_time", "overshoot"}
+    for name, figure in list(evaluation.figures.items()):
+        step = abs(figure.conditions.get("to", math.nan) - figure.conditions.get("from", math.nan))
+        if name not in names and not name.startswith("hum") and not step > 0.98 * max(sizes):
+            del evaluation.figures[name]
+            names.add(name)
+    absent = (name for name in _FIGURES if name not in evaluation.figures and not name.startswith("hum"))
+    evaluation.limit_to_bounds(*names, *absent)
+    if "hum_amplitude" not in evaluation.figures:
+        evaluation.notes = [note for note in evaluation.notes if note.code != "bench.step.rests"]
+        evaluation.note_absence("clipped", "hum_amplitude", "hum_frequency")
 
 
 def _overshoot(evaluation: Evaluation, rows: Sequence[Row]) -> None:
@@ -270,7 +233,7 @@ def _curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump
     part = 100.0 * (y[indices] - row["outlet_from"]) / (row["outlet_to"] - row["outlet_from"])
     volume = f", {1e3 * record.volume:.4g} l" if math.isfinite(record.volume) else ""
     case = f"{row['to'] - row['from']:+.3g} % FS{volume}"
-    evaluation.curves.append(PlottedCurve("outlet", case, record.time[indices] - jump.time, part))
+    evaluation.add_curve("outlet", case, record.time[indices] - jump.time, part)
 
 
 _FIGURES = {

@@ -7,18 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from poppet.bench.iso10094.evaluation import (
-    AT_MOST,
-    ROWS,
-    BenchTest,
-    Evaluation,
-    Pace,
-    PlottedCurve,
-    Row,
-    Trial,
-    held,
-    largest,
-)
+from poppet.bench.iso10094.evaluation import AT_MOST, ROWS, BenchTest, Evaluation, Pace, Row, Trial, held, largest
 from poppet.bench.iso10094.scale import FloatArray, Record, Scale
 from poppet.bench.iso10094.shapes import at_places, branches, caught_up, lags_of
 from poppet.bench.iso10094.uncertainty import NORMAL, Uncertainty, greatest, noise_about, roughness, smooth, unbiased
@@ -117,9 +106,7 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         values_by_sign[branch.sign].append(value)
     means = {sign: np.mean(values, axis=0) for sign, values in values_by_sign.items() if values}
     for sign, mean in means.items():
-        is_known = np.isfinite(mean)
-        direction, case = "rising" if sign > 0 else "falling", f"{row['setpoint']:.0f} % FS"
-        evaluation.curves.append(PlottedCurve(direction, case, grid[is_known], mean[is_known]))
+        evaluation.add_curve("rising" if sign > 0 else "falling", f"{row['setpoint']:.0f} % FS", grid, mean)
     mean = np.mean(list(means.values()), axis=0)
     is_known = np.isfinite(mean)
     if np.count_nonzero(is_known) < PLACES // 2:

@@ -71,24 +71,15 @@ class Uncertainty:
             return self.ends
         half = NORMAL * self.normal
         if self.even > 0.0:
-            half = _half(self.normal / self.even) * self.even
+            normal = self.normal / self.even
+            half, low, high = COVERAGE, 0.0, 1.0 + 3.0 * normal
+            offsets = np.linspace(-1.0, 1.0, 65)  # of the uniform distribution
+            for _ in range(40 if normal >= 1e-6 else 0):
+                half = 0.5 * (low + high)
+                probability = np.mean([_phi((half - u) / normal) - _phi((-half - u) / normal) for u in offsets])
+                low, high = (half, high) if probability < COVERAGE else (low, half)
+            half *= self.even
         return value - half, value + half
-
-
-def _half(normal: float) -> float:
-    """Return the 95 % half width of the sum of a normal and a uniform distribution.
-
-    `normal` is the standard deviation of the normal distribution, relative to the half width of the uniform one.
-    """
-    if normal < 1e-6:
-        return COVERAGE
-    offsets = np.linspace(-1.0, 1.0, 65)
-    low, high = 0.0, 1.0 + 3.0 * normal
-    for _ in range(40):
-        half = 0.5 * (low + high)
-        probability = np.mean([_phi((half - u) / normal) - _phi((-half - u) / normal) for u in offsets])
-        low, high = (half, high) if probability < COVERAGE else (low, half)
-    return half
 
 
 def _phi(x: float) -> float:
@@ -148,7 +139,11 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
     >>> round(found.sigma, 2), abs(found.spread / 0.3 - 1.0) < 0.1
     (0.3, True)
     """
-    residuals = [_left(part, degree) for part in parts if part.size > degree + 3]
+    residuals = []
+    for part in (part for part in parts if part.size > degree + 3):
+        positions = np.linspace(-1.0, 1.0, part.size)
+        coefficients = np.polynomial.legendre.legfit(positions, part, degree)
+        residuals.append(part - np.polynomial.legendre.legval(positions, coefficients))
     if not residuals:
         return Noise(np.zeros(1))
     count = sum(residual.size for residual in residuals)
@@ -163,11 +158,6 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
     floor = max(quantum_of(part) for part in parts) ** 2 / 12.0
     covariance[0] = max(float(covariance[0]), floor)
     return Noise(covariance)
-
-
-def _left(values: FloatArray, degree: int) -> FloatArray:
-    positions = np.linspace(-1.0, 1.0, values.size)
-    return values - np.polynomial.legendre.legval(positions, np.polynomial.legendre.legfit(positions, values, degree))
 
 
 # Curves ------------------------------------------------------------------------------------------------------------

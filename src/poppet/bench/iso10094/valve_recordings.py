@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from poppet.bench.iso10094.bench_result import TESTS
-from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale, pressure, pressure_range, setpoint_scale
+from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale, pressure_range, setpoint_scale
 from poppet.bench.iso10094.shapes import stairs
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, collect
@@ -25,15 +25,20 @@ from poppet.timeseries.measurements.verdicts import cuts_a_peak, stays_in_noise
 TOP_LEVEL = {
     "title": Field(type="text"),
     "full_scale": Field(is_required=True, meaning="outlet pressure at full setpoint", example='full_scale = "6 bar g"'),
-    **dict.fromkeys(("setpoint_range", "ambient_pressure", "supply_pressure"), Field()),
+    **dict.fromkeys(("setpoint_range", "ambient_pressure"), Field()),
+    "supply_pressure": Field(unit="Pa", kind="pressure", low=0.0),
     "rated_flow": Field(unit="kg/s", kind="mass_flow", default=math.nan),
     "recordings": Field(
         type="table", is_required=True, meaning="list of recordings",
         example="[recordings.NAME] with test, file and channels",
     ),
 }  # fmt: skip
-_TEST = Field(choices=tuple(TESTS), meaning="test", example=f'test = "{next(iter(TESTS))}"')
-OF_RECORDING = ("test", "volume", "setpoint")  # fields of a recording in addition to those of a fit file
+OF_RECORDING = {
+    "test": Field(choices=tuple(TESTS), is_required=True, meaning="test", example=f'test = "{next(iter(TESTS))}"'),
+    "volume": Field(unit="m^3"),
+    "setpoint": Field(),  # in the unit of the setpoint range
+}
+"""Fields of a recording in addition to those of a fit file."""
 UNUSED = ("inputs", "start")
 BEYOND = 2.0  # deviation of a setpoint from its range, above which a note is given [% FS]
 OVERSHOT = 30.0  # deviation of the outlet from full scale, above which a note is given [% FS]
@@ -72,14 +77,15 @@ def recorded(
     `data` is the content of the file, and `path` its path. `full_scale` and `rated_flow` replace the values in the
     file.
     """
-    with ErrorCollector() as errors:
-        optional = {"full_scale": Field()} if full_scale is not None else {}
-        data = read_fields(errors, data, TOP_LEVEL | optional, table="file of recordings")
     raw = data.get("ambient_pressure", DEFAULT_AMBIENT)
     read = quantity(raw, "Pa", kind="pressure", name="ambient_pressure")
     if read.reference == "gauge" or read.value <= 0.0:
         raise InputError("recordings.ambient", "ambient_pressure", given=raw)
     ambient = read.value
+    with ErrorCollector() as errors:
+        optional = {"full_scale": Field()} if full_scale is not None else {}
+        fields = TOP_LEVEL | optional
+        data = read_fields(errors, data, fields, table="file of recordings", ambient_pressure=ambient)
     ends = pressure_range(full_scale if full_scale is not None else data["full_scale"], ambient)
     scale = setpoint_scale(data.get("setpoint_range"), ends, ambient)
     if not math.isfinite(rated_flow):
@@ -100,8 +106,7 @@ def recorded(
         "ambient_pressure": ambient,
         "recordings": {test: [record.name for record in group] for test, group in records.items() if group},
     }
-    if "supply_pressure" in data:
-        conditions["supply_pressure"] = pressure(data["supply_pressure"], ambient, "supply_pressure")
+    conditions |= {key: data[key] for key in ("supply_pressure",) if key in data}
     volumes = sorted({r.volume for group in records.values() for r in group if math.isfinite(r.volume)})
     if volumes:
         conditions["volumes"] = volumes
@@ -116,15 +121,45 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     address = f"recordings.{name}"
     if not isinstance(table, Mapping):
         raise InputError("fields.no_table", address, value=table)
-    fields = {key: table[key] for key in OF_RECORDING if key in table}
-    collect(_mistakes(address, table, fields))
-    other_fields = {key: value for key, value in table.items() if key not in OF_RECORDING}
-    measurement = read_measurement(name, other_fields, folder, ambient_pressure=ambient, other_fields=OF_RECORDING)
-    record = _joined(name, measurement, fields, address, ambient, scale)
+    setpoint = Field(unit=scale.setpoint_unit)
+    if scale.setpoint_unit == "Pa":
+        setpoint = Field(unit="Pa", kind="pressure", low=0.0)
+    with ErrorCollector() as errors:
+        raw = {key: table[key] for key in OF_RECORDING if key in table}
+        fields = read_fields(errors, raw, OF_RECORDING | {"setpoint": setpoint}, address, ambient_pressure=ambient)
+        for key in table:
+            if key in UNUSED:
+                errors.add("recordings.unused", f"{address}.{key}")
+            elif "." in key and key not in CHANNELS:
+                near = NameSuggestion(key, CHANNELS)
+                errors.add("names.unknown", f"{address}.{key}", meaning="a channel of the bench", near=near)
+        # Only tests at a constant setpoint require an additional series.
+        needs = TESTS[fields["test"]].needs if "test" in fields else ""
+        if "setpoint" in raw and not needs:
+            errors.add("recordings.setpoint_moves", f"{address}.setpoint", channel=SETPOINT)
+        elif "setpoint" in raw and SETPOINT in table:
+            errors.add("recordings.setpoint_twice", f"{address}.setpoint", channel=SETPOINT)
+        for series in ("outlet", *(() if "setpoint" in raw else ("setpoint",)), *((needs,) if needs else ())):
+            if (channel := SERIES[series]) not in table:
+                example = f'"{channel}" = {{ column = "...", unit = "..." }}'
+                field = Field(meaning=CHANNELS[channel].removeprefix("the "), example=example)
+                errors.extend([missing_field(f"{address}.{channel}", field)])
+    own_names = tuple(OF_RECORDING)
+    other_fields = {key: value for key, value in table.items() if key not in own_names}
+    measurement = read_measurement(name, other_fields, folder, ambient_pressure=ambient, other_fields=own_names)
+    record = _joined(name, measurement, fields, address, scale)
     # Clipping is checked here with the meaning of the channels: an outlet follows the setpoint, a command has limits.
     findings = [finding for finding in measurement.findings if finding.code != "suspicion.clipped"]
-    if _is_staircase(record, scale):
-        findings = [note for note in findings if (note.code, note.address) != ("suspicion.coarse", SETPOINT)]
+    # If the outlet is at rest while the setpoint is constant, the steps of the setpoint are commands and not the
+    # resolution of an analogue-to-digital converter.
+    x, y = scale.percents(record)
+    holds = stairs(x)
+    thirds = [(hold, max(1, (hold.stop - hold.start) // 3)) for hold in holds]
+    ends = np.array([[np.mean(y[hold][-third:]), np.mean(y[hold][third:-third])] for hold, third in thirds])
+    if len(holds) > 1:
+        inside, between = np.abs(ends[:, 0] - ends[:, 1]), np.abs(np.diff(ends[:, 0]))
+        if np.median(inside) < AT_REST * np.median(between):
+            findings = [note for note in findings if (note.code, note.address) != ("suspicion.coarse", SETPOINT)]
     notes = [note.within(name) for note in (*measurement.notes, *findings)]
     for series, mask in record.clipped.items():
         notes.append(Note("recordings.clipped", f"{name}.{SERIES[series]}", samples=int(mask.sum())))
@@ -140,59 +175,10 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     return record, notes
 
 
-def _is_staircase(record: Record, scale: Scale) -> bool:
-    """Return True if the outlet is at rest while the setpoint is constant.
-
-    If so, the steps of the setpoint are commands and not the resolution of an analogue-to-digital converter.
-    """
-    x, y = scale.percents(record)
-    held = stairs(x)
-    thirds = [(part, max(1, (part.stop - part.start) // 3)) for part in held]
-    ends = np.array([[np.mean(y[part][-third:]), np.mean(y[part][third:-third])] for part, third in thirds])
-    if len(held) < 2 or not ends.size:
-        return False
-    inside, between = np.abs(ends[:, 0] - ends[:, 1]), np.abs(np.diff(ends[:, 0]))
-    return bool(np.median(inside) < AT_REST * np.median(between))
-
-
-def _mistakes(where: str, table: Mapping[str, Any], own: Mapping[str, Any]) -> list[InputError]:
-    """Return the errors of the table of one recording: invalid and missing fields.
-
-    `own` contains the fields that only valve recordings have, such as `test`.
-    """
-    problems = [InputError("recordings.unused", f"{where}.{key}") for key in UNUSED if key in table]
-    name, is_held = own.get("test"), "setpoint" in own
-    if name is None:
-        problems.append(missing_field(f"{where}.test", _TEST))
-    elif str(name) not in TESTS:  # `name` can be a table, which is not hashable
-        near = NameSuggestion(str(name), TESTS)
-        problems.append(InputError("fields.not_an_option", f"{where}.test", value=name, meaning="test", near=near))
-    problems += [
-        InputError("recordings.channel_unknown", f"{where}.{key}", near=NameSuggestion(key, CHANNELS))
-        for key in table
-        if "." in key and key not in CHANNELS
-    ]
-    # Only tests at a constant setpoint require an additional series.
-    needs = TESTS[str(name)].needs if str(name) in TESTS else ""
-    if is_held and not needs:
-        problems.append(InputError("recordings.setpoint_moves", f"{where}.setpoint", channel=SETPOINT))
-    elif is_held and SETPOINT in table:
-        problems.append(InputError("recordings.setpoint_twice", f"{where}.setpoint", channel=SETPOINT))
-    needed = ["outlet", *([] if is_held else ["setpoint"]), *([needs] if needs else [])]
-    problems += [
-        InputError("recordings.channel_missing", where, channel=SERIES[key], test=name, meaning=CHANNELS[SERIES[key]])
-        for key in needed
-        if SERIES[key] not in table
-    ]
-    return problems
-
-
-def _joined(
-    name: str, measurement: Measurement, own: Mapping[str, Any], where: str, ambient: float, scale: Scale
-) -> Record:
+def _joined(name: str, measurement: Measurement, fields: Mapping[str, Any], address: str, scale: Scale) -> Record:
     """Return a record with all channels interpolated at the samples of the outlet pressure.
 
-    The record covers the time that all channels have in common. `own` contains the fields that only valve recordings
+    The record covers the time that all channels have in common. `fields` contains the fields that only valve recordings
     have.
     """
     channels = {channel.address: channel for channel in measurement.channels}
@@ -201,22 +187,19 @@ def _joined(
     clock = channels[OUTLET].time
     clock = clock[(clock >= begin) & (clock <= end)]
     if clock.size < 3:
-        raise InputError("recordings.apart", where)
+        raise InputError("recordings.apart", address)
     series = {key: np.zeros(0) for key in SERIES}  # empty if not recorded
-    for key, own_channel in ((key, channels[name]) for key, name in SERIES.items() if name in channels):
-        series[key] = np.interp(clock, own_channel.time, own_channel.values)
+    for key, channel in ((key, channels[name]) for key, name in SERIES.items() if name in channels):
+        series[key] = np.interp(clock, channel.time, channel.values)
     unit = channels[SETPOINT].unit if SETPOINT in channels else scale.setpoint_unit
     if unit != scale.setpoint_unit:
-        raise InputError("recordings.unit", f"{where}.{SETPOINT}", unit=unit, wanted=scale.setpoint_unit)
-    if "setpoint" in own:
-        raw, address = own["setpoint"], f"{where}.setpoint"
-        is_pressure = scale.setpoint_unit == "Pa"
-        level = pressure(raw, ambient, address) if is_pressure else quantity(raw, unit, name=address).value
-        series["setpoint"] = np.full(clock.size, level)
-    volume = quantity(own["volume"], "m^3", name=f"{where}.volume").value if "volume" in own else math.nan
+        raise InputError("recordings.unit", f"{address}.{SETPOINT}", unit=unit, wanted=scale.setpoint_unit)
+    if "setpoint" in fields:
+        series["setpoint"] = np.full(clock.size, fields["setpoint"])
+    volume = fields.get("volume", math.nan)
     percent = {"setpoint": scale.setpoint_percent(series["setpoint"]), "outlet": scale.percent(series["outlet"])}
     cut = clipped({**series, **percent})
-    return Record(name, own["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
+    return Record(name, fields["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
 
 
 SHORTEST = 5  # smallest number of equal samples at an extreme value
@@ -276,7 +259,12 @@ def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool
     is_held = _is_ramp(x, run) and float(np.ptp(x[half])) < max(BELOW, CLEAR * noise_of(x))
     is_peak = not is_held and cuts_a_peak(y, (run.start, run.stop), _step(y))
     is_loaded = bool(flow.size) and _is_left(-sign * flow, run, LOADED * float(np.ptp(flow)))
-    return is_peak or is_loaded or _is_abrupt(y, x, run) or _is_left(x, run, ONWARD)
+    # A sudden stop while the outlet is still below the setpoint.
+    is_abrupt = False
+    if run.start >= 4 and float(np.max(x[run])) - y[run.start] >= BELOW and not _is_ramp(x, run):
+        earlier, last = np.diff(y[run.start - 3 : run.start])
+        is_abrupt = bool(min(earlier, last) > STEEP * _step(y) and last > SLOWER * earlier)
+    return is_peak or is_loaded or is_abrupt or _is_left(x, run, ONWARD)
 
 
 def _runs(mask: Mask) -> list[slice]:
@@ -293,17 +281,6 @@ def _is_ramp(x: FloatArray, run: slice) -> bool:
     approach = x[max(0, run.start - min(run.stop - run.start, MOST_LOOKED_AT)) : run.start + 1]
     change = approach[-1] - approach[0]
     return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
-
-
-def _is_abrupt(y: FloatArray, x: FloatArray, run: slice) -> bool:
-    """Return True if the outlet stops suddenly while it is still below the setpoint.
-
-    `y` is the outlet and `x` the setpoint. The outlet is constant in the slice `run`.
-    """
-    if run.start < 4 or float(np.max(x[run])) - y[run.start] < BELOW or _is_ramp(x, run):
-        return False
-    earlier, last = np.diff(y[run.start - 3 : run.start])
-    return bool(min(earlier, last) > STEEP * _step(y) and last > SLOWER * earlier)
 
 
 def _is_left(x: FloatArray, run: slice, threshold: float) -> bool:

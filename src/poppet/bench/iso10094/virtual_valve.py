@@ -80,7 +80,15 @@ class StandIn:
         """Return the steady-state outlet for a sequence of setpoints, both in % FS."""
         input_ = play(setpoint, self.play)
         if self.threshold > 0.0:
-            input_ = _stuck(input_, self.threshold)
+            # The position stays constant until the input differs from it by the threshold, then jumps to the input.
+            changes = np.flatnonzero(np.diff(input_, prepend=np.nan))
+            levels = input_[changes]
+            position = float(levels[0])
+            for k, value in enumerate(levels.tolist()):
+                if abs(value - position) >= self.threshold * (1.0 - 1e-9):
+                    position = value
+                levels[k] = position
+            input_ = np.repeat(levels, np.diff(changes, append=input_.size))
         effective = np.maximum(input_ - self.dead_zone, 0.0) * 100.0 / (100.0 - self.dead_zone)
         part = effective / 100.0
         result = effective + 4.0 * self.bow * part * (1.0 - part)
@@ -111,21 +119,6 @@ def play(values: FloatArray, width: float) -> FloatArray:
         result[begin:end] = np.maximum(last, part - half) if part[-1] - half > last else np.minimum(last, part + half)
         last, begin = float(result[end - 1]), end
     return result
-
-
-def _stuck(values: FloatArray, threshold: float) -> FloatArray:
-    """Apply a threshold to a series.
-
-    The result stays constant until the series differs from it by the threshold, then jumps to the value of the series.
-    """
-    changes = np.flatnonzero(np.diff(values, prepend=np.nan))
-    levels = values[changes]
-    last = float(levels[0])
-    for k, value in enumerate(levels.tolist()):
-        if abs(value - last) >= threshold * (1.0 - 1e-9):
-            last = value
-        levels[k] = last
-    return np.repeat(levels, np.diff(changes, append=values.size))
 
 
 def _answer(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:

@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from poppet.bench.iso10094.rig import valve_of
 from poppet.bench.sine_rig import SineRig, without_bands
 from poppet.circuit.circuit import BaseCircuit
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
-from poppet.core.units import quantity
+from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.tables import Field
 from poppet.parts.chamber import Chamber
 from poppet.parts.electronics import SCALES
 from poppet.parts.proportional_valve import ProportionalValve
@@ -26,6 +27,12 @@ SPREAD = 10.0  # default volumes extend from a tenth to ten times the volume in 
 SMALLEST, LARGEST = 0.005, 0.25  # default amplitudes, relative to the span of the setpoint
 SPRINGS = (0.5, 1.0, 2.0)
 DAMPINGS = (0.25, 0.5, 1.0, 2.0, 4.0)  # default factors on spring rates and damping
+FIELDS = {
+    "mean": Field(unit="Pa", kind="pressure", above=0.0, meaning="mean outlet pressure"),
+    "volumes": Field(unit="m^3", above=0.0, meaning="volume"),
+    "amplitudes": Field(unit="Pa", kind="pressure_difference", above=0.0, meaning="amplitude"),
+    **dict.fromkeys(("springs", "dampings"), Field(unit="1", above=0.0, meaning="factor")),
+}
 IDEAL = 10.0  # factor on the parameters of a part that is made ideal
 
 
@@ -116,58 +123,35 @@ def limits_plan(
 
     Defaults replace the settings that are None. `springs` and `dampings` are factors on spring rates and damping.
     """
-    name = _valve(circuit, valve)
+    name = valve_of(circuit, valve, ProportionalValve)
     outlet = circuit.parts[name].ports()["outlet"]
     if not isinstance(circuit.parts.get(outlet), Chamber):
         raise InputError("limits.no_chamber", f"{name}.outlet", given=outlet)
     bare = LimitsPlan(circuit, name, outlet, math.nan, (), (), (), ())
     low, high = bare.ends
-    own = circuit.parameters[f"{outlet}.volume"]
+    volume = circuit.parameters[f"{outlet}.volume"]
+    values: dict[str, list[float]] = {
+        "mean": [0.5 * (low + high)],
+        "volumes": _spread(volume / SPREAD, volume * SPREAD),
+        "amplitudes": _spread(SMALLEST * (high - low), LARGEST * (high - low)),
+        "springs": list(SPRINGS),
+        "dampings": list(DAMPINGS),
+    }
+    settings = zip(values, ([mean] if mean is not None else (), volumes, amplitudes, springs, dampings), strict=True)
     with ErrorCollector() as errors:
-        ambient = circuit.surroundings.pressure
-        means = _read(errors, "mean", [mean], "Pa", "pressure", ambient) if mean is not None else [0.5 * (low + high)]
-        found, sizes = _spread(own / SPREAD, own * SPREAD), _spread(SMALLEST * (high - low), LARGEST * (high - low))
-        if volumes:
-            found = _read(errors, "volumes", volumes, "m^3", "plain")
-        if amplitudes:
-            sizes = _read(errors, "amplitudes", amplitudes, "Pa", "difference")
-        for what, given in (("springs", springs), ("dampings", dampings)):
-            for factor in given or ():
-                if not factor > 0.0:
-                    errors.add("limits.factor", what, given=factor)
-        if not errors.collected and not low < means[0] - max(sizes) < means[0] + max(sizes) < high:
-            errors.add("limits.reach", mean=means[0], amplitude=max(sizes), low=low, high=high)
+        for key, arguments in [(key, arguments) for key, arguments in settings if arguments]:
+            values[key] = []
+            for argument in arguments:
+                with errors.collecting():
+                    values[key].append(FIELDS[key].read(argument, key, circuit.surroundings.pressure))
+        (mean_pressure,), largest = values["mean"] or [math.nan], max(values["amplitudes"], default=math.nan)
+        if not errors.collected and not low < mean_pressure - largest < mean_pressure + largest < high:
+            errors.add("limits.reach", mean=mean_pressure, amplitude=largest, low=low, high=high)
+    ranges = {key: tuple(sorted(values[key])) for key in ("volumes", "amplitudes", "springs", "dampings")}
     return replace(
-        bare, mean=means[0], volumes=tuple(sorted(found)), amplitudes=tuple(sorted(sizes)),
-        springs=tuple(sorted(springs or SPRINGS)), dampings=tuple(sorted(dampings or DAMPINGS)),
+        bare, mean=mean_pressure, volumes=ranges["volumes"], amplitudes=ranges["amplitudes"],
+        springs=ranges["springs"], dampings=ranges["dampings"],
     )  # fmt: skip
-
-
-def _valve(circuit: BaseCircuit, given: str | None) -> str:
-    valves = [name for name, part in circuit.parts.items() if isinstance(part, ProportionalValve)]
-    if given in valves:
-        return str(given)
-    if not valves:
-        raise InputError("limits.no_valve")
-    if given is not None:
-        raise InputError("limits.unknown_valve", given=given, near=NameSuggestion(given, valves))
-    if len(valves) > 1:
-        raise InputError("limits.several_valves", known=tuple(valves))
-    return valves[0]
-
-
-def _read(
-    errors: ErrorCollector, what: str, given: Sequence[Any], unit: str, kind: Any, ambient: float = 0.0
-) -> list[float]:
-    result = []
-    for each in given:
-        with errors.collecting():
-            read = quantity(each, unit, kind=kind, name=what)
-            value = read.value + (ambient if read.reference == "gauge" else 0.0)
-            if not value > 0.0:
-                raise InputError("limits.not_positive", what, given=each)
-            result.append(value)
-    return result
 
 
 def _spread(low: float, high: float) -> list[float]:

@@ -8,16 +8,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from itertools import product
 from operator import attrgetter
-from pathlib import Path
 from typing import Any
 
 from poppet.bench.limits.bandwidth import Point, bandwidth_point
 from poppet.bench.limits.limits_plan import CONTROLLER, LOAD, PARTS, SEVERAL, LimitsPlan, limits_plan
 from poppet.bench.limits.stability import Stability, stability_point
 from poppet.core.codes import Note
-from poppet.core.files import by_suffix, write_whole
 from poppet.core.notebook import HtmlMixin
-from poppet.core.toml import json_text, toml_text
+from poppet.core.toml import ResultFileMixin
 
 __all__ = ["CONTROLLER", "LOAD", "PARTS", "LimitsPlan", "LimitsResult", "find_limits", "limits_plan"]
 
@@ -26,7 +24,7 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 
 @dataclass
-class LimitsResult(HtmlMixin):
+class LimitsResult(ResultFileMixin, HtmlMixin):
     """Dynamic limits of a valve; points that are not computed yet are absent."""
 
     plan: LimitsPlan
@@ -95,14 +93,6 @@ class LimitsResult(HtmlMixin):
                 f"spring {spring:g}": {name: self.map(name, spring) for name in fields} for spring in plan.springs
             },
         }  # fmt: skip
-
-    def save(self, path: str | Path) -> None:
-        """Write the result as a `.toml` or `.json` file.
-
-        The function replaces an existing file completely or not at all.
-        """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
 
 
 def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | None = None) -> LimitsResult:

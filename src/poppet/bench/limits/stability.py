@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.bench.limits.limits_plan import Changes, LimitsPlan, stage_changes
+from poppet.bench.limits.limits_plan import LimitsPlan, stage_changes
 from poppet.bench.sine_rig import SineRig
 from poppet.circuit.sampled.sampled_model import model_at
 from poppet.circuit.sampled.sampled_steady_state import oscillation, rest_near
@@ -68,8 +69,14 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
     `spring` and `damping` are factors, and `volume` is the outlet volume [m^3].
     """
     changes = stage_changes(plan, spring, damping)
-    rough = _by_itself(plan, volume, changes)
+    rough = math.nan, math.nan  # amplitude and frequency with the bands of the controller, at constant setpoint
     note = Note("limits.no_rest", points=None)
+    with suppress(SimulationError):
+        banded_rig = plan.rig(volume, changes)
+        time = np.arange(1, int(ROUGH * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
+        run = banded_rig.run(0.0, 1.0, time)
+        if run.outcome.is_success:
+            rough = _motion(time, run.values[banded_rig.output], (ROUGH / 3.0, ROUGH))
     try:
         rig = plan.rig(volume, changes, bands=False)
         v = _rest(plan, rig, spring, damping, volume)
@@ -135,22 +142,6 @@ def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[floa
     t, y = time[is_inside], values[is_inside]
     amplitude, period = oscillation(t, y - np.polyval(np.polyfit(t - t[0], y, 1), t - t[0]))
     return amplitude, 1.0 / period if math.isfinite(period) else math.nan
-
-
-def _by_itself(plan: LimitsPlan, volume: float, changes: Changes) -> tuple[float, float]:
-    """Return the amplitude and frequency of the outlet at a constant setpoint.
-
-    The controller has its dead and hold bands, which can cause a limit cycle.
-    """
-    try:
-        rig = plan.rig(volume, changes)
-    except SimulationError:
-        return math.nan, math.nan
-    time = np.arange(1, int(ROUGH * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
-    run = rig.run(0.0, 1.0, time)
-    if not run.outcome.is_success:
-        return math.nan, math.nan
-    return _motion(time, run.values[rig.output], (ROUGH / 3.0, ROUGH))
 
 
 def _note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:

@@ -23,7 +23,7 @@ from poppet.identify.characteristic.stroke_tests import (
     common_of_result,
     point_of_result,
 )
-from poppet.identify.fit.fit_file import read_circuit
+from poppet.identify.fit.fit_plan import read_circuit
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result, read_result
 from poppet.laws.curves import characteristic_from_mapping

@@ -53,7 +53,8 @@ class HistoryTerm:
         noise.
         """
         law_values = np.array([max(z[0], SMALLEST * self.largest), min(max(z[1], 0.0), LARGEST_RATIO)])
-        series, slopes = self.experiment.outputs_and_slopes(by_name(self.free, (*law_values, *nuisance)))
+        values = by_name(self.free, (*law_values, *nuisance))
+        series, slopes = self.experiment.outputs(values), self.experiment.slopes(values)
         channels = self.experiment.measurement.channels
         weighted = [(y - c.values) / s for y, c, s in zip(series, channels, self.sigmas, strict=True)]
         residual = np.nan_to_num(np.concatenate(weighted), nan=FAILED)

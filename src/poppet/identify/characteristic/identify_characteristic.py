@@ -44,7 +44,7 @@ from poppet.identify.characteristic.stroke_tests import (
     evidence_of,
     test_name,
 )
-from poppet.identify.file_argument import or_file
+from poppet.identify.data_file import or_file
 from poppet.identify.gum import few_runs_probability, widened
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray as Array

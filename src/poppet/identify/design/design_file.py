@@ -13,30 +13,23 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.core.errors import ErrorCollector, InputError, InputErrors, NameSuggestion, relocated
 from poppet.core.tables import Field, missing_field, read_fields
 from poppet.core.toml_file import TomlFile
-from poppet.core.units import Kind
-from poppet.identify.fit.fit_file import read_circuit
+from poppet.identify.fit.fit_plan import CIRCUIT_FIELDS, read_circuit
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result, read_result
+from poppet.timeseries.measurements.mapping import DIFFERENCE_KINDS
 
 CRITERIA = ("intervals", "worst", "volume")
 OWN = ("duration", "sample_time", "sensors", "start")
 """Fields of a test that are not parameters or options of the circuit."""
 TOP_LEVEL = {
-    "circuit": Field(is_required=True, meaning="circuit file", example='circuit = "bench.toml"'),
-    "free": Field(
-        type="table",
-        is_required=True,
-        meaning="list of free parameters",
-        example='[free] with "valve.critical_ratio" = 0.3',
-    ),
+    **CIRCUIT_FIELDS,
     "sensors": Field(
         type="table",
         is_required=True,
         meaning="list of sensors",
         example='[sensors] with "tank.pressure" = { noise = "300 Pa" }',
     ),
-    **dict.fromkeys(("tests", "vary", "set", "start"), Field(type="table")),
-    "title": Field(type="text"),
+    **dict.fromkeys(("tests", "vary", "start"), Field(type="table")),
     "known": Field(),
     "select": Field(type="integer", low=1, high=20, default=1, meaning="number of tests to select"),
     "draws": Field(type="integer", low=0, high=200, default=8, meaning="number of samples of the priors"),
@@ -47,7 +40,6 @@ TOP_LEVEL = {
 MOST_TESTS = 500
 """Maximum number of candidates; each one needs one run, and one more per free parameter."""
 MOST_SAMPLES = 100_000
-_DIFFERENCE: dict[str, Kind] = {"Pa": "pressure_difference", "K": "temperature_difference"}
 
 
 @dataclass(frozen=True)
@@ -130,29 +122,24 @@ def read_design_file(path: str | Path) -> DesignPlan:
     """
     file = TomlFile.read(path, "tests")
     with file.errors():
-        return _read_plan(file)
-
-
-def _read_plan(file: TomlFile) -> DesignPlan:
-    with ErrorCollector() as errors:
-        data = read_fields(errors, file.content, TOP_LEVEL, table="design file")
-    circuit = read_circuit(data, file.folder)
-    free: list[FreeParameter] = []
-    sensors: dict[str, DesignSensor] = {}
-    units = dict(circuit.instance.model.outputs)
-    with ErrorCollector() as errors:
-        for address, table in data["free"].items():
-            with errors.collecting():
-                free.append(read_free(address, table, circuit))
-        for address, table in data["sensors"].items():
-            with errors.collecting():
-                sensors[address] = _read_sensor(address, table, units)
-    with ErrorCollector() as errors:
-        candidates = list(_read_candidates(errors, data, circuit, sensors))
-    known = read_result(file.folder / str(data["known"])) if "known" in data else None
-    title = str(data.get("title", circuit.title or Path(file.name).stem))
-    options = {key: data[key] for key in ("criterion", "select", "draws", "seed")}
-    return DesignPlan(title, tuple(free), tuple(candidates), **options, known=known)
+        with ErrorCollector() as errors:
+            data = read_fields(errors, file.content, TOP_LEVEL, table="design file")
+        circuit = read_circuit(data, file.folder)
+        free: list[FreeParameter] = []
+        sensors: dict[str, DesignSensor] = {}
+        with ErrorCollector() as errors:
+            for address, table in data["free"].items():
+                with errors.collecting():
+                    free.append(read_free(address, table, circuit))
+            for address, table in data["sensors"].items():
+                with errors.collecting():
+                    sensors[address] = _read_sensor(address, table, dict(circuit.instance.model.outputs))
+        with ErrorCollector() as errors:
+            candidates = tuple(_read_candidates(errors, data, circuit, sensors))
+        known = read_result(file.folder / str(data["known"])) if "known" in data else None
+        title = str(data.get("title", circuit.title or Path(file.name).stem))
+        options = {key: data[key] for key in ("criterion", "select", "draws", "seed")}
+        return DesignPlan(title, tuple(free), candidates, **options, known=known)
 
 
 def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSensor:
@@ -161,7 +148,7 @@ def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSe
         near = NameSuggestion(address, units)
         raise InputError("names.unknown", location, meaning="an output of this circuit", near=near)
     unit = units[address]
-    deviation = Field(unit=unit, kind=_DIFFERENCE.get(unit, "plain"), low=0.0, default=0.0)
+    deviation = Field(unit=unit, kind=DIFFERENCE_KINDS.get(unit, "plain"), low=0.0, default=0.0)
     fields = {
         "noise": replace(
             deviation, above=0.0, default=None, is_required=True, meaning="standard deviation of a sample",
@@ -227,7 +214,8 @@ def _read_candidate(
         raise InputError("design.no_list", f"{location}.sensors", value=selected)
     for address in selected:
         if address not in sensors:
-            raise InputError("design.no_sensor", f"{location}.sensors", near=NameSuggestion(str(address), sensors))
+            near = NameSuggestion(str(address), sensors)
+            raise InputError("fields.not_an_option", f"{location}.sensors", value=address, meaning="sensor", near=near)
     start = fields.get("start", {})
     for address, value in start.items() if isinstance(start, Mapping) else ():
         if value != "free":

@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.core.files import by_suffix, write_whole
-from poppet.core.toml import json_text, toml_text
+from poppet.core.toml import ResultFileMixin
 from poppet.identify.design.design_file import DesignPlan, TestCandidate, read_design_file
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_plan import recording_parameters
@@ -66,7 +65,7 @@ class Prediction:
 
 
 @dataclass(frozen=True)
-class Design:
+class Design(ResultFileMixin):
     """Ranking of possible tests, the best first, with the recommended tests.
 
     Parameters
@@ -114,17 +113,6 @@ class Design:
             "findings": [str(remark) for remark in self.remarks],
         }
 
-    def save(self, path: str | Path) -> None:
-        """Write the design to a `.toml` or `.json` file.
-
-        Parameters
-        ----------
-        path : str or Path
-            Output file.
-        """
-        text = by_suffix(Path(path), {".toml": toml_text, ".json": json_text})(self.content())
-        write_whole(Path(path), lambda stream: stream.write(text.encode("utf-8")))
-
 
 def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, int, str], Any] | None = None) -> Design:
     r"""Rank possible tests by the predicted confidence intervals of a fit to their recordings.
@@ -160,23 +148,32 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     Atkinson, Donev & Tobias, Optimum Experimental Designs, with SAS, Oxford 2007.
     """
     plan = plan if isinstance(plan, DesignPlan) else read_design_file(plan)
-    points = _prior_points(plan)
-    prior = _prior_information(plan)
-    informations: list[Information] = []
+    points, prior = _priors(plan)
+    informations: list[FloatArray] = []
     try:
         for k, candidate in enumerate(plan.candidates):
             if progress is not None:
                 progress(k, len(plan.candidates), candidate.name)
-            informations.append([_fisher_information(candidate, plan.free, point) for point in points])
+            informations.append(np.array([_fisher_information(candidate, plan.free, point) for point in points]))
     except KeyboardInterrupt:
         if not informations:
             raise
-    scores = [_criterion(plan, points, prior, [information]) for information in informations]
-    order = sorted(range(len(informations)), key=lambda k: scores[k])
-    selection = _select_tests(plan, points, prior, informations)
     names = [candidate.name for candidate in plan.candidates]
-    tests = {names[k]: _predict(plan, points, prior, [informations[k]]) for k in order}
-    together = _predict(plan, points, prior, [informations[k] for k in selection])
+    scores = [_criterion(plan, prior + information) for information in informations]
+    order = sorted(range(len(informations)), key=lambda k: scores[k])
+    tests = {names[k]: _predict(plan, prior + informations[k]) for k in order}
+    selection = _select_tests(plan, prior, informations)
+    together = _predict(plan, prior + sum(informations[k] for k in selection))
+    remarks = []
+    for f in plan.free:
+        joint = together[f.name]
+        if all(row[f.name].verdict == "not determined" for row in tests.values()):
+            remarks.append(Note("design.by_none", f.name))
+        elif joint.verdict != "determined":
+            code = "design.still_weak" if joint.verdict == "weak" else "design.still_open"
+            remarks.append(Note(code, f.name, percent=100.0 * joint.half / f.scale))
+        if joint.largest > 2.0 * joint.standard_error:
+            remarks.append(Note("design.depends", f.name, times=joint.largest / joint.standard_error))
     return Design(
         plan.title,
         plan.criterion,
@@ -184,40 +181,34 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
         tuple(names[k] for k in selection),
         together,
         {names[k]: scores[k] for k in order},
-        tuple(_design_notes(plan, tests, together)),
+        tuple(remarks),
         len(informations) < len(plan.candidates),
     )
 
 
-def _prior_points(plan: DesignPlan) -> list[FloatArray]:
-    """Return the start values of the free parameters, and random samples of their priors."""
-    starts = np.array([f.start for f in plan.free])
+def _priors(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
+    """Return points of the priors, and the Fisher information from the priors and from an earlier result.
+
+    The points are the start values of the free parameters and random samples.
+    """
+    points = [np.array([f.start for f in plan.free])]
     generator = np.random.default_rng(plan.seed)
-    points = [starts]
-    if any(f.prior for f in plan.free):
-        for _ in range(plan.draws):
-            sample = [f.start if f.prior is None else generator.normal(f.prior.mean, f.prior.sd) for f in plan.free]
-            margins = [1e-3 * min(f.scale, f.high - f.low) for f in plan.free]
-            bounds = zip(sample, plan.free, margins, strict=True)
-            points.append(np.array([min(max(x, f.low + r), f.high - r) for x, f, r in bounds]))
-    return points
-
-
-def _prior_information(plan: DesignPlan) -> FloatArray:
-    """Return the Fisher information from the priors and from an earlier result."""
-    spreads = [f.prior.sd if f.prior else f.scale for f in plan.free]
-    information = np.diag(1.0 / np.square(spreads))
-    if plan.known is None:
-        return information
-    estimates = plan.known.parameters
-    indices = [
-        k for k, f in enumerate(plan.free) if f.name in estimates and math.isfinite(estimates[f.name].standard_error)
-    ]
-    names = [plan.free[k].name for k in indices]
-    errors = np.array([estimates[name].standard_error for name in names])
-    joint = np.array([[plan.known.correlation.get(a, {}).get(b, float(a == b)) for b in names] for a in names])
-    information[np.ix_(indices, indices)] += np.linalg.pinv(joint * np.outer(errors, errors), hermitian=True)
-    return information
+    for _ in range(plan.draws if any(f.prior for f in plan.free) else 0):
+        sample = []
+        for f in plan.free:
+            value = f.start if f.prior is None else generator.normal(f.prior.mean, f.prior.sd)
+            margin = 1e-3 * min(f.scale, f.high - f.low)
+            sample.append(min(max(value, f.low + margin), f.high - margin))
+        points.append(np.array(sample))
+    information = np.diag(1.0 / np.square([f.prior.sd if f.prior else f.scale for f in plan.free]))
+    if plan.known is not None:
+        estimates = {name: e.standard_error for name, e in plan.known.parameters.items()}
+        indices = [k for k, f in enumerate(plan.free) if math.isfinite(estimates.get(f.name, math.inf))]
+        names = [plan.free[k].name for k in indices]
+        errors = np.array([estimates[name] for name in names])
+        joint = np.array([[plan.known.correlation.get(a, {}).get(b, float(a == b)) for b in names] for a in names])
+        information[np.ix_(indices, indices)] += np.linalg.pinv(joint * np.outer(errors, errors), hermitian=True)
+    return points, information
 
 
 def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter], point: FloatArray) -> FloatArray:
@@ -248,71 +239,52 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
     experiment = Experiment(instance, measurement, (*free, *nuisances))
     slopes = experiment.slopes({**by_name(nuisances, [f.start for f in nuisances]), **values})
     whitened = np.vstack([slope / sensor.noise for slope, sensor in zip(slopes, candidate.sensors, strict=True)])
-    offsets, priors = _offsets(candidate, [slope.shape[0] for slope in slopes])
-    shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], offsets])
+    # Each uncertain offset of a sensor is a column.
+    offsets, row = [np.zeros((len(whitened), 0))], 0
+    for slope, sensor in zip(slopes, candidate.sensors, strict=True):
+        column = np.zeros((len(whitened), 1))
+        column[row : row + len(slope)] = 1.0 / sensor.noise
+        offsets += [column] if sensor.offset > 0.0 else []
+        row += len(slope)
+    priors = [0.0] * len(nuisances) + [sensor.offset**-2 for sensor in candidate.sensors if sensor.offset > 0.0]
+    shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], np.hstack(offsets)])
     information = shared.T @ shared
     if nuisance.shape[1]:
         # Nuisance parameters of different units can be correlated: scale them before the inversion.
         size = np.maximum(np.linalg.norm(nuisance, axis=0), 1e-300)
         unit = nuisance / size
-        inner = unit.T @ unit + np.diag(np.concatenate([np.zeros(len(nuisances)), priors]) / size**2)
+        inner = unit.T @ unit + np.diag(priors / size**2)
         cross = unit.T @ shared
         information = information - cross.T @ np.linalg.pinv(inner, rcond=LOST, hermitian=True) @ cross
     return np.asarray(0.5 * (information + information.T))
 
 
-def _offsets(candidate: TestCandidate, sizes: Sequence[int]) -> tuple[FloatArray, FloatArray]:
-    """Return the sensitivities of all samples to uncertain sensor offsets, and the prior information.
+def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the relative standard errors, (n_points, n_free), and log determinants of the covariance, (n_points,).
 
-    `sizes` is the number of samples of each sensor.
+    `information` is the Fisher information of tests and priors at each point of the priors, (n_points, n_free, n_free).
     """
-    columns, priors = [np.zeros((sum(sizes), 0))], list[float]()
-    first = 0
-    for sensor, size in zip(candidate.sensors, sizes, strict=True):
-        if sensor.offset > 0.0:
-            column = np.zeros((sum(sizes), 1))
-            column[first : first + size] = 1.0 / sensor.noise
-            columns.append(column)
-            priors.append(sensor.offset**-2)
-        first += size
-    return np.hstack(columns), np.array(priors)
-
-
-Information = Sequence[FloatArray]
-"""Fisher information of one test at the start point and at each sample of the priors."""
-
-
-def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, float]:
-    """Return the relative standard error of each parameter, and the log determinant of the covariance."""
     scale = np.array([f.scale for f in plan.free])
     relative = information * np.outer(scale, scale)
     # Scale to a unit diagonal: the variances differ by many orders of magnitude.
-    size = np.sqrt(np.diag(relative))
-    eigenvalues, vectors = np.linalg.eigh(relative / np.outer(size, size))
+    size = np.sqrt(np.diagonal(relative, axis1=1, axis2=2))
+    eigenvalues, vectors = np.linalg.eigh(relative / (size[:, :, np.newaxis] * size[:, np.newaxis]))
     # With priors, all eigenvalues are positive except for rounding errors.
     eigenvalues = np.maximum(eigenvalues, ROUNDING)
-    volume = -float(np.sum(np.log(eigenvalues)) + 2.0 * np.sum(np.log(size)))
-    return np.sqrt(np.sum(vectors**2 / eigenvalues, axis=1)) / size, volume
+    volumes = -(np.sum(np.log(eigenvalues), axis=1) + 2.0 * np.sum(np.log(size), axis=1))
+    return np.sqrt(np.sum(vectors**2 / eigenvalues[:, np.newaxis], axis=2)) / size, volumes
 
 
-def _criterion(
-    plan: DesignPlan, points: Sequence[FloatArray], prior: FloatArray, tests: Sequence[Information]
-) -> float:
-    """Return the criterion of several tests together, as a natural logarithm.
-
-    The criterion is averaged over the parameter values `points`.
-    """
-    scores = []
-    for k in range(len(points)):
-        errors, volume = _errors(plan, prior + sum(information[k] for information in tests))
-        criteria = {"intervals": np.mean(np.log(errors)), "worst": np.log(np.max(errors)), "volume": 0.5 * volume}
-        scores.append(float(criteria[plan.criterion]))
-    return float(np.mean(scores))
+def _criterion(plan: DesignPlan, information: FloatArray) -> float:
+    """Return the natural logarithm of the criterion, averaged over the points of the priors."""
+    errors, volumes = _errors(plan, information)
+    if plan.criterion == "volume":
+        return float(np.mean(0.5 * volumes))
+    logarithms = np.log(errors)
+    return float(np.mean(np.max(logarithms, axis=1) if plan.criterion == "worst" else np.mean(logarithms, axis=1)))
 
 
-def _select_tests(
-    plan: DesignPlan, points: Sequence[FloatArray], prior: FloatArray, informations: Sequence[Information]
-) -> list[int]:
+def _select_tests(plan: DesignPlan, prior: FloatArray, informations: Sequence[FloatArray]) -> list[int]:
     """Return the indices of the recommended tests.
 
     Tests are first added one by one, the best at each time. Single tests are then exchanged while this improves the
@@ -320,7 +292,7 @@ def _select_tests(
     """
 
     def score(tests: Sequence[int]) -> float:
-        return _criterion(plan, points, prior, [informations[k] for k in tests])
+        return _criterion(plan, prior + sum(informations[k] for k in tests))
 
     def add_best(tests: Sequence[int]) -> list[int]:
         return [*tests, min(range(len(informations)), key=lambda k: score([*tests, k]))]
@@ -338,35 +310,9 @@ def _select_tests(
     return selection
 
 
-def _predict(
-    plan: DesignPlan, points: Sequence[FloatArray], prior: FloatArray, tests: Sequence[Information]
-) -> dict[str, Prediction]:
-    scale = np.array([f.scale for f in plan.free])
-    errors = [
-        _errors(plan, prior + sum(information[k] for information in tests))[0] * scale for k in range(len(points))
-    ]
-    largest = np.max(errors, axis=0)
-    rows = zip(plan.free, errors[0], largest, strict=True)
-    return {
-        f.name: Prediction(
-            f.start, f.unit, float(error), float(largest_error), verdict(f, f.start, TWO_SIDED * float(error))
-        )
-        for f, error, largest_error in rows
-    }
-
-
-def _design_notes(
-    plan: DesignPlan, tests: Mapping[str, Mapping[str, Prediction]], together: Mapping[str, Prediction]
-) -> list[Note]:
-    """Return notes on parameters that no test determines, or whose intervals depend on the priors."""
-    remarks = []
-    for f in plan.free:
-        if all(row[f.name].verdict == "not determined" for row in tests.values()):
-            remarks.append(Note("design.by_none", f.name))
-        elif together[f.name].verdict != "determined":
-            code = "design.still_weak" if together[f.name].verdict == "weak" else "design.still_open"
-            remarks.append(Note(code, f.name, percent=100.0 * TWO_SIDED * together[f.name].standard_error / f.scale))
-        if together[f.name].largest > 2.0 * together[f.name].standard_error:
-            times = together[f.name].largest / together[f.name].standard_error
-            remarks.append(Note("design.depends", f.name, times=times))
-    return remarks
+def _predict(plan: DesignPlan, information: FloatArray) -> dict[str, Prediction]:
+    predictions = {}
+    for f, errors in zip(plan.free, _errors(plan, information)[0].T, strict=True):
+        error, largest = f.scale * float(errors[0]), f.scale * float(np.max(errors))
+        predictions[f.name] = Prediction(f.start, f.unit, error, largest, verdict(f, f.start, TWO_SIDED * error))
+    return predictions

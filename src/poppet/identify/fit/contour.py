@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.identify.fit.fit_findings import error_model_of
-from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.search import Optimum, SearchSettings, optimise
-from poppet.identify.free_parameter import FreeParameter, with_starts
-from poppet.identify.result import Result
+from poppet.identify.fit.fit_plan import FitPlan, refit
+from poppet.identify.fit.search import Optimum
+from poppet.identify.free_parameter import FreeParameter
+from poppet.identify.result import Result, mark_interrupted
 from poppet.timeseries.checks import FloatArray
 
 ROWS = COLUMNS = 15
@@ -30,32 +30,19 @@ Fit = Callable[..., Optimum]
 """Fit from a start vector, with `conductance` or `wall` or both fixed at the values of the keyword arguments."""
 
 
-class RowFit(NamedTuple):
-    """Best fit at one fixed wall conductance, which is one row of the contour grid."""
-
-    wall: float
-    optimum: Optimum
-
-
 def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Callable[[str, int, int], Any]) -> Result:
     """Add the chi-square contour, and a note on each connected 95 % region, to a result."""
     conductance_index, wall_index = contour_indices(plan.free)
     conductance_parameter, wall_parameter = plan.free[conductance_index], plan.free[wall_index]
-    spread = error_model_of(plan.experiments, optimum, plan.settings)
+    spread = error_model_of(plan, optimum)
     variance_factor = max(
         spread.variance_factor, *(spread.factor(spread.influences[k]) for k in (conductance_index, wall_index))
     )
-    parameters = {"conductance": conductance_parameter, "wall": wall_parameter}
-    single_start, n_fits = SearchSettings(plan.settings.loss), 0
+    names, n_fits = {"conductance": conductance_parameter.name, "wall": wall_parameter.name}, 0
 
     def fit(start: FloatArray, **fixed: float) -> Optimum:
         nonlocal n_fits
-        fixed_by_name = {parameters[key].name: value for key, value in fixed.items()}
-        fitted = optimise(
-            plan.experiments, with_starts(plan.free, start), single_start, sigmas=optimum.sigmas, fixed=fixed_by_name
-        )
-        if fitted.interrupted:
-            raise KeyboardInterrupt
+        fitted = refit(plan, start, optimum.sigmas, {names[key]: value for key, value in fixed.items()})
         n_fits += 1
         on_progress("places of the contour", n_fits, ROWS * (COLUMNS + 2))
         return fitted
@@ -64,21 +51,30 @@ def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Ca
         wall_error = spread.deviation(spread.influences[wall_index])
         rows = _fit_rows(wall_parameter, optimum, wall_index, wall_error, fit, variance_factor)
         cells = [
-            _fit_columns(row, (conductance_index, wall_index), conductance_parameter, fit, variance_factor)
-            for row in rows
+            _fit_columns(wall, row, (conductance_index, wall_index), conductance_parameter, fit, variance_factor)
+            for wall, row in rows
         ]
     except KeyboardInterrupt:
-        remarks = (*result.remarks, Note("finding.stopped.contour"))
-        return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=remarks)
+        return mark_interrupted(result, Note("finding.stopped.contour"))
     conductances, costs = (np.array([[cell[k] for cell in row] for row in cells]) for k in (0, 1))
-    least_cost = min(optimum.cost, float(np.min(costs)))
-    contour: dict[str, Any] = {"x": conductances, "y": np.array([row.wall for row in rows])}
-    contour["rise"] = 2.0 * (costs - least_cost) / variance_factor
+    contour: dict[str, Any] = {"x": conductances, "y": np.array([wall for wall, _ in rows])}
+    contour["rise"] = 2.0 * (costs - min(optimum.cost, float(np.min(costs)))) / variance_factor
     for axis, parameter in (("x", conductance_parameter), ("y", wall_parameter)):
         contour |= {f"{axis}_name": parameter.name, f"{axis}_unit": parameter.unit}
     contour["best"] = float(optimum.x[conductance_index]), float(optimum.x[wall_index])
-    remarks = (*result.remarks, *_region_notes(contour))
-    return replace(result, remarks=remarks, series={**result.series, "contour": contour})
+    # One note for each connected range of wall conductances in the 95 % confidence region.
+    is_inside = contour["rise"] < LEVELS["95 %"]
+    inside = np.flatnonzero(is_inside.any(axis=1))
+    regions = [region for region in np.split(inside, np.flatnonzero(np.diff(inside) > 1) + 1) if region.size]
+    notes = []
+    for number, region in enumerate(regions, 1):
+        x, y = conductances[region][is_inside[region]], contour["y"][region]
+        facts = {"place": number, "count": len(regions), "other": wall_parameter.name}
+        facts |= {"low": float(x.min()), "high": float(x.max()), "unit": conductance_parameter.unit}
+        facts |= {"wall_low": float(y.min()), "wall_high": float(y.max()), "wall_unit": wall_parameter.unit}
+        code = f"finding.contour.{'one' if len(regions) == 1 else 'several'}"
+        notes.append(Note(code, conductance_parameter.name, **facts))
+    return replace(result, remarks=(*result.remarks, *notes), series={**result.series, "contour": contour})
 
 
 def contour_indices(free: Sequence[FreeParameter]) -> tuple[int, int]:
@@ -106,8 +102,8 @@ def _fit_rows(
     wall_error: float,
     fit: Fit,
     variance_factor: float,
-) -> list[RowFit]:
-    """Fit at each wall conductance of a grid.
+) -> list[tuple[float, Optimum]]:
+    """Fit at each wall conductance of a grid; return pairs of wall conductance and optimum.
 
     The grid is local to the optimum, or global if another region fits equally well.
     """
@@ -118,58 +114,46 @@ def _fit_rows(
     optima = [float(other.x[wall_index]) for other in (optimum, *optimum.others)]
     global_grid = np.unique(np.clip([0.0, *wall_parameter.scale * 10.0**WALL_DECADES, *optima], low, high))
     global_rows = _fit_from_neighbours(global_grid, best, optimum, fit)
-    if local_grid.size >= 3 and not _has_other_region(global_rows, local_grid, optimum.cost, variance_factor):
-        return _fit_from_neighbours(local_grid, best, optimum, fit)
+    # The local grid is sufficient if no 95 % region is outside it, and if chi-square inside it is nearly parabolic:
+    # at most twice the value that a parabola has at the edge.
+    is_sufficient = local_grid.size >= 3
+    for wall, row in global_rows.items():
+        rise, is_local = 2.0 * (row.cost - optimum.cost) / variance_factor, local_grid[0] <= wall <= local_grid[-1]
+        is_sufficient &= not (rise > 2.0 * HALF_WIDTH**2 if is_local else rise < LEVELS["95 %"])
+    if is_sufficient:
+        return sorted(_fit_from_neighbours(local_grid, best, optimum, fit).items())
     # The global grid is coarse: resolve the region of the optimum by one more point on either side.
     quarter = local_grid.size // 4
-    flanks = np.setdiff1d(local_grid[[quarter, -1 - quarter]], [row.wall for row in global_rows])
-    return sorted([*global_rows, *_fit_from_neighbours(flanks, best, optimum, fit)], key=_wall_of)
+    flanks = np.setdiff1d(local_grid[[quarter, -1 - quarter]], [*global_rows])
+    return sorted({**global_rows, **_fit_from_neighbours(flanks, best, optimum, fit)}.items())
 
 
-def _has_other_region(
-    rows: Sequence[RowFit], local_grid: FloatArray, least_cost: float, variance_factor: float
-) -> bool:
-    """Return True if the local grid would omit a 95 % region or distort it.
-
-    `rows` are fits on the global grid. The result is True in two cases. In the first, a wall conductance outside the
-    local grid belongs to the 95 % region. In the second, chi-square inside the local grid exceeds twice the value that
-    a parabola has at the edge of the grid.
-    """
-    for row in rows:
-        rise = 2.0 * (row.optimum.cost - least_cost) / variance_factor
-        is_local = local_grid[0] <= row.wall <= local_grid[-1]
-        if rise > 2.0 * HALF_WIDTH**2 if is_local else rise < LEVELS["95 %"]:
-            return True
-    return False
-
-
-def _wall_of(row: RowFit) -> float:
-    return row.wall
-
-
-def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: Fit) -> list[RowFit]:
-    """Fit at each wall conductance of `walls`, outwards from the optimum.
+def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: Fit) -> dict[float, Optimum]:
+    """Fit at each wall conductance of `walls`, outwards from the optimum; return the optima by wall conductance.
 
     Each fit starts from the result of the neighbour that is closer to the optimum.
     """
-    rows: list[RowFit] = []
+    rows: dict[float, Optimum] = {}
     for branch in (walls[walls >= best], walls[walls < best][::-1]):
         neighbour = optimum
-        for wall in branch:
-            neighbour = fit(neighbour.x, wall=float(wall))
-            rows.append(RowFit(float(wall), neighbour))
-    return sorted(rows, key=_wall_of)
+        for wall in branch.tolist():
+            neighbour = rows[wall] = fit(neighbour.x, wall=wall)
+    return rows
 
 
 def _fit_columns(
-    row: RowFit, pair: tuple[int, int], conductance_parameter: FreeParameter, fit: Fit, variance_factor: float
+    wall: float,
+    row_optimum: Optimum,
+    pair: tuple[int, int],
+    conductance_parameter: FreeParameter,
+    fit: Fit,
+    variance_factor: float,
 ) -> list[tuple[float, float]]:
     """Fit at conductances on both sides of the best fit of a row.
 
     The result contains pairs of conductance and cost.
     """
-    (wall, row_optimum), (conductance_index, _) = row, pair
-    n_parameters = row_optimum.x.size
+    conductance_index, n_parameters = pair[0], row_optimum.x.size
     nuisances = [k for k in range(n_parameters) if k not in pair and row_optimum.active[k] == 0]
     # The last diagonal element of R is the sensitivity to the conductance that the nuisance parameters cannot absorb.
     _, r_factor = np.linalg.qr(row_optimum.jacobian[:, [*nuisances, conductance_index]])
@@ -185,19 +169,3 @@ def _fit_columns(
             neighbour = fit(neighbour.x, conductance=conductance, wall=wall)
             cells[middle + direction * offset] = conductance, neighbour.cost
     return [cells[column] for column in range(COLUMNS)]
-
-
-def _region_notes(contour: dict[str, Any]) -> list[Note]:
-    """Return one note for each connected range of wall conductances in the 95 % confidence region."""
-    is_inside = contour["rise"] < LEVELS["95 %"]
-    rows = np.flatnonzero(is_inside.any(axis=1))
-    regions = [region for region in np.split(rows, np.flatnonzero(np.diff(rows) > 1) + 1) if region.size]
-    code = f"finding.contour.{'one' if len(regions) == 1 else 'several'}"
-    notes = []
-    for number, region in enumerate(regions, 1):
-        conductances, walls = contour["x"][region][is_inside[region]], contour["y"][region]
-        facts = {"place": number, "count": len(regions), "other": contour["y_name"]}
-        facts |= {"low": float(conductances.min()), "high": float(conductances.max()), "unit": contour["x_unit"]}
-        facts |= {"wall_low": float(walls.min()), "wall_high": float(walls.max()), "wall_unit": contour["y_unit"]}
-        notes.append(Note(code, contour["x_name"], **facts))
-    return notes

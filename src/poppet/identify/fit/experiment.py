@@ -97,7 +97,12 @@ class Experiment:
         self._kernel = instance.kernel.observing(rows)
         self.base = self._problem_of(self.instance)
         self.slots = _slots(self.instance, [f for f in self.free if f.role in ("number", "start")])
-        self._sensors = [_sensor(channel, self.grid, self.free) for channel in measurement.channels]
+        self._sensors: list[ChannelSensor] = []
+        for channel in measurement.channels:
+            samples = slice(None) if np.array_equal(self.grid, channel.time) else self.grid.searchsorted(channel.time)
+            names = {f.role: f.name for f in self.free if f.address == channel.address and f.role in ("lag", "offset")}
+            sensor = ChannelSensor(samples, channel.lag or 0.0, names.get("lag", ""), names.get("offset", ""))
+            self._sensors.append(sensor)
         # If parameters change only p and constant inputs, all runs use the same arrays.
         self._rebuilds = None in self.slots.values() or any(
             f.role in ("delay", "dead_time", "input_lag") for f in self.free
@@ -136,35 +141,25 @@ class Experiment:
         return str(self.measurement.name)
 
     @property
-    def brings_slopes(self) -> bool:
-        """True if a run of the model also gives its derivatives, at little extra cost."""
-        return self._lanes is not None
-
-    @property
     def sizes(self) -> list[int]:
         """Number of samples of each channel."""
         return [channel.time.size for channel in self.measurement.channels]
 
     def problem(self, values: Mapping[str, float]) -> Problem:
         """Return the input arrays of a run with the given parameter values."""
-        base = self._rebuilt(values) if self._rebuilds else self.base
+        base = self.base
+        if self._rebuilds:
+            # Inputs or dependent parameters change: compute the arrays again from the circuit.
+            delays = {f.address: values[f.name] for f in self.free if f.role == "delay"}
+            delays |= {f.address: -values[f.name] for f in self.free if f.role == "dead_time"}
+            lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
+            slow = {f.address: values[f.name] for f in self.free if f.name in self.slots and self.slots[f.name] is None}
+            instance = self.instance.with_values(slow) if slow else self.instance
+            driven = driving_signals(self.measurement, delays, lags)
+            base = self._problem_of(instance.with_signals({**instance.signals, **driven}))
         p, coefficients = base.p.copy(), base.coefficients.copy()
         self._write(values, p, coefficients)
         return dataclasses.replace(base, p=p, x0=base.kernel.start(p), coefficients=coefficients)
-
-    def _rebuilt(self, values: Mapping[str, float]) -> Problem:
-        """Return the input arrays of a run, computed again from the circuit.
-
-        This is necessary if inputs or dependent parameters change.
-        """
-        delays = {f.address: values[f.name] for f in self.free if f.role == "delay"}
-        delays |= {f.address: -values[f.name] for f in self.free if f.role == "dead_time"}
-        lags = {f.address: values[f.name] for f in self.free if f.role == "input_lag"}
-        slow = {f.address: values[f.name] for f in self.free if f.name in self.slots and self.slots[f.name] is None}
-        instance = self.instance.with_values(slow) if slow else self.instance
-        return self._problem_of(
-            instance.with_signals({**instance.signals, **driving_signals(self.measurement, delays, lags)})
-        )
 
     def _problem_of(self, instance: Instance) -> Problem:
         return dataclasses.replace(instance.problem(self.run), grid=self.grid, kernel=self._kernel)
@@ -230,12 +225,6 @@ class Experiment:
         lag = values[sensor.free_lag] if sensor.free_lag else sensor.lag
         return apply_lag(self.grid, series, lag)[..., sensor.places]
 
-    def outputs_and_slopes(
-        self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE
-    ) -> tuple[list[FloatArray], list[FloatArray]]:
-        """Return the modelled channels and their derivatives by the free parameters."""
-        return self.outputs(values), self.slopes(values, width)
-
     def slopes(self, values: Mapping[str, float], width: float = SAMPLED_DIFFERENCE) -> list[FloatArray]:
         """Return the derivatives of the modelled channels by the free parameters, (n_samples, n_free) each.
 
@@ -246,71 +235,54 @@ class Experiment:
         slopes = [np.empty((size, len(self.free)), order="F") for size in self.sizes]
         remaining = [(k, f) for k, f in enumerate(self.free) if len(tables) == 1 or f.name not in self.slots]
         if len(tables) > 1:
-            self._write_slopes(values, tables, steps, slopes)
+            # Runs that were computed together contain the differences.
+            columns = [k for k, f in enumerate(self.free) if f.name in self.slots]
+            for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
+                sensed = self._sense(series, sensor, values)
+                differences = np.subtract(sensed[1:], sensed[0], out=None if remaining else slope.T)
+                differences /= steps[:, np.newaxis]
+                if remaining:
+                    slope.T[columns] = differences
         whole_run_slopes = self._wide_slopes([f for _, f in remaining], values, width)
         base = self._channels(tables[0], values) if remaining else []
         for k, f in remaining:
-            columns = whole_run_slopes.get(f.name) or self._difference_quotient(f, values, base, repeated, tables[0])
-            for slope, column in zip(slopes, columns, strict=True):
+            quotients = whole_run_slopes.get(f.name)
+            if quotients is None:
+                step, table = _difference_step(f, values), tables[0]
+                shifted_values = {**values, f.name: values[f.name] + step}
+                if f.role not in ("lag", "offset"):
+                    # Run with one shifted parameter over the steps of the base run.
+                    assert repeated is not None
+                    if not repeated.is_scripted:
+                        table = RepeatedCall(self.problem(shifted_values), repeated.script).run()
+                    elif self.slots[f.name] is None:
+                        table = RepeatedCall(self.problem(shifted_values), repeated.script).replay()
+                    else:
+                        self._write(shifted_values, repeated.p, repeated.coefficients)
+                        table = repeated.replay()
+                shifted = self._channels(table, shifted_values)
+                quotients = [(a - b) / step for a, b in zip(shifted, base, strict=True)]
+            for slope, column in zip(slopes, quotients, strict=True):
                 slope[:, k] = column
         return slopes
-
-    def _write_slopes(
-        self, values: Mapping[str, float], tables: FloatArray, steps: FloatArray, slopes: list[FloatArray]
-    ) -> None:
-        """Write derivatives into `slopes`, from the differences of runs that were computed together."""
-        columns = [k for k, f in enumerate(self.free) if f.name in self.slots]
-        for series, sensor, slope in zip(tables.swapaxes(0, 1), self._sensors, slopes, strict=True):
-            sensed = self._sense(series, sensor, values)
-            differences = np.subtract(sensed[1:], sensed[0], out=slope.T if len(columns) == len(self.free) else None)
-            differences /= steps[:, np.newaxis]
-            if len(columns) < len(self.free):
-                slope.T[columns] = differences
-
-    def _difference_quotient(
-        self,
-        f: FreeParameter,
-        values: Mapping[str, float],
-        base: list[FloatArray],
-        repeated: RepeatedCall | None,
-        table: FloatArray,
-    ) -> list[FloatArray]:
-        step = _difference_step(f, values)
-        shifted_values = {**values, f.name: values[f.name] + step}
-        if f.role not in ("lag", "offset"):
-            # Run with one shifted parameter over the steps of the base run.
-            assert repeated is not None
-            if not repeated.is_scripted:
-                table = RepeatedCall(self.problem(shifted_values), repeated.script).run()
-            elif self.slots[f.name] is None:
-                table = RepeatedCall(self.problem(shifted_values), repeated.script).replay()
-            else:
-                self._write(shifted_values, repeated.p, repeated.coefficients)
-                table = repeated.replay()
-        return [(a - b) / step for a, b in zip(self._channels(table, shifted_values), base, strict=True)]
-
-    def _difference_ends(
-        self, f: FreeParameter, values: Mapping[str, float], width: float
-    ) -> tuple[float, float] | None:
-        """Return the two values of a parameter between which a central difference of whole runs is computed.
-
-        Values of parameters are limited to their bounds. Delays are not limited, because an input can be recorded early
-        or late. The result is None for a parameter that does not need whole runs.
-        """
-        value = values[f.name]
-        if f.role in ("delay", "dead_time", "input_lag"):
-            step = DELAY_STEP * float(self.grid[-1])
-            return value - step, value + step
-        if f.role in ("number", "start") and self.samples:
-            step = width * max(abs(value), 0.1 * f.scale)
-            return max(value - step, f.low), min(value + step, f.high)
-        return None
 
     def _wide_slopes(
         self, free: Sequence[FreeParameter], values: Mapping[str, float], width: float
     ) -> dict[str, list[FloatArray]]:
-        """Return derivatives from central differences of whole runs, for the parameters that need them."""
-        pairs = {f.name: pair for f in free if (pair := self._difference_ends(f, values, width))}
+        """Return derivatives from central differences of whole runs, for the parameters that need them.
+
+        Values of parameters are limited to their bounds. Delays are not limited, because an input can be recorded early
+        or late.
+        """
+        pairs: dict[str, tuple[float, float]] = {}
+        for f in free:
+            value = values[f.name]
+            if f.role in ("delay", "dead_time", "input_lag"):
+                step = DELAY_STEP * float(self.grid[-1])
+                pairs[f.name] = value - step, value + step
+            elif f.role in ("number", "start") and self.samples:
+                step = width * max(abs(value), 0.1 * f.scale)
+                pairs[f.name] = max(value - step, f.low), min(value + step, f.high)
         if not pairs:
             return {}
         trials = [{**values, name: value} for name, pair in pairs.items() for value in pair]
@@ -405,12 +377,6 @@ def _grid(measurement: Measurement, has_lag: bool) -> FloatArray:
     return grid
 
 
-def _sensor(channel: Channel, grid: FloatArray, free: Sequence[FreeParameter]) -> ChannelSensor:
-    rows = slice(None) if np.array_equal(grid, channel.time) else np.searchsorted(grid, channel.time)
-    names = {f.role: f.name for f in free if f.address == channel.address and f.role in ("lag", "offset")}
-    return ChannelSensor(rows, channel.lag or 0.0, names.get("lag", ""), names.get("offset", ""))
-
-
 def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
     """Return the location of each free parameter in the arrays of a run, by name.
 
@@ -419,7 +385,14 @@ def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple
     The value of the mapping is None for a parameter on which other parameters depend.
     """
     inputs, values = instance.model.inputs, instance.parameters
-    tied = instance.tied({f.address: _probe(f, values[f.address]) for f in free if f.address in values})
+    probes: dict[str, float] = {}
+    for f in free:
+        if f.address in values:
+            # Differ slightly from the present value, within the bounds.
+            value = values[f.address]
+            probe = value * (1.0 + 1e-6) if value else 1e-6 * f.scale
+            probes[f.address] = probe if f.low <= probe <= f.high else value * (1.0 - 1e-6)
+    tied = instance.tied(probes)
     # A delay moves breakpoints: the segments of its input must be computed again.
     tied |= {item.delay for item in inputs}
     slots: dict[str, tuple[int, list[int]] | None] = {}
@@ -427,9 +400,3 @@ def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple
         driven = [k for k, i in enumerate(inputs) if i.default == f.address and i.name not in instance.signals]
         slots[f.name] = (instance.place(f.address), driven) if f.address in values and f.address not in tied else None
     return slots
-
-
-def _probe(f: FreeParameter, value: float) -> float:
-    """Return a value of a free parameter that differs slightly from its present value, within the bounds."""
-    probe = value * (1.0 + 1e-6) if value else 1e-6 * f.scale
-    return probe if f.low <= probe <= f.high else value * (1.0 - 1e-6)

@@ -13,11 +13,10 @@ from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.tables import Field
-from poppet.core.units import convert
-from poppet.identify.fit.experiment import Experiment, start_values
+from poppet.identify.fit.experiment import start_values
 from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
 from poppet.identify.fit.fit_series import driving_signals
-from poppet.identify.fit.identify_fit import Progress, run_fit
+from poppet.identify.fit.identify_fit import Progress, identify_fit
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
@@ -85,10 +84,25 @@ class FitResult(Result, Generic[CircuitT]):
         -------
         FitResult
         """
-        circuits = {e.name: _circuit_of(circuit, e, result) for e in (*plan.experiments, *plan.validation)}
+        circuits: dict[str, CircuitT] = {}
+        for e in (*plan.experiments, *plan.validation):
+            values: dict[str, Any] = {a: n for a, n in result.values().items() if a in circuit.numbers()}
+            values |= start_values(e.measurement, e.instance)
+            shifts: dict[str, dict[str, float]] = {"delay": {}, "input_lag": {}}
+            for parameter in e.free:
+                estimate = result.parameters[parameter.name]
+                if parameter.role in shifts:
+                    shifts[parameter.role][parameter.address] = estimate.value
+                elif parameter.role == "start":
+                    values[parameter.address] = fitted_number(estimate, result.title)
+            fitted = circuit.with_values(values)
+            if fitted.run.duration is None:
+                fitted = fitted.with_values({"run.duration": float(e.grid[-1])})
+            driven = driving_signals(e.measurement, shifts["delay"], shifts["input_lag"])
+            signals = {**fitted.signals, **driven}
+            circuits[e.name] = dataclasses.replace(fitted, signals=signals, like=fitted) if driven else fitted
         fitted = circuits[plan.experiments[0].name] if len(circuits) == 1 else circuit.with_values(result.values())
-        content = {item.name: getattr(result, item.name) for item in dataclasses.fields(Result)}
-        return FitResult(**content, circuit=fitted, circuits=circuits)
+        return FitResult(**vars(result), circuit=fitted, circuits=circuits)
 
 
 def fit_circuit(
@@ -120,7 +134,7 @@ def fit_circuit(
         free = {address: {} for address in ([free] if isinstance(free, str) else free)}
     tables = {a: dict(value) if isinstance(value, Mapping) else {"start": value} for a, value in free.items()}
     reader = _RecordingReader(circuit, outputs, start or {}, noise or {}, offsets or {}, hold)
-    measurements = reader.read_all(_by_name(recordings, circuit))
+    measurements = reader.read_all(recordings)
     names = [measurement.name for measurement in measurements]
     for name in (name for name in validation if name not in names):
         near = NameSuggestion(name, names)
@@ -136,14 +150,19 @@ def fit_circuit(
                 parameters.append(read_free(address, limits[address], circuit, where=address))
     circuits = [circuit] * len(measurements)
     parameters += recording_parameters(measurements, circuits, roles, limits)
-    parameters += reader.offset_parameters(measurements, roles)
+    parameters += [
+        offset_parameter(measurement.name, channel, reader.offset_prior(channel))
+        for measurement, role in zip(measurements, roles, strict=True)
+        for channel in measurement.channels
+        if role == "fit" and channel.address in reader.offsets
+    ]
     if not parameters:
         raise InputError("fit.nothing_free", "free")
     settings = SearchSettings(loss, starts, seed, kicks)
     plan = plan_fit(
         circuits, measurements, roles, parameters, settings=settings, title=circuit.title if title is None else title
     )
-    result = run_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
+    result = identify_fit(plan, profile=profile, repeats=bootstrap, contour=contour, progress=progress, stages=stages)
     return FitResult.of(result, circuit, plan)
 
 
@@ -157,7 +176,8 @@ def _add_limits(
     for argument, keys, pairs in (("bounds", ("min", "max"), bounds), ("priors", ("mean", "sd"), priors)):
         for address, pair in pairs.items():
             if address not in tables:
-                errors.add("fit.not_free", f"{argument}.{address}", near=NameSuggestion(address, tables))
+                near = NameSuggestion(address, tables)
+                errors.add("names.unknown", f"{argument}.{address}", meaning="a free parameter", near=near)
                 continue
             if not isinstance(pair, Mapping) and (isinstance(pair, str) or not isinstance(pair, Sequence)):
                 errors.add("fit.no_pair", f"{argument}.{address}", value=pair, first=keys[0], second=keys[1])
@@ -165,37 +185,6 @@ def _add_limits(
             table = pair if isinstance(pair, Mapping) else dict(zip(keys, pair, strict=False))
             fields = {key: value for key, value in table.items() if value is not None}
             tables[address].update(fields if argument == "bounds" else {"prior": fields})
-
-
-def _by_name(recordings: Data | Mapping[str, Data], circuit: BaseCircuit) -> dict[str, Data]:
-    """Return the recordings by name; a single one is called `recording`."""
-    if not isinstance(recordings, Mapping):
-        return {"recording" if "recording" not in circuit.parts else "measured": recordings}
-    if not recordings:
-        raise InputError("fit.no_recordings", "recordings")
-    for name in recordings:
-        if not isinstance(name, str) or name in circuit.parts or "." in name:
-            raise InputError("fit.recording_name", f"recordings.{name}", name=name)
-    return dict(recordings)
-
-
-def _circuit_of(circuit: CircuitT, experiment: Experiment, result: Result) -> CircuitT:
-    """Return the circuit with the fitted values, and with inputs and start values of a recording."""
-    measurement = experiment.measurement
-    values: dict[str, Any] = {a: n for a, n in result.values().items() if a in circuit.numbers()}
-    values |= start_values(measurement, experiment.instance)
-    shifts: dict[str, dict[str, float]] = {"delay": {}, "input_lag": {}}
-    for parameter in experiment.free:
-        estimate = result.parameters[parameter.name]
-        if parameter.role in shifts:
-            shifts[parameter.role][parameter.address] = estimate.value
-        elif parameter.role == "start":
-            values[parameter.address] = fitted_number(estimate, result.title)
-    fitted = circuit.with_values(values)
-    if fitted.run.duration is None:
-        fitted = fitted.with_values({"run.duration": float(experiment.grid[-1])})
-    driven = driving_signals(measurement, shifts["delay"], shifts["input_lag"])
-    return dataclasses.replace(fitted, signals={**fitted.signals, **driven}, like=fitted) if driven else fitted
 
 
 class _RecordingReader:
@@ -216,14 +205,24 @@ class _RecordingReader:
         self.inputs = {a: item for a, item in circuit.inputs.items() if a in circuit.instance.input_names}
         self.inputs = {address: item for address, item in self.inputs.items() if not item.slope_of}
 
-    def read_all(self, recordings: Mapping[str, Data]) -> list[Measurement]:
+    def read_all(self, recordings: Data | Mapping[str, Data]) -> list[Measurement]:
         """Return all recordings as measurements, after a check of the addresses in the arguments.
+
+        A single recording without a name is called `recording`.
 
         Raises
         ------
         InputErrors
             With all errors of all recordings.
         """
+        parts = self.circuit.parts
+        if not isinstance(recordings, Mapping):
+            recordings = {"recording" if "recording" not in parts else "measured": recordings}
+        if not recordings:
+            raise InputError("fit.no_recordings", "recordings")
+        for name in recordings:
+            if not isinstance(name, str) or name in parts or "." in name:
+                raise InputError("fit.recording_name", f"recordings.{name}", name=name)
         measurements: list[Measurement] = []
         with ErrorCollector() as errors:
             for address in self.selected or ():
@@ -241,7 +240,8 @@ class _RecordingReader:
         with ErrorCollector() as errors:
             for argument, keys in (("outputs", self.selected or ()), ("noise", self.noise), ("offsets", self.offsets)):
                 for address in (address for address in keys if address not in compared):
-                    errors.add("fit.not_recorded", f"{argument}.{address}", near=NameSuggestion(address, compared))
+                    near = NameSuggestion(address, compared)
+                    errors.add("names.unknown", f"{argument}.{address}", meaning="a compared series", near=near)
             for measurement in measurements:
                 recorded = {item.address for item in measurement.inputs} | self.circuit.signals.keys()
                 for address in sorted(driving - recorded):
@@ -255,17 +255,9 @@ class _RecordingReader:
                         )  # fmt: skip
         return measurements
 
-    def offset_parameters(self, measurements: Sequence[Measurement], roles: Sequence[str]) -> list[FreeParameter]:
-        """Return the free offsets of the sensors of the fitted recordings."""
-        return [
-            offset_parameter(measurement.name, channel, self._offset_prior(channel))
-            for measurement, role in zip(measurements, roles, strict=True)
-            for channel in measurement.channels
-            if role == "fit" and channel.address in self.offsets
-        ]
-
-    def _offset_prior(self, channel: Channel) -> NormalPrior | None:
-        prior = self.offsets[channel.address]
+    def offset_prior(self, channel: Channel) -> NormalPrior | None:
+        """Return the prior of the offset of a sensor, or None for an offset that is free or not given."""
+        prior = self.offsets.get(channel.address, "free")
         if prior == "free":
             return None
         pair = (0.0, prior) if isinstance(prior, str | int | float) else tuple(prior)
@@ -288,26 +280,13 @@ class _RecordingReader:
             ambient_pressure = self.circuit.surroundings.pressure
         if not table.columns[0].size:
             raise InputError("fit.no_rows", location)
-        compared, omitted = self._compared(table, internal, location)
-        fields: dict[str, Any] = {"time": {"column": 0, "unit": table.units[0]}}
-        with ErrorCollector() as errors:
-            for address in compared:
-                with errors.collecting():
-                    unit = self._unit(table, address, self.outputs[address], location)
-                    fields[address] = {"column": table.names.index(address), "unit": unit}
-                if address in self.noise:
-                    fields[address]["noise"] = self.noise[address]
-            inputs = {}
-            for address in self._driving(table):
-                with errors.collecting():
-                    unit = self._unit(table, address, self.inputs[address].unit, location)
-                    inputs[address] = {"column": table.names.index(address), "unit": unit, "hold": self.hold}
+        fields, omitted = self._fields(table, internal, location)
         shared = {address: value for address, value in self.start.items() if address not in recordings}
-        fields |= {"inputs": inputs, "start": shared | dict(self.start.get(name, {}))}
+        fields["start"] = shared | dict(self.start.get(name, {}))
         measurement = read_measurement(name, fields, Path(), ambient_pressure=ambient_pressure, source=table)
         channels = []
         for channel in measurement.channels:
-            prior = self._offset_prior(channel) if channel.address in self.offsets else None
+            prior = self.offset_prior(channel)
             channels.append(dataclasses.replace(channel, offset=prior.sd) if prior else channel)
         notes = [note for note in table.notes if note.code.partition(".")[0] in CARRIED]
         notes += [Note("fit.not_compared", names=tuple(omitted))] if omitted else []
@@ -319,58 +298,47 @@ class _RecordingReader:
             findings=(*doubts, *measurement.findings),
         )
 
-    def _compared(self, table: Table, internal: set[str], location: str) -> tuple[list[str], list[str]]:
-        """Return the addresses of the series to compare, and those that are omitted.
+    def _fields(self, table: Table, internal: set[str], location: str) -> tuple[dict[str, Any], list[str]]:
+        """Return the fields that describe the channels and inputs of a recording, and the omitted series.
 
         Only a default selection omits series.
         """
-        recorded = dict(zip(table.names[1:], table.columns[1:], strict=True))
+        recorded, omitted = dict(zip(table.names[1:], table.columns[1:], strict=True)), list[str]()
         if self.selected is not None:
             compared = [address for address in self.selected if address in recorded]
             if not compared:
                 raise InputError("fit.no_series", location, near=NameSuggestion(self.selected[0], recorded))
-            return compared, []
-        valid = (*self.outputs, *self.inputs)
-        with ErrorCollector() as errors:
-            for address in recorded:
-                if address not in valid:
-                    errors.add("fit.unknown_series", f"{location}.{address}", near=NameSuggestion(address, valid))
-        candidates = [address for address in recorded if address not in self.inputs]
-        finite = {address: recorded[address][np.isfinite(recorded[address])] for address in candidates}
-        varying = [a for a in candidates if a not in internal and (finite[a].size == 0 or np.ptp(finite[a]) > 0.0)]
-        compared = [a for a in varying if a.rpartition(".")[2].rpartition("_")[2] not in DISCRETE] or candidates
-        if not compared:
-            raise InputError("fit.no_series", location, near=NameSuggestion("", self.outputs))
-        return compared, [address for address in candidates if address not in compared]
-
-    def _driving(self, table: Table) -> list[str]:
-        """Return the addresses of the recorded inputs of the circuit.
-
-        Inputs that equal their constant value in the circuit are omitted.
-        """
-        driving = []
-        for address, column, unit in zip(table.names[1:], table.columns[1:], table.units[1:], strict=True):
-            if address not in self.inputs:
-                continue
-            default = self.inputs[address].default
+        else:
+            valid = (*self.outputs, *self.inputs)
+            with ErrorCollector() as errors:
+                for address in recorded:
+                    if address not in valid:
+                        errors.add("fit.unknown_series", f"{location}.{address}", near=NameSuggestion(address, valid))
+            candidates = [address for address in recorded if address not in self.inputs]
+            finite = {address: recorded[address][np.isfinite(recorded[address])] for address in candidates}
+            varying = [a for a in candidates if a not in internal and (finite[a].size == 0 or np.ptp(finite[a]) > 0.0)]
+            compared = [a for a in varying if a.rpartition(".")[2].rpartition("_")[2] not in DISCRETE] or candidates
+            if not compared:
+                raise InputError("fit.no_series", location, near=NameSuggestion("", self.outputs))
+            omitted = [address for address in candidates if address not in compared]
+        # A column without a unit has the SI unit of the circuit.
+        units = dict(zip(table.names, table.units, strict=True))
+        fields: dict[str, Any] = {"time": {"column": 0, "unit": units["time"]}, "inputs": {}}
+        for address in compared:
+            unit = units[address] or self.outputs[address]
+            fields[address] = {"column": table.names.index(address), "unit": unit}
+            if address in self.noise:
+                fields[address]["noise"] = self.noise[address]
+        for address in (address for address in recorded if address in self.inputs):
+            default, unit = self.inputs[address].default, self.inputs[address].unit
             if isinstance(default, str):
                 default = self.circuit.parameters[f"{address.partition('.')[0]}.{default}"]
-            is_si = unit in ("", self.inputs[address].unit)
-            if address in self.circuit.signals or not is_si or not np.all(column == default):
-                driving.append(address)
-        return driving
-
-    def _unit(self, table: Table, address: str, unit: str, location: str) -> str:
-        """Return the unit of a column.
-
-        If the column has no unit, the result is the SI unit of the circuit, `unit`.
-        """
-        written = table.units[table.names.index(address)] or unit
-        try:
-            convert(1.0, written, unit)
-        except InputError as error:
-            raise error.at(f"{location}.{address}") from None
-        return written
+            is_default = units[address] in ("", unit) and np.all(recorded[address] == default)
+            # Omit an input that equals its constant value in the circuit.
+            if address in self.circuit.signals or not is_default:
+                column = {"column": table.names.index(address), "unit": units[address] or unit, "hold": self.hold}
+                fields["inputs"][address] = column
+        return fields, omitted
 
 
 def _frame_table(frame: DataFrame, location: str) -> Table:

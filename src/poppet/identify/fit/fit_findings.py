@@ -2,18 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from poppet.core.codes import Note
-from poppet.identify.fit.experiment import Experiment, FittedChannel, channels_of
+from poppet.identify.fit.experiment import channels_of
+from poppet.identify.fit.fit_plan import LARGEST_OFFSET, SURELY, FitPlan
 from poppet.identify.fit.residuals import correlation_time, is_white, staircase
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import ChannelFit, ErrorModel, SensorLimits, channel_fits
-from poppet.identify.free_parameter import FreeParameter, by_name, with_starts
+from poppet.identify.free_parameter import by_name, with_starts
 from poppet.identify.result import Estimate, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import noise_of
@@ -32,19 +33,13 @@ TOLD, VISIBLE = 0.1, 0.4
 LOCAL = 1.5
 """Factor on an interval above which a local lack of fit is reported."""
 LOST = ("at bound", "not determined")
-LARGEST_OFFSET = 0.1
-"""Largest offset of a sensor without a stated offset, as a fraction of the range of the recording."""
-SURELY = 3.0
-"""Largest offset of a sensor, in stated standard deviations."""
 
 
 @dataclass(frozen=True)
 class CompletedFit:
     """Completed fit with optimum, error model and estimates."""
 
-    experiments: Sequence[Experiment]  # recordings that were fitted, with their models
-    free: tuple[FreeParameter, ...]
-    settings: SearchSettings
+    plan: FitPlan
     optimum: Optimum
     spread: ErrorModel  # error model of the estimates
     channels: Sequence[ChannelFit]  # all channels with their models, in the order of the residuals
@@ -53,12 +48,30 @@ class CompletedFit:
     @property
     def values(self) -> dict[str, float]:
         """Mapping from the name of each free parameter to its fitted value."""
-        return by_name(self.free, self.optimum.x)
+        return by_name(self.plan.free, self.optimum.x)
 
 
 def finding_notes(fit: CompletedFit) -> list[Note]:
-    """Return all findings of a fit, the most important first."""
-    return [*replace_uncertain_findings((note for collect in COLLECTORS for note in collect(fit)), fit.estimates)]
+    """Return all findings of a fit, the most important first.
+
+    `critical_ratio_notes` is not included, because it needs further searches.
+    """
+    experiments = fit.plan.experiments
+    sampled = tuple(e.name for e in experiments if e.samples)
+    notes = [
+        *([Note("finding.interrupted")] if fit.optimum.interrupted else []),
+        *(note.within(e.name) for e in experiments for note in e.measurement.findings),
+        *offset_notes(fit),
+        *local_misfit_notes(fit),
+        *([Note("finding.sampled", recordings=sampled)] if sampled else []),
+        *gauge_reference_notes(fit),
+        *choking_notes(fit),
+        *correlation_notes(fit),
+        *parameter_notes(fit),
+        *residual_notes(fit),
+        *(note.within(e.name) for e in experiments for note in e.measurement.notes),
+    ]
+    return [*replace_uncertain_findings(notes, fit.estimates)]
 
 
 # The fit as a whole -----------------------------------------------------------------------------------------------
@@ -85,19 +98,6 @@ def unexplained_note(channels: Sequence[ChannelFit]) -> Note | None:
     return Note("finding.unexplained.constant", best.name, rms=summary.rms, unit=summary.unit)
 
 
-def interruption_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield a note if the user interrupted the search."""
-    if fit.optimum.interrupted:
-        yield Note("finding.interrupted")
-
-
-def sampling_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield a note on the limited validity of confidence intervals for sampled circuits."""
-    names = tuple(e.name for e in fit.experiments if e.samples)
-    if names:
-        yield Note("finding.sampled", recordings=names)
-
-
 # Residuals --------------------------------------------------------------------------------------------------------
 
 
@@ -105,7 +105,7 @@ def offset_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield a note on each channel with a significant offset, with its effect on the intervals."""
     for offset in fit.spread.offsets:
         growth = {}
-        for f, pull in zip(fit.free, fit.spread.influences, strict=True):
+        for f, pull in zip(fit.plan.free, fit.spread.influences, strict=True):
             error_without_offset = fit.spread.deviation(pull, offsets=())
             error_with_offset = fit.spread.deviation(pull, offsets=(offset,))
             if 0.0 < error_without_offset < np.inf and error_with_offset >= (1.0 + TOLD) * error_without_offset:
@@ -129,7 +129,7 @@ def offset_notes(fit: CompletedFit) -> Iterator[Note]:
 
 def local_misfit_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield a note on parameters that depend mainly on samples with a large lack of fit."""
-    pairs = zip(fit.free, fit.spread.influences, strict=True)
+    pairs = zip(fit.plan.free, fit.spread.influences, strict=True)
     names = tuple(f.name for f, pull in pairs if fit.spread.is_local(pull, LOCAL))
     if names:
         yield Note("finding.local", names=names)
@@ -157,32 +157,29 @@ def residual_findings(name: str, residual: FloatArray, sigma: float, unit: str) 
 
 def residual_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield notes on channels whose residuals are not white noise."""
-    for fitted, sigma in zip(channels_of(fit.experiments), fit.optimum.sigmas, strict=True):
+    for fitted, sigma in zip(channels_of(fit.plan.experiments), fit.optimum.sigmas, strict=True):
         yield from residual_findings(fitted.name, fit.optimum.residual[fitted.rows], sigma, fitted.channel.unit)
 
 
-def error_model_of(experiments: Sequence[Experiment], optimum: Optimum, settings: SearchSettings) -> ErrorModel:
+def error_model_of(plan: FitPlan, optimum: Optimum) -> ErrorModel:
     """Return the error model of a fit, with the variance factor averaged over all samples."""
-    channels = channels_of(experiments)
-    residuals_by_channel = [optimum.residual[fitted.rows] for fitted in channels]
-    variance_factors = [widening_of(piece) for piece in residuals_by_channel]
-    sizes = [fitted.channel.time.size for fitted in channels]
-    gauges = [_sensor_limits(*fitted) for fitted in zip(channels, residuals_by_channel, optimum.sigmas, strict=True)]
-    return ErrorModel(optimum, sizes, float(np.average(variance_factors, weights=sizes)), settings.loss, gauges)
-
-
-def _sensor_limits(fitted: FittedChannel, residual: FloatArray, sigma: float) -> SensorLimits:
-    """Return the resolution and the largest possible offset of the sensor of a channel."""
-    stated, span = fitted.channel.offset, float(np.ptp(fitted.channel.values))
-    # A constant reading gives no limit.
-    largest = SURELY * stated if stated is not None else LARGEST_OFFSET * span or np.inf
-    values, quantum = fitted.channel.values, fitted.channel.quantum
-    if not quantum > 0.0:
-        return SensorLimits(None, largest / sigma)
-    # Both contain the rounding; only the residuals contain a lack of fit.
-    total_noise = min(noise_of(values, fitted.channel.time), sigma * float(np.sqrt(np.mean(residual**2))))
-    noise = float(np.sqrt(max(0.0, total_noise**2 - quantum**2 / 12.0)))
-    return SensorLimits(staircase(values / sigma + residual, quantum / sigma, noise / sigma), largest / sigma)
+    variance_factors, sizes, gauges = [], [], []
+    for (_, channel, rows), sigma in zip(channels_of(plan.experiments), optimum.sigmas, strict=True):
+        residual, quantum = optimum.residual[rows], channel.quantum
+        variance_factors.append(widening_of(residual))
+        sizes.append(channel.time.size)
+        # A constant reading gives no limit on the offset of the sensor.
+        range_limit = LARGEST_OFFSET * float(np.ptp(channel.values)) or np.inf
+        largest = range_limit if channel.offset is None else SURELY * channel.offset
+        steps = None
+        if quantum > 0.0:
+            # Both contain the rounding; only the residuals contain a lack of fit.
+            total_noise = min(noise_of(channel.values, channel.time), sigma * float(np.sqrt(np.mean(residual**2))))
+            noise = float(np.sqrt(max(0.0, total_noise**2 - quantum**2 / 12.0)))
+            steps = staircase(channel.values / sigma + residual, quantum / sigma, noise / sigma)
+        gauges.append(SensorLimits(steps, largest / sigma))
+    mean_factor = float(np.average(variance_factors, weights=sizes))
+    return ErrorModel(optimum, sizes, mean_factor, plan.settings.loss, gauges)
 
 
 # Numbers ----------------------------------------------------------------------------------------------------------
@@ -190,7 +187,7 @@ def _sensor_limits(fitted: FittedChannel, residual: FloatArray, sigma: float) ->
 
 def parameter_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield notes on parameters that are at a bound, did not change, or are not determined."""
-    for f in fit.free:
+    for f in fit.plan.free:
         e = fit.estimates[f.name]
         is_low = e.value <= f.low + 1e-6 * f.scale
         cases = {
@@ -207,12 +204,12 @@ def parameter_notes(fit: CompletedFit) -> Iterator[Note]:
 
 def choking_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield notes on critical ratios of flow paths whose flow is always choked or never choked."""
-    for f in fit.free:
+    for f in fit.plan.free:
         owner, _, local = f.address.rpartition(".")
         if local != "critical_ratio":
             continue
         regimes = np.zeros(0)
-        for experiment in fit.experiments:
+        for experiment in fit.plan.experiments:
             run, outputs = experiment.all_outputs(fit.values)
             if f"{owner}.regime" in outputs:
                 regimes = np.append(regimes, run.values[outputs.index(f"{owner}.regime")])
@@ -231,35 +228,34 @@ def gauge_reference_notes(fit: CompletedFit) -> Iterator[Note]:
     Tanks that are evacuated at the start and circuits with a vacuum are excluded.
     """
     undetermined = [
-        f.name for f in fit.free if f.address.endswith(".critical_ratio") and fit.estimates[f.name].verdict in LOST
+        f.name for f in fit.plan.free if f.address.endswith(".critical_ratio") and fit.estimates[f.name].verdict in LOST
     ]
-    pressures = [(e, c) for e in fit.experiments for c in e.measurement.channels if c.unit == "Pa"]
+    pressures = [(e, c) for e in fit.plan.experiments for c in e.measurement.channels if c.unit == "Pa"]
     for e, channel in pressures if undetermined else []:
         floor, ambient = float(np.min(channel.values)), float(e.measurement.ambient_pressure)
         is_said = any(
             (note.code, note.address) == ("suspicion.read_as_absolute", channel.address)
             for note in e.measurement.findings
         )
-        is_low = floor < BELOW * ambient and not is_evacuated(channel.values, ambient) and not _has_vacuum(e)
-        if is_low and not is_said:
+        is_low = floor < BELOW * ambient and not is_evacuated(channel.values, ambient)
+        # A circuit with a vacuum has a fixed pressure far below the ambient pressure.
+        unknown = {f.address for f in e.free}
+        unknown |= {address for address, start in e.measurement.start.items() if start in ("first", "free")}
+        has_vacuum = any(
+            value < BELOW * ambient
+            for a, value in e.instance.parameters.items()
+            if a not in unknown and a.endswith((".pressure", ".initial_pressure"))
+        )
+        if is_low and not is_said and not has_vacuum:
             number, verdict = undetermined[0], fit.estimates[undetermined[0]].verdict
             facts = {"floor": 1e-5 * floor, "ambient": 1e-5 * ambient, "number": number, "verdict": verdict}
             yield Note("finding.gauge", f"{e.name}.{channel.address}", **facts)
 
 
-def _has_vacuum(e: Experiment) -> bool:
-    """Return True if a fixed pressure of the circuit is far below the ambient pressure."""
-    unknown = {f.address for f in e.free} | {
-        a for a, fixed in e.measurement.start.items() if fixed in ("first", "free")
-    }
-    fixed = [a for a in e.instance.parameters if a not in unknown and a.endswith((".pressure", ".initial_pressure"))]
-    return any(e.instance.parameters[a] < BELOW * e.measurement.ambient_pressure for a in fixed)
-
-
 def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield notes on the least determined combination of free parameters."""
     x = fit.optimum.x
-    indices = [k for k in range(len(fit.free)) if fit.optimum.active[k] == 0 and x[k] != 0.0]
+    indices = [k for k in range(len(fit.plan.free)) if fit.optimum.active[k] == 0 and x[k] != 0.0]
     if len(indices) < 2:
         return
     u, s, vt = np.linalg.svd(fit.optimum.jacobian[:, indices] * x[indices], full_matrices=False)
@@ -269,12 +265,16 @@ def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
     weights = {k: float(weight) for k, weight in enumerate(direction) if abs(weight) > 0.2}
     if len(weights) < 2:
         return
-    names = [fit.free[k].name for k in indices]
+    names = [fit.plan.free[k].name for k in indices]
     is_scaled = len({weight > 0.0 for weight in weights.values()}) == 1
     changes = {names[k]: weight for k, weight in weights.items()}
     change = "scaled" if is_scaled else "changed"
     yield Note(f"finding.alike.{change}", names=tuple(changes), shares=changes, sigmas=0.01 * float(s[-1]))
-    yield Note(f"finding.tell_apart.{_remedy(changes)}", names=tuple(changes))
+    kinds = {name.rpartition(".")[2] for name in changes}
+    remedy = "ratio" if "critical_ratio" in kinds else "other"
+    if kinds & {"sonic_conductance", "effective_area"}:
+        remedy = "volume" if "volume" in kinds else "wall" if "wall_conductance" in kinds else remedy
+    yield Note(f"finding.tell_apart.{remedy}", names=tuple(changes))
     if not is_scaled:
         return
     # Report the ratios that the data do determine; in logarithms a ratio is a difference.
@@ -287,64 +287,29 @@ def correlation_notes(fit: CompletedFit) -> Iterator[Note]:
         error = 1.96 * fit.spread.deviation(influence[numerator] - influence[denominator])
         if error < np.log(2.0):
             ratio, factor = float(x[indices[numerator]] / x[indices[denominator]]), float(np.exp(error))
-            units = {"unit": fit.free[indices[numerator]].unit, "per": fit.free[indices[denominator]].unit}
+            units = {"unit": fit.plan.free[indices[numerator]].unit, "per": fit.plan.free[indices[denominator]].unit}
             facts = {"value": ratio, "low": ratio / factor, "high": ratio * factor, **units}
             yield Note("finding.ratio", names[numerator], over=names[denominator], **facts)
 
 
-def _remedy(names: Mapping[str, float]) -> str:
-    kinds = {name.rpartition(".")[2] for name in names}
-    if "volume" in kinds and kinds & {"sonic_conductance", "effective_area"}:
-        return "volume"
-    if "wall_conductance" in kinds and kinds & {"sonic_conductance", "effective_area"}:
-        return "wall"
-    return "ratio" if "critical_ratio" in kinds else "other"
-
-
 # Recordings and repetitions ---------------------------------------------------------------------------------------
-
-
-def suspicion_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield notes on probable errors in the recordings."""
-    return (note.within(e.name) for e in fit.experiments for note in e.measurement.findings)
-
-
-def reading_notes(fit: CompletedFit) -> Iterator[Note]:
-    """Yield the notes that the reader of the recordings produced."""
-    return (note.within(e.name) for e in fit.experiments for note in e.measurement.notes)
 
 
 def critical_ratio_notes(fit: CompletedFit) -> Iterator[Note]:
     """Yield notes on refits with other critical ratios, if the data do not determine a critical ratio."""
 
     def first_rms(x: FloatArray) -> float:
-        return channel_fits(fit.experiments[:1], by_name(fit.free, x))[0].summary().rms
+        return channel_fits(fit.plan.experiments[:1], by_name(fit.plan.free, x))[0].summary().rms
 
-    start = with_starts(fit.free, fit.optimum.x)
-    settings = SearchSettings(fit.settings.loss)
-    for f in fit.free:
+    start = with_starts(fit.plan.free, fit.optimum.x)
+    settings = SearchSettings(fit.plan.settings.loss)
+    for f in fit.plan.free:
         if not f.address.endswith(".critical_ratio") or fit.estimates[f.name].verdict == "determined":
             continue
         refits = [
-            optimise(fit.experiments, start, settings, sigmas=fit.optimum.sigmas, fixed={f.name: ratio}).x
+            optimise(fit.plan.experiments, start, settings, sigmas=fit.optimum.sigmas, fixed={f.name: ratio}).x
             for ratio in TRIAL_RATIOS
         ]
         first = fit.channels[0]
         facts = {"rms": first_rms(fit.optimum.x), "others": tuple(map(first_rms, refits)), "unit": first.channel.unit}
         yield Note("finding.trials", f.name, channel=first.name, ratios=TRIAL_RATIOS, **facts)
-
-
-COLLECTORS: tuple[Callable[[CompletedFit], Iterator[Note]], ...] = (
-    interruption_notes,
-    suspicion_notes,
-    offset_notes,
-    local_misfit_notes,
-    sampling_notes,
-    gauge_reference_notes,
-    choking_notes,
-    correlation_notes,
-    parameter_notes,
-    residual_notes,
-    reading_notes,
-)
-"""Functions that return findings, the most important first; `critical_ratio_notes` needs further searches."""

@@ -1,27 +1,55 @@
-"""Plan of a fit: recordings with their circuits, free parameters and search settings."""
+"""Plan of a fit, with recordings, free parameters and search settings, and the reader of fit files."""
 
 from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from poppet.circuit.circuit import BaseCircuit
-from poppet.core.errors import ErrorCollector, InputError
+from poppet.circuit.file import load
+from poppet.core.errors import ErrorCollector, InputError, relocated
+from poppet.core.tables import Field, read_fields
+from poppet.core.toml_file import TomlFile
 from poppet.identify.fit.experiment import Experiment, starting_channel
-from poppet.identify.fit.fit_findings import LARGEST_OFFSET, SURELY
 from poppet.identify.fit.fit_series import first_value
-from poppet.identify.fit.search import SearchSettings
-from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
-from poppet.timeseries.measurements import Channel, Measurement
+from poppet.identify.fit.search import Optimum, SearchSettings, optimise
+from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free, with_starts
+from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import Channel, Measurement, read_measurement
 
 ROLES = ("fit", "validation")
 LATEST = 0.2
 """Bounds of a free delay, as a fraction of the recording."""
+LARGEST_OFFSET = 0.1
+"""Largest offset of a sensor without a stated offset, as a fraction of the range of the recording."""
+SURELY = 3.0
+"""Largest offset of a sensor, in stated standard deviations."""
+SEARCH = ("loss", "starts", "seed", "kicks")
+CIRCUIT_FIELDS = {
+    "circuit": Field(is_required=True, meaning="circuit file", example='circuit = "bench.toml"'),
+    "free": Field(
+        type="table", is_required=True, meaning="list of free parameters", example='[free] with "part.parameter" = 0.3'
+    ),
+    "set": Field(type="table"),
+    "title": Field(type="text"),
+}
+"""Fields of a file that refers to a circuit with free parameters."""
+TOP_LEVEL = {
+    **CIRCUIT_FIELDS,
+    "recordings": Field(
+        type="table",
+        is_required=True,
+        meaning="list of recordings",
+        example="[recordings.NAME] with file, time and channels",
+    ),
+    **dict.fromkeys(SEARCH, Field()),
+}
 
 
 @dataclass(frozen=True)
@@ -33,6 +61,95 @@ class FitPlan:
     validation: tuple[Experiment, ...] = ()  # recordings that are only compared with the model
     settings: SearchSettings = field(default_factory=SearchSettings)
     title: str = ""
+
+
+def read_fit_file(path: str | Path) -> FitPlan:
+    """Read a fit file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A TOML file; see `docs/identify.md`.
+
+    Returns
+    -------
+    FitPlan
+        Checked plan; nothing is fitted.
+
+    Raises
+    ------
+    InputErrors
+        With all errors, each with its line if available.
+    """
+    file = TomlFile.read(path, "recordings")
+    with file.errors():
+        # The required tables come first: all others are read with them.
+        with ErrorCollector() as errors:
+            data = read_fields(errors, file.content, TOP_LEVEL, table="fit file")
+        circuit = read_circuit(data, file.folder)
+        settings, tables = _search(data)
+        measurements, roles = [], []
+        with ErrorCollector() as errors:
+            for name, table in data["recordings"].items():
+                fields, role = table, ROLES[0]
+                if isinstance(table, Mapping) and "use" in table:
+                    fields = {key: value for key, value in table.items() if key != "use"}
+                    with errors.collecting():
+                        role = Field(choices=ROLES).read(table["use"], f"recordings.{name}.use")
+                with errors.collecting():
+                    ambient = circuit.surroundings.pressure
+                    measurements.append(
+                        read_measurement(name, fields, file.folder, ambient_pressure=ambient, other_fields=("use",))
+                    )
+                    roles.append(role)
+        free: list[FreeParameter] = []
+        with ErrorCollector() as errors:
+            for address, table in tables.items():
+                with errors.collecting():
+                    free.append(read_free(address, table, circuit))
+        circuits = [circuit] * len(roles)
+        free += recording_parameters(measurements, circuits, roles)
+        title = str(data.get("title", circuit.title or Path(file.name).stem))
+        return plan_fit(circuits, measurements, roles, free, settings=settings, title=title)
+
+
+def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
+    """Return the circuit that a file refers to, with the changed values of the table `set`.
+
+    Errors refer to the location in that file.
+    """
+    try:
+        circuit = load(folder / str(data["circuit"]))
+    except InputError as error:
+        raise relocated(error, lambda _: "circuit") from None
+    try:
+        return circuit.with_values(data.get("set", {}))
+    except InputError as error:
+        raise relocated(error, "set.{}".format) from None
+
+
+def _search(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
+    """Return the search settings, and the tables of the free parameters without these settings.
+
+    The settings can be in both tables, but must agree.
+    """
+    parameters = {k: dict(v) if isinstance(v, Mapping) else v for k, v in data["free"].items() if k not in SEARCH}
+    tables = {"": data, "free.": data["free"]} | {f"free.{k}.": v for k, v in parameters.items() if isinstance(v, dict)}
+    settings: dict[str, tuple[Any, str]] = {}
+    for prefix, table in tables.items():
+        for key in SEARCH:
+            if key not in table:
+                continue
+            value, first = settings.setdefault(key, (table[key], f"{prefix}{key}"))
+            if value != table[key]:
+                raise InputError("fit.two_searches", f"{prefix}{key}", value=table[key], first=first, other=value)
+    for table in parameters.values():
+        for key in SEARCH if isinstance(table, dict) else ():
+            table.pop(key, None)
+    try:
+        return SearchSettings(**{key: value for key, (value, _) in settings.items()}), parameters
+    except InputError as error:
+        raise relocated(error, lambda key: settings[key][1]) from None
 
 
 def plan_fit(
@@ -59,8 +176,13 @@ def plan_fit(
             if is_same(first, second):
                 errors.add("fit.same_twice", f"recordings.{second.name}", other=first.name)
         for measurement, role in zip(measurements, roles, strict=True):
-            for kind, address in _free_of(measurement) if role == "validation" else ():
-                errors.add(f"fit.held_frees.{kind}", f"recordings.{measurement.name}", what=address)
+            if role == "validation":
+                free_fields = [("start", address) for address, start in measurement.start.items() if start == "free"]
+                free_fields += [("lag", channel.address) for channel in measurement.channels if channel.lag is None]
+                free_fields += [("lag", item.address) for item in measurement.inputs if item.lag is None]
+                free_fields += [("delay", item.address) for item in measurement.inputs if item.delay is None]
+                for kind, address in free_fields:
+                    errors.add(f"fit.held_frees.{kind}", f"recordings.{measurement.name}", what=address)
     parameters = tuple(free)
     experiments = [
         Experiment(circuit.instance, measurement, parameters)
@@ -75,6 +197,22 @@ def plan_fit(
     return FitPlan(fitted, parameters, compared, settings, title)
 
 
+def refit(plan: FitPlan, x: FloatArray, sigmas: list[float], fixed: Mapping[str, float] | None = None) -> Optimum:
+    """Repeat the search of a plan from the point `x`, with the noise `sigmas`.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        If the user interrupted the search.
+    """
+    # The search starts at an optimum: a restart is not necessary.
+    settings = SearchSettings(plan.settings.loss, kicks=0)
+    optimum = optimise(plan.experiments, with_starts(plan.free, x), settings, sigmas=sigmas, fixed=fixed)
+    if optimum.interrupted:
+        raise KeyboardInterrupt
+    return optimum
+
+
 def is_same(first: Measurement, second: Measurement) -> bool:
     """Return True if two recordings have the same channels with the same samples."""
     pairs = zip(first.channels, second.channels, strict=False)
@@ -82,14 +220,6 @@ def is_same(first: Measurement, second: Measurement) -> bool:
         a.address == b.address and np.array_equal(a.values, b.values) and np.array_equal(a.time, b.time)
         for a, b in pairs
     )
-
-
-def _free_of(measurement: Measurement) -> Iterator[tuple[str, str]]:
-    """Yield kind and address of each free start value, lag and delay of a recording."""
-    yield from (("start", address) for address, start in measurement.start.items() if start == "free")
-    yield from (("lag", channel.address) for channel in measurement.channels if channel.lag is None)
-    yield from (("lag", item.address) for item in measurement.inputs if item.lag is None)
-    yield from (("delay", item.address) for item in measurement.inputs if item.delay is None)
 
 
 def recording_parameters(

@@ -11,15 +11,7 @@ from typing import Any
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.identify.fit.contour import add_contour, contour_indices
-from poppet.identify.fit.equivalent_optima import (
-    local_estimates,
-    optima_notes,
-    optimum_tables,
-    search_tables,
-    unite_estimates,
-)
 from poppet.identify.fit.experiment import channels_of
-from poppet.identify.fit.fit_file import read_fit_file
 from poppet.identify.fit.fit_findings import (
     CompletedFit,
     critical_ratio_notes,
@@ -27,9 +19,16 @@ from poppet.identify.fit.fit_findings import (
     finding_notes,
     unexplained_note,
 )
-from poppet.identify.fit.fit_plan import FitPlan, check_effects
+from poppet.identify.fit.fit_plan import FitPlan, check_effects, read_fit_file
 from poppet.identify.fit.intervals import Stages, add_bootstrap, add_profiles
-from poppet.identify.fit.optima import find_optima
+from poppet.identify.fit.optima import (
+    find_optima,
+    local_estimates,
+    optima_notes,
+    optimum_tables,
+    search_tables,
+    unite_estimates,
+)
 from poppet.identify.fit.search import Optimum, kick_rounds
 from poppet.identify.fit.statistics import ChannelFit, ConfidenceBand, aicc, channel_fits, confidence_bands, correlation
 from poppet.identify.free_parameter import by_name
@@ -76,39 +75,23 @@ def identify_fit(
     Result
         Estimates with 95 % intervals and verdicts, residuals, findings.
     """
-    first = plan if isinstance(plan, FitPlan) else read_fit_file(plan)
-    result = run_fit(first, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
-    if compare is None:
-        return result
-    second, name = (
-        (compare, compare.title) if isinstance(compare, FitPlan) else (read_fit_file(compare), Path(compare).name)
-    )
-    return compare_results(result, run_fit(second, progress=progress), name)
-
-
-def run_fit(
-    plan: FitPlan,
-    *,
-    profile: Sequence[str] = (),
-    repeats: int = 0,
-    contour: bool = False,
-    progress: Progress | None = None,
-    stages: Stages | None = None,
-) -> Result:
-    """Fit the free parameters of a plan and return the result with intervals and findings."""
+    plan = plan if isinstance(plan, FitPlan) else read_fit_file(plan)
     if contour:
         contour_indices(plan.free)  # before the work of the fit
     check_effects(plan)
-    optimum = find_optima(plan.experiments, plan.free, plan.settings, progress=progress)
+    optimum = find_optima(plan, progress=progress)
     result = describe_optimum(plan, optimum)
     stages = stages or (lambda stage, completed, total: None)
     if profile and not optimum.interrupted:
         result = add_profiles(plan, optimum, result, profile, stages)
-    if contour and not result.conditions["interrupted"]:
+    if contour and not result.interrupted:
         result = add_contour(plan, optimum, result, stages)
-    if repeats and not result.conditions["interrupted"]:
+    if repeats and not result.interrupted:
         result = add_bootstrap(plan, optimum, result, repeats, stages)
-    return result
+    if compare is None:
+        return result
+    name = compare.title if isinstance(compare, FitPlan) else Path(compare).name
+    return compare_results(result, identify_fit(compare, progress=progress), name)
 
 
 def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = True) -> Result:
@@ -118,7 +101,7 @@ def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = Tru
     """
     values = by_name(plan.free, optimum.x)
     fitted, validation = channel_fits(plan.experiments, values), channel_fits(plan.validation, values)
-    spread = error_model_of(plan.experiments, optimum, plan.settings)
+    spread = error_model_of(plan, optimum)
     local = local_estimates(plan, optimum)
     estimates = unite_estimates(plan, local)
     remarks: list[Note] = []
@@ -127,7 +110,7 @@ def describe_optimum(plan: FitPlan, optimum: Optimum, *, with_trials: bool = Tru
         remarks.append(doubt_note)
         estimates = {k: replace(e, verdict="weak") if e.verdict == "determined" else e for k, e in estimates.items()}
     remarks += optima_notes(plan, optimum)
-    fit = CompletedFit(plan.experiments, plan.free, plan.settings, optimum, spread, fitted, estimates)
+    fit = CompletedFit(plan, optimum, spread, fitted, estimates)
     remarks += finding_notes(fit)
     if with_trials:
         remarks += critical_ratio_notes(fit)

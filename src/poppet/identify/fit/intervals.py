@@ -12,11 +12,11 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.identify.fit.fit_findings import error_model_of
-from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.search import Optimum, SearchSettings, optimise
+from poppet.identify.fit.fit_plan import FitPlan, refit
+from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.statistics import influences
-from poppet.identify.free_parameter import FreeParameter, by_name, with_starts
-from poppet.identify.result import CONFIDENCE, Result
+from poppet.identify.free_parameter import by_name, with_starts
+from poppet.identify.result import CONFIDENCE, Result, mark_interrupted
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel
 
@@ -37,7 +37,7 @@ def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequenc
 
     The profile of a parameter is the least cost at each value of this parameter. All other parameters are refitted.
     """
-    spread = error_model_of(plan.experiments, optimum, plan.settings)
+    spread = error_model_of(plan, optimum)
     estimates, series = dict(result.parameters), dict(result.series)
     remarks: list[Note] = []
     for number, name in enumerate(names):
@@ -46,14 +46,14 @@ def add_profiles(plan: FitPlan, optimum: Optimum, result: Result, names: Sequenc
             raise InputError("names.unknown", name, meaning="a free parameter", near=NameSuggestion(name, valid))
         k, estimate = valid.index(name), estimates[name]
 
-        def told(fits: int, ends: int, name: str = name, number: int = number) -> None:
+        def report(fits: int, ends: int, name: str = name, number: int = number) -> None:
             stages(f"ends of profiles ({name}: {fits} fits)", 2 * number + ends, 2 * len(names))
 
         try:
-            low, high, curve = _compute_profile(plan, optimum, k, spread.factor(spread.influences[k]), told)
+            low, high, curve = _compute_profile(plan, optimum, k, spread.factor(spread.influences[k]), report)
         except KeyboardInterrupt:
-            done = replace(result, parameters=estimates, series=series, remarks=(*result.remarks, *remarks))
-            return _mark_interrupted(done, Note("finding.stopped.profile", name))
+            result = mark_interrupted(result, Note("finding.stopped.profile", name), *remarks)
+            return replace(result, parameters=estimates, series=series)
         estimates[name] = replace(estimate, low=low, high=high)
         facts: dict[str, Any] = {"low": low, "high": high, "unit": estimate.unit}
         facts |= {"linear_low": estimate.low, "linear_high": estimate.high}
@@ -74,25 +74,17 @@ def _compute_profile(
     free = plan.free[k]
     # The cost is half a sum of squares, which exceeds its least value by chi-square.
     allowed = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * variance_factor
-    settings = SearchSettings(plan.settings.loss)
     n_fits = 0
     equivalent = [o for o in (optimum, *optimum.others) if o.excess < allowed]
-    starts = [with_starts(plan.free, o.x) for o in equivalent]
     points = {float(o.x[k]): float(o.cost) for o in equivalent}
     ends: list[float] = []
 
     def cost(value: float) -> float:
         nonlocal n_fits
-        least = np.inf
-        for start in starts:
-            refit = optimise(plan.experiments, start, settings, sigmas=optimum.sigmas, fixed={free.name: value})
-            if refit.interrupted:
-                raise KeyboardInterrupt
-            least = min(least, refit.cost)
+        points[value] = min(refit(plan, o.x, optimum.sigmas, {free.name: value}).cost for o in equivalent)
         n_fits += 1
         progress(n_fits, len(ends))
-        points[value] = least
-        return least
+        return points[value]
 
     for side, bound in ((-1.0, free.low), (1.0, free.high)):
         outermost = max(equivalent, key=lambda o: side * float(o.x[k]))
@@ -100,7 +92,15 @@ def _compute_profile(
         step = np.sqrt(variance_factor / curvature) if curvature > 0.0 else free.scale
         limit = outermost.cost + allowed - outermost.excess
         ends.append(_find_crossing(cost, float(outermost.x[k]), side * step, bound, limit))
-    for value in _profile_points(equivalent, k, free, np.sqrt(variance_factor)) - points.keys():
+    # Additional points near each optimum and between optima.
+    additional: list[float] = []
+    for o in equivalent:
+        error = np.sqrt(variance_factor) * float(np.linalg.norm(influences(o)[k]))
+        additional += [*np.clip(o.x[k] + error * np.array(SHOWN), free.low, free.high)] if np.isfinite(error) else []
+    for a, b in pairwise(sorted(float(o.x[k]) for o in equivalent)):
+        # Wall conductances can differ by decades.
+        additional += [*(np.geomspace(max(a, 1e-4 * b), b, BETWEEN) if a >= 0.0 < b else np.linspace(a, b, BETWEEN))]
+    for value in {float(value) for value in additional} - points.keys():
         cost(value)
     x = np.array(sorted(points))
     rise = 2.0 * (np.array([points[value] for value in x]) - min(points.values())) / variance_factor
@@ -111,21 +111,6 @@ def _compute_profile(
         "answers": [float(o.x[k]) for o in equivalent],
     }
     return ends[0], ends[1], curve
-
-
-def _profile_points(equivalent: Sequence[Optimum], k: int, free: FreeParameter, sigma: float) -> set[float]:
-    """Return additional parameter values of a profile, near each optimum and between optima.
-
-    `k` is the index of the parameter, and `sigma` its standard error in units of white noise.
-    """
-    points: list[float] = []
-    for o in equivalent:
-        error = sigma * float(np.linalg.norm(influences(o)[k]))
-        points += list(np.clip(o.x[k] + error * np.array(SHOWN), free.low, free.high)) if np.isfinite(error) else []
-    for a, b in pairwise(sorted(float(o.x[k]) for o in equivalent)):
-        # Wall conductances can differ by decades.
-        points += list(np.geomspace(max(a, 1e-4 * b), b, BETWEEN) if a >= 0.0 < b else np.linspace(a, b, BETWEEN))
-    return {float(value) for value in points}
 
 
 def _find_crossing(cost: Callable[[float], float], best: float, step: float, bound: float, limit: float) -> float:
@@ -162,22 +147,24 @@ def add_bootstrap(plan: FitPlan, optimum: Optimum, result: Result, repeats: int,
     generator = np.random.default_rng(plan.settings.seed)
     start = with_starts(plan.free, optimum.x)
     models = [e.outputs(by_name(plan.free, optimum.x)) for e in plan.experiments]
-    # Each fit starts from the optimum and the samples are white: a restart is not necessary.
-    settings = SearchSettings(plan.settings.loss, kicks=0)
+
+    def resample(channel: Channel, model: FloatArray) -> FloatArray:
+        residual = channel.values - model
+        resampled = residual[generator.integers(0, residual.size, residual.size)]
+        # Subtract the mean: a bias would shift all repetitions alike.
+        return np.asarray(model + resampled - residual.mean())
+
     estimates: list[FloatArray] = []
-    while len(estimates) < repeats:
-        resampled = [
-            e.with_samples(
-                [_resample(*pair, generator) for pair in zip(e.measurement.channels, series, strict=True)], start
+    try:
+        while len(estimates) < repeats:
+            resampled = tuple(
+                e.with_samples([*map(resample, e.measurement.channels, series)], start)
+                for e, series in zip(plan.experiments, models, strict=True)
             )
-            for e, series in zip(plan.experiments, models, strict=True)
-        ]
-        refit = optimise(resampled, start, settings, sigmas=optimum.sigmas)
-        if refit.interrupted:
-            result = _mark_interrupted(result, Note("finding.stopped.bootstrap", done=len(estimates), asked=repeats))
-            break
-        estimates.append(refit.x)
-        stages("bootstrap fits", len(estimates), repeats)
+            estimates.append(refit(replace(plan, experiments=resampled), optimum.x, optimum.sigmas).x)
+            stages("bootstrap fits", len(estimates), repeats)
+    except KeyboardInterrupt:
+        result = mark_interrupted(result, Note("finding.stopped.bootstrap", done=len(estimates), asked=repeats))
     if not estimates:
         return result
     low, high = np.quantile(estimates, [0.025, 0.975], axis=0)
@@ -186,15 +173,3 @@ def add_bootstrap(plan: FitPlan, optimum: Optimum, result: Result, repeats: int,
         for f, a, b in zip(plan.free, low, high, strict=True)
     ]
     return replace(result, remarks=(*result.remarks, *remarks))
-
-
-def _resample(channel: Channel, model: FloatArray, generator: np.random.Generator) -> FloatArray:
-    residual = channel.values - model
-    resampled = residual[generator.integers(0, residual.size, residual.size)]
-    # Subtract the mean: a bias would shift all repetitions alike.
-    return np.asarray(model + resampled - residual.mean())
-
-
-def _mark_interrupted(result: Result, note: Note) -> Result:
-    """Mark a result as interrupted and add a note."""
-    return replace(result, conditions={**result.conditions, "interrupted": True}, remarks=(*result.remarks, note))

@@ -1,4 +1,4 @@
-"""Search for all equivalent optima of a fit, which have practically equal costs.
+"""Search for all equivalent optima of a fit, which have practically equal costs, and their estimates.
 
 An adiabatic and an isothermal tank have the same pressure curve if the supply temperature is constant and C differs by
 the factor kappa T_s/T_w. A local analysis cannot detect this. Each fit of a wall conductance from pressures alone
@@ -14,15 +14,16 @@ from typing import Any
 
 import numpy as np
 
+from poppet.core.codes import Note
 from poppet.identify.fit.experiment import Experiment, channels_of
 from poppet.identify.fit.fit_findings import error_model_of
+from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.residuals import costs_of
 from poppet.identify.fit.search import KnownOptimum, Optimum, SearchSettings, initial_sigmas, optimise, random_point
-from poppet.identify.fit.statistics import RANK, UNFELT, errors, estimates
-from poppet.identify.free_parameter import FreeParameter
-from poppet.identify.result import CONFIDENCE
+from poppet.identify.fit.statistics import RANK, UNFELT, channel_fits, estimates, influences, verdict
+from poppet.identify.free_parameter import FreeParameter, by_name
+from poppet.identify.result import CONFIDENCE, VERDICTS, Estimate
 from poppet.timeseries.checks import FloatArray
-from poppet.timeseries.measurements import Channel
 
 WALL, CONDUCTANCES = ".wall_conductance", (".sonic_conductance", ".effective_area")
 ISOTHERMAL, NEARLY_ISOTHERMAL, NEARLY_ADIABATIC = 1e4, 10.0, 0.01
@@ -37,15 +38,17 @@ SHALLOW = 0.01
 DITHERED, STUCK = 0.5, 5
 """Ratio of noise to sensor resolution below which the steps are visible; equal successive samples that make a step. A
 difference of models below the resolution is not evidence there."""
+ALIKE = 0.02
+"""Relative difference below which two conductances are reported as one."""
+Local = Sequence[Mapping[str, Estimate]]
+"""One mapping from address to estimate for each optimum; the optimum of lowest cost first."""
 
 
 @dataclass
 class _Searches:
     """Searches over the same residuals from several start points, and the optima they reached."""
 
-    experiments: Sequence[Experiment]
-    free: tuple[FreeParameter, ...]
-    settings: SearchSettings
+    plan: FitPlan
     weights: list[float]
     progress: Callable[[int, float], Any] | None = None
     optima: list[Optimum] = field(default_factory=list)
@@ -70,14 +73,18 @@ class _Searches:
                 self.progress(evaluations_before + evaluations, min([cost, *(o.cost for o in self.optima)]))
 
         optimum = optimise(
-            self.experiments,
-            self.free,
-            settings or replace(self.settings, kicks=0),
+            self.plan.experiments,
+            self.plan.free,
+            settings or replace(self.plan.settings, kicks=0),
             progress=report,
             sigmas=weights,
             fixed=fixed,
             start_point=start_point,
-            joinable=[KnownOptimum(o.x, errors(o), o.cost) for o in joinable if self.settings.loss == "linear"],
+            joinable=[
+                KnownOptimum(o.x, np.linalg.norm(influences(o), axis=1), o.cost)
+                for o in joinable
+                if self.plan.settings.loss == "linear"
+            ],
         )
         self.evaluations += optimum.evaluations
         self.is_stopped = self.is_stopped or optimum.interrupted
@@ -98,18 +105,13 @@ class _Searches:
 
     def lowest(self, optima: Sequence[Optimum]) -> Optimum:
         """Return the optimum of lowest cost; of equal optima, the first one."""
-        return min(optima, key=lambda o: round(float(np.sum(costs_of(o.residual, self.settings.loss))), TIE))
+        return min(optima, key=lambda o: round(float(np.sum(costs_of(o.residual, self.plan.settings.loss))), TIE))
 
 
-def find_optima(
-    experiments: Sequence[Experiment],
-    free: tuple[FreeParameter, ...],
-    settings: SearchSettings,
-    *,
-    progress: Callable[[int, float], Any] | None = None,
-) -> Optimum:
+def find_optima(plan: FitPlan, *, progress: Callable[[int, float], Any] | None = None) -> Optimum:
     """Return the optimum of lowest cost, with all equivalent optima."""
-    searches = _Searches(experiments, free, settings, initial_sigmas(experiments), progress)
+    experiments, free, settings = plan.experiments, plan.free, plan.settings
+    searches = _Searches(plan, initial_sigmas(experiments), progress)
     start = np.array([f.start for f in free])
     if wall_units := thermal_units(experiments, free):
         _search_thermal_limits(searches, start, wall_units)
@@ -118,8 +120,19 @@ def find_optima(
     for _ in range(settings.starts - 1):
         searches.add("elsewhere", random_point(free, generator))
     if not any(e.samples for e in experiments):
-        for point in _swapped_points(free, searches.lowest(searches.optima).x):
-            searches.add("swapped", point)
+        # If two flow paths are in series, their parameters can be exchanged: the fit is equally good.
+        x = searches.lowest(searches.optima).x
+        parts: dict[str, dict[str, int]] = {}
+        for k, f in enumerate(free):
+            part, _, local = f.name.rpartition(".")
+            if f.role == "number":
+                parts.setdefault(part, {})[local] = k
+        for first, second in combinations(parts.values(), 2):
+            if set(first) == set(second) and any(f".{local}" in CONDUCTANCES for local in first):
+                point = x.copy()
+                for local in first:
+                    point[first[local]], point[second[local]] = x[second[local]], x[first[local]]
+                searches.add("swapped", np.clip(point, [f.low for f in free], [f.high for f in free]))
     lowest = searches.lowest(searches.optima)
     if searches.is_stopped:
         return replace(lowest, interrupted=True)
@@ -138,33 +151,28 @@ def find_optima(
 def thermal_units(experiments: Sequence[Experiment], free: Sequence[FreeParameter]) -> dict[int, float]:
     """Return the wall conductances of tanks without temperature data.
 
-    The result maps the index of each such free parameter to the wall conductance of one transfer unit [W/K].
+    The result maps the index of each such free parameter to the wall conductance of one transfer unit [W/K]: the heat
+    capacity of the gas, divided by the duration of the pressure change.
     """
-    if any(e.samples for e in experiments):
-        return {}
-    units = {k: _one_unit(experiments, f) for k, f in enumerate(free) if f.address.endswith(WALL)}
+    units: dict[int, float] = {}
+    for k, f in enumerate(free if not any(e.samples for e in experiments) else ()):
+        chamber = f.address.removesuffix(WALL)
+        recordings = [
+            (e, {channel.address: channel for channel in e.measurement.channels})
+            for e in experiments
+            if f.address.endswith(WALL) and f.recording in ("", e.name) and f"{chamber}.volume" in e.instance.parameters
+        ]
+        if any(f"{chamber}.temperature" in channels for _, channels in recordings):
+            continue
+        for e, channels in recordings:
+            if (channel := channels.get(f"{chamber}.pressure")) is not None:
+                change = np.abs(channel.values - channel.values[0])
+                index = max(1, int(np.argmax(change >= 0.63 * change.max())))
+                tau = float(channel.time[index] - channel.time[0])
+                content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
+                unit = content / ((kappa_of(e) - 1.0) * e.instance.surroundings.temperature * tau)
+                units[k] = max(units.get(k, 0.0), unit)
     return {k: unit for k, unit in units.items() if unit > 0.0}
-
-
-def _one_unit(experiments: Sequence[Experiment], wall: FreeParameter) -> float:
-    """Return the heat capacity of the gas, divided by the duration of the pressure change [W/K].
-
-    This is the wall conductance of one transfer unit. The result is 0 if the temperature of the gas was recorded.
-    """
-    chamber, unit = wall.address.removesuffix(WALL), 0.0
-    for e in experiments:
-        channels = {c.address: c for c in e.measurement.channels}
-        if wall.recording not in ("", e.name) or f"{chamber}.volume" not in e.instance.parameters:
-            continue
-        if f"{chamber}.temperature" in channels:
-            return 0.0
-        if (channel := channels.get(f"{chamber}.pressure")) is None:
-            continue
-        change = np.abs(channel.values - channel.values[0])
-        tau = float(channel.time[max(1, int(np.argmax(change >= 0.63 * change.max())))] - channel.time[0])
-        content = float(channel.values.max()) * e.instance.parameters[f"{chamber}.volume"]
-        unit = max(unit, content / ((kappa_of(e) - 1.0) * e.instance.surroundings.temperature * tau))
-    return unit
 
 
 def kappa_of(experiment: Experiment) -> float:
@@ -174,7 +182,7 @@ def kappa_of(experiment: Experiment) -> float:
 
 def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mapping[int, float]) -> None:
     """Search at the adiabatic and the isothermal limit, then from points near these limits."""
-    free = searches.free
+    free = searches.plan.free
     flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
 
     def at(x: FloatArray, units: float, factor: float = 1.0) -> FloatArray:
@@ -186,7 +194,7 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
     def fixed(x: FloatArray) -> dict[str, float]:
         return {free[k].name: float(x[k]) for k in walls}
 
-    kappa = kappa_of(searches.experiments[0])
+    kappa = kappa_of(searches.plan.experiments[0])
     # The start value of C is that of an isothermal tank.
     point = at(start, 0.0, 1.0 / kappa)
     adiabatic = searches.add("adiabatic", point, fixed(point))
@@ -194,24 +202,6 @@ def _search_thermal_limits(searches: _Searches, start: FloatArray, walls: Mappin
     isothermal = searches.add("isothermal", point, fixed(point))
     searches.add("nearly_adiabatic", at(adiabatic, NEARLY_ADIABATIC))
     searches.add("nearly_isothermal", at(isothermal, NEARLY_ISOTHERMAL))
-
-
-def _swapped_points(free: Sequence[FreeParameter], x: FloatArray) -> Iterator[FloatArray]:
-    """Yield start points in which the parameters of two parts are exchanged.
-
-    If two flow paths are in series, the exchanged parameters can fit equally well.
-    """
-    parts: dict[str, dict[str, int]] = {}
-    for k, f in enumerate(free):
-        part, _, local = f.name.rpartition(".")
-        if f.role == "number":
-            parts.setdefault(part, {})[local] = k
-    for first, second in combinations(parts.values(), 2):
-        if set(first) == set(second) and any(f".{local}" in CONDUCTANCES for local in first):
-            point = x.copy()
-            for local in first:
-                point[first[local]], point[second[local]] = x[second[local]], x[first[local]]
-            yield np.clip(point, [f.low for f in free], [f.high for f in free])
 
 
 def _points_along_valley(
@@ -252,88 +242,152 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
     """
     from scipy.special import chdtri
 
-    candidates = [best]
+    plan, candidates = searches.plan, [best]
     # Use the weights of the best optimum; a single search has no others.
     for first in searches.optima if len(searches.optima) > 1 else []:
         if first.cost <= HOPELESS * least:
             joinable = [] if first.fixed else [best]
             refit = searches.run(first.name, first.x, fixed=first.fixed, joinable=joinable, weights=best.sigmas)
             candidates.append(replace(refit, start_point=first.start_point))
-    for point, fixed in (
-        [] if any(e.samples for e in searches.experiments) else _points_along_valley(searches.free, best)
-    ):
+    for point, fixed in [] if any(e.samples for e in plan.experiments) else _points_along_valley(plan.free, best):
         candidates.append(searches.run("along", point, fixed=fixed, weights=best.sigmas))
     best = searches.lowest(candidates)
-    spread = error_model_of(searches.experiments, best, searches.settings)
+    spread = error_model_of(plan, best)
     # The cost is half a sum of squares, whose increase is chi-square.
     limit = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * spread.variance_factor
     equivalent: list[Optimum] = []
+    distinct = [estimates(plan.free, best, spread)]
     for rival in sorted(candidates, key=lambda o: o.cost):
-        offset_channels = {
-            o.channel
-            for s in (spread, error_model_of(searches.experiments, rival, searches.settings))
-            for o in s.offsets
-        }
-        excess = evidence(searches.experiments, best, rival, searches.settings.loss, offset_channels)
-        if excess < limit and not any(_is_same(searches, o, rival) for o in (best, *equivalent)):
+        rival_spread = error_model_of(plan, rival)
+        excess = _evidence(plan, best, rival, {o.channel for s in (spread, rival_spread) for o in s.offsets})
+        values = by_name(plan.free, rival.x)
+        is_same = any(all(e.low <= values[name] <= e.high for name, e in table.items()) for table in distinct)
+        if excess < limit and not is_same:
             equivalent.append(replace(rival, excess=excess))
+            distinct.append(estimates(plan.free, rival, rival_spread))
     is_stopped, evaluations = searches.is_stopped, searches.evaluations
     return replace(best, others=tuple(equivalent), limit=limit, interrupted=is_stopped, evaluations=evaluations)
 
 
-def evidence(
-    experiments: Sequence[Experiment], best: Optimum, rival: Optimum, loss: str = "linear", off: Collection[int] = ()
-) -> float:
+def _evidence(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Collection[int]) -> float:
     """Return the evidence against another optimum: the difference of costs, at least 0.
 
-    `off` contains the indices of channels with a possible offset. The difference excludes what such an offset explains,
-    and differences of the models that are below the resolution of a sensor.
+    `offset_channels` contains the indices of channels with a possible offset. The difference excludes what such an
+    offset explains, and differences of the models that are below the resolution of a sensor.
     """
-    channels = channels_of(experiments)
+    channels = channels_of(plan.experiments)
     is_visible = np.ones(best.residual.size, dtype=bool)
-    for fitted, sigma in zip(channels, best.sigmas, strict=True):
-        difference_of_models = np.abs(rival.residual - best.residual)[fitted.rows] * sigma
-        is_visible[fitted.rows] = ~_is_on_step(fitted.channel, sigma) | (difference_of_models >= fitted.channel.quantum)
+    for (_, channel, rows), sigma in zip(channels, best.sigmas, strict=True):
+        if sigma < DITHERED * channel.quantum:
+            # A long constant reading of a sensor of coarse resolution is a step, if no noise hides the resolution.
+            changes = np.flatnonzero(np.diff(channel.values)) + 1
+            lengths = np.diff([0, *changes, channel.values.size])
+            difference_of_models = np.abs(rival.residual - best.residual)[rows] * sigma
+            is_visible[rows] = (np.repeat(lengths, lengths) < STUCK) | (difference_of_models >= channel.quantum)
     excesses = []
-    for rows in ([], [channels[k].rows for k in off]):
-        difference = costs_of(_residuals_without_offsets(rival, rows), loss) - costs_of(
-            _residuals_without_offsets(best, rows), loss
-        )
-        excesses.append(float(np.sum(difference[is_visible])))
+    for offset_rows in ([], [channels[k].rows for k in offset_channels]):
+        costs = []
+        for optimum in (rival, best):
+            residual = optimum.residual
+            if offset_rows:
+                # Remove a linear fit of the offsets and the free parameters.
+                constants = np.zeros((residual.size, len(offset_rows)))
+                for k, rows in enumerate(offset_rows):
+                    constants[rows, k] = 1.0
+                slopes = optimum.jacobian[:, optimum.active == 0]
+                norms = np.linalg.norm(slopes, axis=0)
+                basis = np.hstack([slopes[:, norms > 0.0] / norms[norms > 0.0], constants])
+                residual = residual - basis @ np.linalg.lstsq(basis, residual, rcond=RANK)[0]
+            costs.append(costs_of(residual, plan.settings.loss))
+        excesses.append(float(np.sum((costs[0] - costs[1])[is_visible])))
     return max(0.0, min(excesses))
 
 
-def _residuals_without_offsets(optimum: Optimum, offset_rows: Sequence[slice]) -> FloatArray:
-    """Return the residuals after a linear fit of channel offsets and free parameters."""
-    constants = np.zeros((optimum.residual.size, len(offset_rows)))
-    for k, rows in enumerate(offset_rows):
-        constants[rows, k] = 1.0
-    if constants.size == 0:
-        return optimum.residual
-    slopes = optimum.jacobian[:, optimum.active == 0]
-    norms = np.linalg.norm(slopes, axis=0)
-    basis = np.hstack([slopes[:, norms > 0.0] / norms[norms > 0.0], constants])
-    return np.asarray(optimum.residual - basis @ np.linalg.lstsq(basis, optimum.residual, rcond=RANK)[0])
+def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]]:
+    """Return the estimates at each equivalent optimum, as if it were the only one.
 
-
-def _is_on_step(channel: Channel, sigma: float) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """Return a mask of the samples in long constant readings of a sensor of coarse resolution.
-
-    The mask contains no sample if the noise is large enough to hide the resolution.
-
-    The mask is empty if the noise is large enough to hide the resolution.
+    An optimum whose cost exceeds the lowest cost has narrower intervals, because its values are less likely.
     """
-    result = np.zeros(channel.values.size, dtype=bool)
-    if sigma < DITHERED * channel.quantum:
-        changes = np.flatnonzero(np.diff(channel.values)) + 1
-        for start_point, end in zip([0, *changes], [*changes, result.size], strict=True):
-            result[start_point:end] = end - start_point >= STUCK
+    optima = (optimum, *optimum.others)
+    optimum_tables = [estimates(plan.free, o, error_model_of(plan, o)) for o in optima]
+    for table, o in zip(optimum_tables, optima, strict=True):
+        left = float(np.sqrt(1.0 - o.excess / optimum.limit))
+        for name, e in table.items():
+            table[name] = replace(e, low=e.value - left * (e.value - e.low), high=e.value + left * (e.high - e.value))
+    return optimum_tables
+
+
+def unite_estimates(plan: FitPlan, local: Local) -> dict[str, Estimate]:
+    """Return the estimates at the lowest optimum, with intervals that include those of all optima."""
+    from scipy.special import ndtri
+
+    result = {}
+    for f in plan.free:
+        best = local[0][f.name]
+        low, high = min(table[f.name].low for table in local), max(table[f.name].high for table in local)
+        half = max(best.value - low, high - best.value)
+        verdicts = verdict(f, best.value, half), best.verdict
+        # The bound is active at this optimum only.
+        joint_verdict = verdicts[0] if best.verdict == "at bound" else max(verdicts, key=VERDICTS.index)
+        error = max(best.standard_error, half / float(ndtri(0.5 + 0.5 * CONFIDENCE)))
+        is_wider = (low, high) != (best.low, best.high)
+        result[f.name] = (
+            replace(best, standard_error=error, low=low, high=high, verdict=joint_verdict) if is_wider else best
+        )
     return result
 
 
-def _is_same(searches: _Searches, first: Optimum, second: Optimum) -> bool:
-    """Return True if all parameters of the second optimum are in the intervals of the first."""
-    intervals = estimates(searches.free, first, error_model_of(searches.experiments, first, searches.settings))
-    return all(
-        intervals[f.name].low <= x <= intervals[f.name].high for f, x in zip(searches.free, second.x, strict=True)
-    )
+def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
+    """Yield a note if equivalent optima have different parameter values."""
+    optima = (optimum, *optimum.others)
+    differing = {
+        f.name: tuple(o.x[k] for o in optima)
+        for k, f in enumerate(plan.free)
+        if verdict(f, optimum.x[k], max(abs(o.x[k] - optimum.x[k]) for o in optima)) != "determined"
+    }
+    if not differing:
+        return
+    excess = max(o.excess for o in optima)
+    walls = next((values for name, values in differing.items() if name.endswith(WALL)), ())
+    flow = next((f for f in plan.free if f.name in differing and f.address.endswith(CONDUCTANCES)), None)
+    if walls and flow:
+        # Near the isothermal limit the cost does not depend on the wall conductance: merge these optima.
+        distinct: dict[float, float] = {}
+        for value, wall in zip(differing[flow.name], walls, strict=True):
+            if all(abs(value - conductance) > ALIKE * conductance for conductance in distinct):
+                distinct[value] = wall
+        facts = {"values": (*distinct,), "unit": flow.unit, "walls": (*distinct.values(),), "excess": excess}
+        kappa = plan.experiments[0].instance.parameters["gas.isentropic_exponent"]
+        factor = max(differing[flow.name]) / min(differing[flow.name])
+        yield Note("finding.optima.heat", flow.name, **facts, factor=factor, kappa=kappa)
+    else:
+        yield Note("finding.optima.other", optima=len(optima), numbers=differing, excess=excess)
+
+
+def optimum_tables(plan: FitPlan, optimum: Optimum, local: Local) -> tuple[dict[str, Any], ...]:
+    """Return one plain table for each equivalent optimum, the one of lowest cost first."""
+    tables = []
+    for o, table in zip((optimum, *optimum.others), local, strict=True):
+        values = by_name(plan.free, o.x)
+        start = o.start_point if o.start_point.size else [f.start for f in plan.free]
+        tables.append(
+            {
+                "name": o.name,
+                "cost": o.cost,
+                "excess": o.excess,
+                "values": values,
+                "low": {name: e.low for name, e in table.items()},
+                "high": {name: e.high for name, e in table.items()},
+                "start": by_name(plan.free, start),
+                "rms": {fit.name: fit.summary().rms for fit in channel_fits(plan.experiments, values)},
+            }
+        )
+    return tuple(tables)
+
+
+def search_tables(plan: FitPlan, optimum: Optimum) -> list[dict[str, Any]]:
+    """Return one table for each search: start point, name of the start point, end point and cost."""
+    return [
+        {"name": o.name, "cost": o.cost, "start": by_name(plan.free, o.start_point), "end": by_name(plan.free, o.x)}
+        for o in optimum.searches
+    ]

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import InputError, NameSuggestion, collect
+from poppet.core.errors import ErrorCollector
+from poppet.core.tables import Field
 from poppet.identify.fit.experiment import FAILED, SAMPLED_DIFFERENCE, Experiment, channels_of
 from poppet.identify.fit.residuals import LOSSES, costs_of, curvatures_of, weights_of, whiteness
 from poppet.identify.free_parameter import FreeParameter, by_name
 from poppet.identify.least_squares import LocalModel, condense, search
 from poppet.timeseries.checks import FloatArray
-from poppet.timeseries.measurements import Channel, noise_of
+from poppet.timeseries.measurements import noise_of
 
 ROUNDS = 12
 """Maximum number of rounds of weighting. Each round estimates noise that is not stated from the last residuals."""
@@ -31,7 +32,12 @@ WIDTHS = (SAMPLED_DIFFERENCE, 0.02, 0.002)
 """Relative widths of the finite differences for sampled circuits, whose residuals are not smooth at small scale. In
 fits of a complete valve, the error of the estimates was 1 % with the first width and 10 % with the last. In fits of a
 loop with a steep gain, the last width gave the smaller error."""
-
+SEARCH_FIELDS = {
+    "loss": Field(choices=LOSSES, meaning="loss function"),
+    "starts": Field(type="integer", low=1, high=1000, meaning="number of start points"),
+    "seed": Field(type="integer", low=0, high=2**63 - 1),
+    "kicks": Field(type="integer", low=0, high=1000, meaning="number of restart rounds"),
+}
 
 Places = NDArray[np.int64] | slice
 
@@ -59,18 +65,11 @@ class SearchSettings:
     kicks: int | None = None
 
     def __post_init__(self) -> None:
-        problems = []
-        if self.loss not in LOSSES:
-            near = NameSuggestion(str(self.loss), LOSSES)
-            problems.append(
-                InputError("fields.not_an_option", "loss", value=self.loss, meaning="loss function", near=near)
-            )
-        for name, low, high in (("starts", 1, 1000), ("seed", 0, 2**63 - 1), ("kicks", 0, 1000)):
-            value = getattr(self, name)
-            is_whole = isinstance(value, int) and not isinstance(value, bool)
-            if not ((is_whole and low <= value <= high) or (name == "kicks" and value is None)):
-                problems.append(InputError(f"search.{name}", name, value=value))
-        collect(problems)
+        with ErrorCollector() as errors:
+            for name, field in SEARCH_FIELDS.items():
+                with errors.collecting():
+                    if name != "kicks" or self.kicks is not None:
+                        field.read(getattr(self, name), name)
 
 
 class KnownOptimum(NamedTuple):
@@ -258,7 +257,13 @@ def optimise(
         # Profiles and trials start from the optimum: a restart is not necessary.
         x = x if fixed else _leave_false_minimum(objective, x, settings)
         for _ in range(ROUNDS - 1 if sigmas is None and not all(stated_noise) else 0):
-            refined = _refine_sigmas(objective, x, stated_noise)
+            residual = objective.residual(x)
+            # Each free parameter removes one degree of freedom.
+            freedom = max(0.1, 1.0 - len(free) / max(1, residual.size))
+            refined = [
+                sigma if stated else sigma * float(np.sqrt(np.mean(residual[fitted.rows] ** 2) / freedom))
+                for fitted, sigma, stated in zip(objective.channels, objective.sigmas, stated_noise, strict=True)
+            ]
             settled = np.allclose(refined, objective.sigmas, rtol=0.02)
             objective = FitObjective(experiments, free, refined, progress, objective.evaluations, fixed)
             if settled:
@@ -299,10 +304,18 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
     max_rounds = kick_rounds(settings, objective.experiments)
     if max_rounds == 0:
         return x
+    start = np.array([objective.fixed.get(f.name, f.start) for f in objective.free])
     cost, is_white = objective.cost(x), not _is_suspicious(objective, x)
     for _ in range(max_rounds):
         previous_cost = cost
-        for point in [] if is_white else _kick_points(objective, x):
+        # Each restart point differs in one parameter.
+        points = []
+        for k in objective.searched_indices():
+            f = objective.free[k]
+            for base, factor in ((x, 10.0), (x, 0.1), (start, 10.0), (start, 0.1), (start, 1e-3)):
+                points.append(base.copy())
+                points[-1][k] = np.clip((base[k] or 0.1 * f.scale) * factor, f.low, f.high)
+        for point in [] if is_white else points:
             optimum, other_cost = _search_locally(objective, point, settings)
             if other_cost < cost * (1.0 - 1e-6):
                 x, cost, is_white = optimum, other_cost, not _is_suspicious(objective, optimum)
@@ -311,17 +324,6 @@ def _leave_false_minimum(objective: FitObjective, x: FloatArray, settings: Searc
         if cost > 0.999 * previous_cost:
             break
     return x
-
-
-def _kick_points(objective: FitObjective, x: FloatArray) -> Iterator[FloatArray]:
-    """Yield restart points, in each of which one parameter is moved."""
-    start = np.array([objective.fixed.get(f.name, f.start) for f in objective.free])
-    for k in objective.searched_indices():
-        f = objective.free[k]
-        for base, factor in ((x, 10.0), (x, 0.1), (start, 10.0), (start, 0.1), (start, 1e-3)):
-            point = base.copy()
-            point[k] = np.clip((base[k] or 0.1 * f.scale) * factor, f.low, f.high)
-            yield point
 
 
 def _is_suspicious(objective: FitObjective, x: FloatArray) -> bool:
@@ -385,22 +387,12 @@ def _search_downhill(
 
 
 def initial_sigmas(experiments: Sequence[Experiment]) -> list[float]:
-    """Return the noise of each channel, stated or estimated from the samples of the channel."""
-    return [fitted.channel.noise or _estimate_noise(fitted.channel) for fitted in channels_of(experiments)]
+    """Return the noise of each channel, stated or estimated from the samples of the channel.
 
-
-def _estimate_noise(channel: Channel) -> float:
-    """Return an estimate of the noise of a channel, at least the noise that its resolution causes."""
-    noise = max(noise_of(channel.values), channel.quantum / np.sqrt(12.0))
-    return float(noise) if noise > 0.0 else 1e-6 * max(float(np.ptp(channel.values)), 1e-30)
-
-
-def _refine_sigmas(objective: FitObjective, x: FloatArray, stated_noise: Sequence[float | None]) -> list[float]:
-    """Return the noise of each channel: the stated value, or an estimate from the residuals."""
-    residual = objective.residual(x)
-    # Each free parameter removes one degree of freedom.
-    freedom = max(0.1, 1.0 - len(objective.free) / max(1, residual.size))
-    return [
-        sigma if stated else sigma * float(np.sqrt(np.mean(residual[fitted.rows] ** 2) / freedom))
-        for fitted, sigma, stated in zip(objective.channels, objective.sigmas, stated_noise, strict=True)
-    ]
+    An estimate is at least the noise that the resolution of the sensor causes.
+    """
+    sigmas = []
+    for _, channel, _ in channels_of(experiments):
+        sigma = channel.noise or float(max(noise_of(channel.values), channel.quantum / np.sqrt(12.0)))
+        sigmas.append(sigma if sigma > 0.0 else 1e-6 * max(float(np.ptp(channel.values)), 1e-30))
+    return sigmas

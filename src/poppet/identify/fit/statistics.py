@@ -228,7 +228,14 @@ class ErrorModel:
         """Return the residuals divided by sqrt(1 - leverage), and the correlation length of each channel."""
         misfit = residual / np.sqrt(1.0 - self._leverage)
         misfit[self._priors] = 1.0
-        return misfit, [_correlation_length(residual[rows]) for rows in self.rows]
+        reaches = []
+        for rows in self.rows:
+            time, size = correlation_time(residual[rows]), rows.stop - rows.start
+            # Bartlett weights; 4 a^2/(1 - a^2)^2 (Andrews) for a first-order process with a correlation time of
+            # (1 + a)/(1 - a).
+            steepness = (time**2 - 1.0) ** 2 / (4.0 * time**2)
+            reaches.append(min(int(np.ceil(1.1447 * (steepness * size) ** (1.0 / 3.0))), size // 3))
+        return misfit, reaches
 
     def _offset(self, channel: int, residual: FloatArray) -> SensorOffset | None:
         """Return the significant offset of a channel.
@@ -278,17 +285,6 @@ def _correlated_variance(moves: FloatArray, channels: Sequence[slice], reaches: 
     return max(independent, correlated)
 
 
-def _correlation_length(residual: FloatArray) -> int:
-    """Return the correlation length of residuals in samples.
-
-    The length applies to Bartlett weights and a first-order process (Andrews).
-    """
-    time = correlation_time(residual)
-    # 4 a^2/(1 - a^2)^2 (Andrews) for a first-order process with a correlation time of (1 + a)/(1 - a).
-    steepness = (time**2 - 1.0) ** 2 / (4.0 * time**2)
-    return min(int(np.ceil(1.1447 * (steepness * residual.size) ** (1.0 / 3.0))), residual.size // 3)
-
-
 # Estimates and bands ----------------------------------------------------------------------------------------------
 
 
@@ -333,14 +329,6 @@ def covariance(optimum: Optimum) -> FloatArray:
     result[is_at_bound, :] = result[:, is_at_bound] = 0.0
     result[np.diag_indices_from(result)] = variances
     return np.asarray(result)
-
-
-def errors(optimum: Optimum) -> FloatArray:
-    """Return the standard error of each parameter for white noise.
-
-    The standard error is infinite if the data are insensitive to the parameter.
-    """
-    return np.asarray(np.linalg.norm(influences(optimum), axis=1))
 
 
 def correlation(free: Sequence[FreeParameter], optimum: Optimum) -> dict[str, dict[str, float]]:

@@ -12,7 +12,7 @@ from poppet.core.errors import ErrorCollector
 from poppet.core.tables import Field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind, quantity
-from poppet.identify.columns import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
+from poppet.identify.data_file import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
 from poppet.identify.flow.points import CHANNELS, FlowPoints, Instrument
 
 LAW_FIELDS = {

@@ -11,7 +11,7 @@ import numpy as np
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.core.tables import Field
-from poppet.identify.file_argument import or_file
+from poppet.identify.data_file import or_file
 from poppet.identify.friction.bristles import usable_reversals
 from poppet.identify.friction.friction_file import read_friction_file
 from poppet.identify.friction.friction_findings import findings
@@ -264,7 +264,7 @@ def _curves(analysis: FrictionFits) -> dict[str, Any]:
     if SEAL in parameters:
         curves["pressure.friction"] = _pressure_curve(analysis, rows.sign * (measured - model))
     if bristles is not None:
-        turns = usable_reversals(analysis.motions, solution, analysis.distance)
+        turns = usable_reversals(analysis.motions, parameters, solution.offsets, analysis.distance)
         turns = [turn for turn in turns if not turn.is_chained]
         level = bristles.stiffness * bristles.way  # mean sliding level
         distance = np.concatenate([turn.distance for turn in turns])

@@ -10,7 +10,7 @@ from poppet.core.errors import ErrorCollector
 from poppet.core.tables import Field, read_fields
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import Kind
-from poppet.identify.columns import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
+from poppet.identify.data_file import FILE_FIELDS, channel_field, open_table, read_ambient, read_column
 from poppet.identify.muscle.points import MusclePoints, join_tables
 
 COLUMNS: dict[str, tuple[str, Kind]] = {

@@ -263,7 +263,7 @@ def _evaluate(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dic
     """
     channels = zip(channels_of(plan.experiments), optimum.sigmas, strict=True)
     residuals = {fitted.name: sigma * optimum.residual[fitted.rows] for fitted, sigma in channels}
-    parameters = estimates(plan.free, optimum, error_model_of(plan.experiments, optimum, plan.settings))
+    parameters = estimates(plan.free, optimum, error_model_of(plan, optimum))
     return parameters, residuals, aicc(list(residuals.values()), len(plan.free))
 
 

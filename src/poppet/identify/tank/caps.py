@@ -8,9 +8,9 @@ from dataclasses import replace
 
 from poppet.core.codes import Note
 from poppet.core.units import quantity
-from poppet.identify.fit.equivalent_optima import unite_estimates
 from poppet.identify.fit.fit_plan import FitPlan
 from poppet.identify.fit.identify_fit import CLEAR, STRONG
+from poppet.identify.fit.optima import unite_estimates
 from poppet.identify.flow.flow_findings import USUAL_CONDUCTANCE
 from poppet.identify.result import DETERMINED, Result
 from poppet.identify.tank.alternatives import (

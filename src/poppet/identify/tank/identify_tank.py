@@ -8,7 +8,7 @@ from pathlib import Path
 
 from poppet.core.codes import Note
 from poppet.core.toml_file import TomlFile
-from poppet.identify.fit.identify_fit import Progress, run_fit
+from poppet.identify.fit.identify_fit import Progress, identify_fit
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.gum import SPREAD, widened
 from poppet.identify.result import Result
@@ -85,7 +85,7 @@ def identify_tank(
             test = read_test(file)
             runs = read_runs(test)
             plan = plan_tank_fit(test, runs)
-    result = run_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
+    result = identify_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     result = apply_caps(test, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)

@@ -1,10 +1,12 @@
-"""Fields that all files with measured columns share, and the conversion of a column to SI units."""
+"""Shared parts of the methods that read files with measured columns: fields, columns in SI units, file arguments."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import inspect
+from collections.abc import Callable, Mapping
+from functools import wraps
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar, cast
 
 import numpy as np
 
@@ -15,6 +17,7 @@ from poppet.core.units import Kind, convert, quantity, with_state
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.tables.reading import Table, read_table
 
+Function = TypeVar("Function", bound=Callable[..., Any])
 TABLE_OPTIONS = ("separator", "decimal", "header_rows", "group")
 FILE_FIELDS = {
     "title": Field(type="text"),
@@ -67,3 +70,26 @@ def read_column(
         return ColumnReading(np.asarray(values), written_unit, full_unit)
     except InputError as error:
         raise error.located(address=channel) from None
+
+
+def or_file(read: Callable[[str | Path], tuple[Any, dict[str, Any]]]) -> Callable[[Function], Function]:
+    """Return a decorator that lets a function accept a file path instead of its data.
+
+    The function `read` reads the file and returns the data and the keyword arguments of the file. Keyword arguments of
+    the call override those of the file.
+    """
+
+    def decorate(function: Function) -> Function:
+        first = next(iter(inspect.signature(function).parameters))
+
+        @wraps(function)
+        def call(*data: Any, **keywords: Any) -> Any:
+            path = data[0] if data else keywords.get(first)
+            if not isinstance(path, str | Path):
+                return function(*data, **keywords)
+            argument_from_file, options = read(path)
+            return function(**{**options, **keywords, first: argument_from_file})
+
+        return cast(Function, call)
+
+    return decorate
