@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import uuid
 import zlib
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any, TypeVar
@@ -24,11 +24,17 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(target.parent))
+    start = f".{target.name}.{_host()}-"
     # In the same folder: a rename across file systems is a copy, which is not atomic.
-    aside = target.with_name(f".{target.name}.{_host()}-{os.getpid()}-{uuid.uuid4().hex[:12]}")
-    for orphan in _orphans(target):
-        with suppress(OSError):
-            orphan.unlink()
+    aside = target.with_name(f"{start}{os.getpid()}-{uuid.uuid4().hex[:12]}")
+    with os.scandir(target.parent) as entries:
+        names = [entry.name for entry in entries if entry.name.startswith(start)]
+    for name in names:
+        # Killed processes of this host have not deleted their temporary files.
+        process = name[len(start) :].partition("-")[0]
+        if process.isdigit() and not _is_running(int(process)):
+            with suppress(OSError):
+                target.with_name(name).unlink()
     try:
         with aside.open("xb") as stream:
             fill(stream)
@@ -48,17 +54,6 @@ def _host() -> str:
     return f"{zlib.crc32(os.uname().nodename.encode()) if hasattr(os, 'uname') else 0:08x}"
 
 
-def _orphans(target: Path) -> Iterator[Path]:
-    """Yield the temporary files that killed processes of this host did not delete."""
-    start = f".{target.name}.{_host()}-"
-    with os.scandir(target.parent) as entries:
-        names = [entry.name for entry in entries if entry.name.startswith(start)]
-    for name in names:
-        process = name[len(start) :].partition("-")[0]
-        if process.isdigit() and not _is_running(int(process)):
-            yield target.with_name(name)
-
-
 def _is_running(process: int) -> bool:
     if os.name != "posix":
         return True  # signal 0 would end the process
@@ -67,7 +62,7 @@ def _is_running(process: int) -> bool:
     except ProcessLookupError:
         return False
     except (OSError, OverflowError):
-        return True
+        pass
     return True
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 from poppet.core.errors import InputError, NameSuggestion, OutOfRangeError, UnitError
 
@@ -89,10 +89,8 @@ class Number:
     def __post_init__(self) -> None:
         if self.reference not in REFERENCES:
             suggestion = NameSuggestion(str(self.reference), filter(None, REFERENCES))
-            meaning = "reference of a pressure"
-            raise InputError(
-                "fields.not_an_option", "reference", value=self.reference, meaning=meaning, near=suggestion
-            )
+            facts: dict[str, Any] = {"meaning": "reference of a pressure", "near": suggestion}
+            raise InputError("fields.not_an_option", "reference", value=self.reference, **facts)
 
     def __float__(self) -> float:
         if self.reference == "gauge":

@@ -73,19 +73,16 @@ class TomlFile:
         except RecursionError:
             raise InputError("toml.too_deep") from None
         except tomllib.TOMLDecodeError as error:
-            raise self._syntax_mistake(str(error)) from None
-
-    def _syntax_mistake(self, message: str) -> InputError:
-        # Only the message contains the line number.
-        match = re.search(r"at line (\d+)", message)
-        line = int(match.group(1)) if match else 0
-        if line in self._lines.twice:
-            name, is_table = self._lines.twice[line]
-            error = InputError("toml.table_twice" if is_table else "toml.key_twice", name)
-        else:
-            has_comma = line and _DECIMAL_COMMA.search(self.text.splitlines()[line - 1])
-            error = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
-        return error.located(line=line or None)
+            message = str(error)  # only the message contains the line number
+            match = re.search(r"at line (\d+)", message)
+            line = int(match.group(1)) if match else 0
+            if line in self._lines.twice:
+                name, is_table = self._lines.twice[line]
+                problem = InputError("toml.table_twice" if is_table else "toml.key_twice", name)
+            else:
+                has_comma = line and _DECIMAL_COMMA.search(self.text.splitlines()[line - 1])
+                problem = InputError("toml.comma" if has_comma else "toml.invalid", why=message)
+            raise problem.located(line=line or None) from None
 
     @contextmanager
     def errors(self) -> Iterator[ErrorCollector]:
@@ -165,14 +162,8 @@ class _Lines:
             quotes = next((q for q in ('"""', "'''") if line.count(q) % 2), "")
             if not header and not quotes:
                 without_texts = re.sub(r"\"[^\"]*\"|'[^']*'|#.*", "", line)
-                depth = max(
-                    0,
-                    depth
-                    + without_texts.count("[")
-                    + without_texts.count("{")
-                    - without_texts.count("]")
-                    - without_texts.count("}"),
-                )
+                opened, closed = (sum(map(without_texts.count, brackets)) for brackets in ("[{", "]}"))
+                depth = max(0, depth + opened - closed)
 
     def _add(self, path: str, number: int, *, is_table: bool) -> None:
         self.of.setdefault(path, number)

@@ -450,26 +450,19 @@ def quantity(
     1.65e-08
     """
     try:
-        result = (
-            _from_text(argument, unit, kind, is_told)
-            if isinstance(argument, str)
-            else _from_number(argument, unit, kind)
-        )
+        if isinstance(argument, str):
+            return _from_text(argument, unit, kind, is_told)
+        # Python treats True as an integer.
+        if isinstance(argument, (bool, np.bool_)) or not isinstance(argument, Real):
+            raise InputError("quantity.not_a_number", example=_example(unit, kind))
+        try:
+            value = float(argument)
+        except OverflowError:  # an integer of more than 308 digits
+            value = math.inf
+        return _checked(value, unit, kind, "")
     except InputError as problem:
         display = f'"{argument}"' if isinstance(argument, str) else repr(argument)
         raise type(problem)(problem.code, name, shown=display, **problem.facts) from None
-    return result
-
-
-def _from_number(argument: Any, unit: str, kind: Kind) -> Quantity:
-    # Python treats True as an integer.
-    if isinstance(argument, (bool, np.bool_)) or not isinstance(argument, Real):
-        raise InputError("quantity.not_a_number", example=_example(unit, kind))
-    try:
-        value = float(argument)
-    except OverflowError:  # an integer of more than 308 digits
-        value = math.inf
-    return _checked(value, unit, kind, "")
 
 
 @lru_cache(maxsize=4096)

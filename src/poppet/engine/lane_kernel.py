@@ -72,30 +72,22 @@ def lane_functions(kernel: Kernel, width: int) -> LaneFunctions:
     Kernels of one model with different outputs share all functions except those that write rows.
     """
     if width not in kernel.lanes:
-        kind, shared = Kind(width), kernel.shared_lanes
+        kind, shared, model = Kind(width), kernel.shared_lanes, kernel.model
         if width not in shared:
-            shared[width] = _step_functions(kernel, kind)
-        rows = print_rows(outputs_function(kernel.model), kernel.model.size, kind)
+            functions, n_controlled = trace_functions(model), len(model.states)
+            listings, n_derived = lane_listings(functions, model)
+            listings |= {name: InstructionList.of(functions[name]) for name in ("factor", "solve")}
+            text = [print_function(function, name, kind) for name, function in listings.items()]
+            text.append(print_step(model.size, n_controlled, len(model.inputs), kind))
+            text += [print_choose(kind), print_judge(n_controlled, kind), print_settle(kind)]
+            text.append(print_commit(model.size, kind))
+            names = ("jacobian", "jacobian_held", "derived", "step", "dense", "choose", "judge", "settle", "commit")
+            shared[width] = LaneFunctions(*_compile(kind, text, names), n_derived)
+        rows = print_rows(outputs_function(model), model.size, kind)
         code = _compile(kind, [rows], ("rows", "rows_held"))
         addresses = {**shared[width].addresses, **code.addresses}
         kernel.lanes[width] = shared[width]._replace(addresses=addresses, owner=(shared[width].owner, code.owner))
     return kernel.lanes[width]
-
-
-def _step_functions(kernel: Kernel, kind: Kind) -> LaneFunctions:
-    model, functions = kernel.model, trace_functions(kernel.model)
-    listings, n_derived = lane_listings(functions, model)
-    listings |= {name: InstructionList.of(functions[name]) for name in ("factor", "solve")}
-    text = [print_function(function, name, kind) for name, function in listings.items()]
-    text.append(print_step(model.size, len(model.states), len(model.inputs), kind))
-    text += [
-        print_choose(kind),
-        print_judge(len(model.states), kind),
-        print_settle(kind),
-        print_commit(model.size, kind),
-    ]
-    names = ("jacobian", "jacobian_held", "derived", "step", "dense", "choose", "judge", "settle", "commit")
-    return LaneFunctions(*_compile(kind, text, names), n_derived)
 
 
 def _compile(kind: Kind, text: list[str], names: tuple[str, ...]) -> CompiledFunctions:

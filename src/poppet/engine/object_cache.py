@@ -42,7 +42,21 @@ def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
     code = compile_it(source)
     # Without a usable folder, the next process compiles again.
     with contextlib.suppress(OSError):
-        _store(path, _MARK + hashlib.sha256(code).digest() + code)
+        path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
+        _check(path.parent.stat())
+        # With rights 0600.
+        handle, name = tempfile.mkstemp(dir=path.parent, suffix=".new")
+        try:
+            with os.fdopen(handle, "wb") as file:
+                file.write(_MARK + hashlib.sha256(code).digest() + code)
+            # Atomic within a folder.
+            os.replace(name, path)
+        except OSError:
+            Path(name).unlink(missing_ok=True)
+            raise
+        files = sorted(path.parent.glob("*.o"), key=lambda file: file.stat().st_mtime)
+        for obsolete in files[:-MAX_ENTRIES]:
+            obsolete.unlink(missing_ok=True)
     return code
 
 
@@ -87,21 +101,3 @@ def _check(status: os.stat_result) -> None:
     """
     if os.name == "posix" and (status.st_uid != os.geteuid() or status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
         raise PermissionError("other users have write permission")
-
-
-def _store(path: Path, entry: bytes) -> None:
-    path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-    _check(path.parent.stat())
-    # With rights 0600.
-    handle, name = tempfile.mkstemp(dir=path.parent, suffix=".new")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(entry)
-        # Atomic within a folder.
-        os.replace(name, path)
-    except OSError:
-        Path(name).unlink(missing_ok=True)
-        raise
-    files = sorted(path.parent.glob("*.o"), key=lambda file: file.stat().st_mtime)
-    for obsolete in files[:-MAX_ENTRIES]:
-        obsolete.unlink(missing_ok=True)

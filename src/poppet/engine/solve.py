@@ -33,38 +33,18 @@ def solve(
     """Run a problem with the selected solver.
 
     If the Rosenbrock kernel stalls and `repeats_stalled` is True, the run is repeated with tighter tolerances, then
-    with other solvers.
+    with other solvers. The result then contains a note on the repetition.
     """
-    if solver == "rosenbrock":
-        run = run_kernel(problem, progress)
-        if run.outcome is Outcome.STALLED and repeats_stalled:
-            return _repeat_stalled(problem, run, progress)
-        return run
+    stalled = run_kernel(problem, progress) if solver == "rosenbrock" else None
+    if stalled is not None and (stalled.outcome is not Outcome.STALLED or not repeats_stalled):
+        return stalled
     from poppet.engine.reference_solvers.solvers import SOLVERS, solve_with_reference
 
-    if solver not in SOLVERS:
-        raise InputError(
-            "fields.not_an_option",
-            "run.solver",
-            value=solver,
-            meaning="solver",
-            near=NameSuggestion(solver, ("rosenbrock", *SOLVERS)),
-        )
-    return solve_with_reference(problem, solver, progress)
-
-
-def run_kernel(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
-    """Run a problem with the Rosenbrock kernel, without a repetition if it stalls."""
-    return Call(problem).run(progress)
-
-
-def _repeat_stalled(problem: Problem, stalled: RawRun, progress: Callable[[float], Any] | None) -> RawRun:
-    """Repeat a stalled run with tighter tolerances, then with other solvers.
-
-    The result contains a note on the repetition.
-    """
-    from poppet.engine.reference_solvers.solvers import solve_with_reference
-
+    if stalled is None:
+        if solver not in SOLVERS:
+            near = NameSuggestion(solver, ("rosenbrock", *SOLVERS))
+            raise InputError("fields.not_an_option", "run.solver", value=solver, meaning="solver", near=near)
+        return solve_with_reference(problem, solver, progress)
     # From the initial state, because the end of the stalled run can be inaccurate.
     for tolerance in dict.fromkeys(max(factor * problem.relative_tolerance, TIGHTEST) for factor in TIGHTER):
         run = run_kernel(replace(problem, relative_tolerance=tolerance), progress)
@@ -73,8 +53,16 @@ def _repeat_stalled(problem: Problem, stalled: RawRun, progress: Callable[[float
         if run.outcome is not Outcome.STALLED:
             return replace(run, notes=(*run.notes, Note("run.repeated", time=stalled.reached, tolerance=tolerance)))
     max_attempts = problem.most_attempts
-    for solver, attempts in (("cvodes", max_attempts), ("radau", min(max_attempts // RADAU_COST, MAX_RADAU_ATTEMPTS))):
-        run = solve_with_reference(replace(problem, most_attempts=attempts), solver)
+    for fallback, attempts in (
+        ("cvodes", max_attempts),
+        ("radau", min(max_attempts // RADAU_COST, MAX_RADAU_ATTEMPTS)),
+    ):
+        run = solve_with_reference(replace(problem, most_attempts=attempts), fallback)
         if run.outcome.is_success:
-            return replace(run, notes=(*run.notes, Note("run.handed_over", time=stalled.reached, solver=solver)))
+            return replace(run, notes=(*run.notes, Note("run.handed_over", time=stalled.reached, solver=fallback)))
     return replace(stalled, notes=(*stalled.notes, Note("run.no_way_on")))
+
+
+def run_kernel(problem: Problem, progress: Callable[[float], Any] | None = None) -> RawRun:
+    """Run a problem with the Rosenbrock kernel, without a repetition if it stalls."""
+    return Call(problem).run(progress)

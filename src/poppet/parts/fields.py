@@ -29,6 +29,7 @@ NumberLike = Number | float | str | Mapping[str, Any] | None
 """Argument of a number field: SI value, text with unit, `Number`, or a table with value, source, locator and note."""
 
 
+@dataclass(frozen=True)
 class Declaration:
     """Base class of declarations of a field.
 
@@ -36,6 +37,7 @@ class Declaration:
     """
 
     doc: str
+    optional: bool = dataclasses.field(default=False, kw_only=True)
 
     @property
     def meaning(self) -> str:
@@ -44,16 +46,14 @@ class Declaration:
 
 
 @dataclass(frozen=True)
-class NumberSpec(NumberRange, Declaration):
+class NumberSpec(Declaration, NumberRange):
     """Declaration of a number: unit, limits, default and meaning."""
 
     unit: str
-    doc: str
     kind: Kind = "plain"
     default: str | float | None = None
     source: SourceKind = "assumed"
     note: str = ""
-    optional: bool = False
     varies: Callable[[Any], Mapping[str, Any]] | None = None  # changes of the declaration under the choices of a part
 
     def within(self, part: Any) -> NumberSpec:
@@ -78,23 +78,14 @@ class OptionSpec(Declaration):
     """
 
     choices: tuple[str, ...]
-    doc: str
 
 
-@dataclass(frozen=True)
 class PortSpec(Declaration):
     """Declaration of a port; its value is the name of the connected gas node."""
 
-    doc: str
-    optional: bool = False
 
-
-@dataclass(frozen=True)
 class BodySpec(Declaration):
     """Declaration of a field whose value is the name of the body that an actuator moves."""
-
-    doc: str
-    optional: bool = False
 
 
 @dataclass(frozen=True)
@@ -105,29 +96,23 @@ class GroupSpec(Declaration):
     """
 
     group: type
-    doc: str
-    optional: bool = False
 
 
-@dataclass(frozen=True)
 class ReferenceSpec(Declaration):
     """Declaration of a field whose value is the name of a library set, or a table instead."""
-
-    doc: str
 
 
 @dataclass(frozen=True)
 class MemberSpec(Declaration):
     """Declaration of a member of a compound.
 
-    `inherited` contains the names of the fields of the member that the compound sets.
+    `inherited` contains the names of the fields of the member that the compound sets. The compound can omit an optional
+    member.
     """
 
     part: Any  # class of the part
-    doc: str
     inherited: tuple[str, ...]
     is_open: bool = False  # ports of other parts can be connected to it
-    optional: bool = False  # the compound can omit it
 
 
 Spec = NumberSpec | OptionSpec | PortSpec | BodySpec | GroupSpec | ReferenceSpec | MemberSpec
@@ -168,7 +153,7 @@ def laminar_limit() -> Any:
 
 def option(default: str, *choices: str, doc: str) -> Any:
     """Declare an option; the default is also one of the choices."""
-    return _field(OptionSpec((default, *choices), doc), default)
+    return _field(OptionSpec(doc, (default, *choices)), default)
 
 
 OFF_ON = ("false", "true")
@@ -182,7 +167,7 @@ def switch(*, doc: str) -> Any:
 
 def port(doc: str, *, optional: bool = False) -> Any:
     """Declare a port."""
-    return _field(PortSpec(doc, optional))
+    return _field(PortSpec(doc, optional=optional))
 
 
 def body(doc: str) -> Any:
@@ -192,12 +177,12 @@ def body(doc: str) -> Any:
 
 def group(kind: type, *, doc: str, optional: bool = False) -> Any:
     """Declare a group of numbers."""
-    return _field(GroupSpec(kind, doc, optional))
+    return _field(GroupSpec(doc, kind, optional=optional))
 
 
 def member(kind: type, *, doc: str, inherited: Sequence[str], is_open: bool = False, optional: bool = False) -> Any:
     """Declare a member of a compound, whose `inherited` fields the compound sets."""
-    return _field(MemberSpec(kind, doc, tuple(inherited), is_open, optional))
+    return _field(MemberSpec(doc, kind, tuple(inherited), is_open, optional=optional))
 
 
 def reference(*, doc: str) -> Any:

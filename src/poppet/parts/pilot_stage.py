@@ -182,11 +182,6 @@ class PilotStage(Store, Passage):
     def _volume(self, scope: Scope) -> Any:
         return maximum(scope["volume"] + scope.inputs["displacement"], MIN_VOLUME_FRACTION * scope["volume"])
 
-    def _opening(self, name: str, scope: Scope) -> Any:
-        if self.drive == SWITCHED:
-            return scope.memory[f"{name}_open"]
-        return scope.states[f"{name}_opening"] if self._is_limited(name) else self._averaged(name, scope)
-
     def _averaged(self, name: str, scope: Scope) -> Any:
         numbers = {key: scope[f"{name}.{key}"] for key in ("frequency", "opening_delay", "closing_delay")}
         return solenoid.averaged_opening(scope.inputs[f"{name}_duty"], **numbers)
@@ -197,7 +192,12 @@ class PilotStage(Store, Passage):
         flows, outputs = [], {}
         paths = {"fill": inward, "vent": outward, "supply_leak": inward, "exhaust_leak": outward}
         for name, ends in paths.items():
-            opening = self._opening(name, scope) if name in VALVES else 1.0
+            opening = 1.0
+            if name in VALVES and self.drive == SWITCHED:
+                opening = scope.memory[f"{name}_open"]
+            elif name in VALVES:
+                is_limited = self._is_limited(name)
+                opening = scope.states[f"{name}_opening"] if is_limited else self._averaged(name, scope)
             size = scope[f"{name}.sonic_conductance"] * opening, scope[f"{name}.critical_ratio"]
             flow, _ = named_flow(scope, gas, name, ends, size)
             flows.append(flow)

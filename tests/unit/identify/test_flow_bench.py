@@ -448,7 +448,7 @@ def test_all_errors_of_points_are_raised_together():
 
 @pytest.mark.parametrize("value", [-0.1, math.nan, math.inf])
 def test_invalid_uncertainties_are_rejected(value):
-    with refused("flow.uncertainty", "relative"):
+    with refused("fields.out_of_range", "relative"):
         Instrument(relative=value)
 
 

@@ -116,7 +116,7 @@ def test_ambiguous_flow_unit_is_noted(write_file, unit, read):
             "relative_uncertainty = 0.01",
             "relative_uncertainty = -0.01",
             4,
-            "flow.uncertainty",
+            "fields.out_of_range",
         ),
         ('"1 kPa"', '"1 K"', 5, "quantity.other_quantity"),
     ],

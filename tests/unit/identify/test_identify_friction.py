@@ -722,7 +722,7 @@ def test_inertia_force_is_subtracted():
         ({"force": [1.0, np.nan, 3.0], "velocity": [0.1, 0.2, 0.3]}, "friction.not_finite"),
         ({"force": [1.0, 2.0], "velocity": [0.1, 0.2]}, "friction.too_few"),
         ({"force": [1.0, 2.0, 3.0], "position": [0.1, 0.2, 0.3]}, "friction.no_velocity"),
-        ({"force": [1.0, 2.0, 3.0], "velocity": [0.1, 0.2, 0.3], "uncertainty": 0.0}, "friction.no_uncertainty"),
+        ({"force": [1.0, 2.0, 3.0], "velocity": [0.1, 0.2, 0.3], "uncertainty": 0.0}, "fields.out_of_range"),
         ({"force": [1.0, 2.0, 3.0], "position": [0.1, 0.2, 0.3], "time": [0, 1, 1]}, "series.time.not_increasing"),
         ({"force": [1.0, 2.0, 3.0], "position": [0.1, 0.1, 0.1], "time": [0, 1, 2]}, "friction.at_rest"),
     ],
@@ -765,7 +765,7 @@ skip = "15 ms"
 
 @pytest.fixture
 def write_file(tmp_path):
-    """Return a function that writes a friction file beside its two recordings."""
+    """Return a function that writes a friction file for two recordings."""
     for name in "ab":
         (tmp_path / f"{name}.csv").write_text("0\t0.0\t5\n10\t0.1\t6\n20\t0.2\t6\n30\t0.3\t6\n40\t0.4\t7\n")
 
@@ -794,7 +794,7 @@ def test_file_gives_records_in_si_units(write_file):
         (("direction = -1", "direction = 2"), "bodies.direction", "direction"),
         (("skip =", "skipp ="), "fields.unknown", "skipp"),
         (("column = 2", "columm = 2"), "fields.unknown", "force.columm"),
-        (("column = 2, ", ""), "friction.no_column", "force"),
+        (("column = 2, ", ""), "fields.missing", "force.column"),
         (('{ value = ["1 bar g", "3 bar g"] }', "{ }"), "friction.column_or_value", "pressure"),
         (('["1 bar g", "3 bar g"]', '["1 bar g"]'), "friction.values", "pressure.value"),
         (('["1 bar g", "3 bar g"]', '["1 bar g", "3 N"]'), "quantity.other_quantity", "pressure.value"),

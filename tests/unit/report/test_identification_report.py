@@ -494,7 +494,7 @@ def test_equal_results_give_equal_bytes(tmp_path):
     assert first.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
-@pytest.mark.parametrize(("name", "code"), [("a.pdf", "page.suffix"), ("no/a.html", "files.no_folder")])
+@pytest.mark.parametrize(("name", "code"), [("a.pdf", "files.suffix"), ("no/a.html", "files.no_folder")])
 def test_invalid_output_files_are_rejected(tmp_path, name, code):
     with refused(code, path=str(tmp_path / name)):
         write_identification(example_result(), tmp_path / name)

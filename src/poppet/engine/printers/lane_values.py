@@ -92,9 +92,48 @@ class _Values:
 
     def put(self, operation: str, *arguments: int) -> int:
         """Add an operation in its simplest form, and return the index of its value."""
-        rule = _RULES.get(operation)
-        value = rule(self, *arguments) if rule else None
-        return self._index(operation, *arguments) if value is None else value
+        a, b = arguments[0], arguments[-1]
+        match operation:
+            case "assign":
+                return a
+            case "add" if self.is_number(a, 0.0):
+                return b
+            case "add" | "sub" if self.is_number(b, 0.0):
+                return a
+            case "sub" if self.is_number(a, 0.0):
+                return self.put("neg", b)
+            case "neg" | "twice" | "if_else_zero" if self.is_number(b, 0.0):
+                return b
+            case "mul":
+                return self._put_product(a, b)
+            case "div":
+                while self.is_of(a, "twice") and self.is_of(b, "twice"):
+                    a, b = self.keys[a][1], self.keys[b][1]
+                return self._put_product(a, self.put("inverse", b))
+            case "inv":
+                return self.put("inverse", a)
+            case "inverse":
+                key = self.keys[a]
+                if key[0] == "const" and key[1] != 0.0:
+                    return self.constant(1.0 / key[1])
+                if key[0] == "twice":
+                    return self._put_product(self.constant(0.5), self.put("inverse", key[1]))
+                if key[0] == "sqrt":
+                    return self.put("inverse_root", key[1])
+        return self._index(operation, *arguments)
+
+    def _put_product(self, a: int, b: int) -> int:
+        for left, right in ((a, b), (b, a)):
+            if self.is_number(left, 0.0):
+                return left
+            if self.is_number(left, 1.0):
+                return right
+            # Parameters first, because their product is a parameter expression.
+            if self.is_fixed[left] and not self.is_fixed[right] and self.is_of(right, "mul"):
+                for first, second in ((c := self.keys[right][1:]), c[::-1]):
+                    if self.is_fixed[first]:
+                        return self._put_product(self._put_product(left, first), second)
+        return self._index("mul", a, b) if a <= b else self._put_product(b, a)
 
     def _index(self, *key: Any) -> int:
         if key not in self._indices:
@@ -180,65 +219,3 @@ class _Values:
                 constant = key[1] if key[0] == "const" else 0.0
                 listing.append(Instruction(key[0], slots[value], arguments, constant))
         return listing + [Instruction("output", -1, (slots[value],), place=element) for element, value in results]
-
-
-# --- Rules: simpler value of an operation, or None ---
-
-
-def _product(values: _Values, a: int, b: int) -> int | None:
-    for left, right in ((a, b), (b, a)):
-        if values.is_number(left, 0.0):
-            return left
-        if values.is_number(left, 1.0):
-            return right
-        # Parameters first, because their product is a parameter expression.
-        if values.is_fixed[left] and not values.is_fixed[right] and values.is_of(right, "mul"):
-            for first, second in ((c := values.keys[right][1:]), c[::-1]):
-                if values.is_fixed[first]:
-                    return values.put("mul", values.put("mul", left, first), second)
-    return None if a <= b else values.put("mul", b, a)
-
-
-def _sum(values: _Values, a: int, b: int) -> int | None:
-    if values.is_number(a, 0.0):
-        return b
-    return a if values.is_number(b, 0.0) else None
-
-
-def _difference(values: _Values, a: int, b: int) -> int | None:
-    if values.is_number(b, 0.0):
-        return a
-    return values.put("neg", b) if values.is_number(a, 0.0) else None
-
-
-def _zero(values: _Values, *arguments: int) -> int | None:
-    return arguments[-1] if values.is_number(arguments[-1], 0.0) else None
-
-
-def _quotient(values: _Values, a: int, b: int) -> int:
-    while values.is_of(a, "twice") and values.is_of(b, "twice"):
-        a, b = values.keys[a][1], values.keys[b][1]
-    return values.put("mul", a, values.put("inverse", b))
-
-
-def _inverse(values: _Values, a: int) -> int | None:
-    key = values.keys[a]
-    if key[0] == "const" and key[1] != 0.0:
-        return values.constant(1.0 / key[1])
-    if key[0] == "twice":
-        return values.put("mul", values.constant(0.5), values.put("inverse", key[1]))
-    return values.put("inverse_root", key[1]) if key[0] == "sqrt" else None
-
-
-_RULES: dict[str, Any] = {
-    "assign": lambda _, a: a,
-    "add": _sum,
-    "sub": _difference,
-    "mul": _product,
-    "div": _quotient,
-    "inv": lambda values, a: values.put("inverse", a),
-    "inverse": _inverse,
-    "neg": _zero,
-    "twice": _zero,
-    "if_else_zero": _zero,
-}

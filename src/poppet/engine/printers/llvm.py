@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
-from poppet.engine.printers.instructions import Block, Instruction, InstructionList, blocks
+from poppet.engine.printers.instructions import Block, InstructionList, blocks
 
 BLOCK_SIZE = 600
 """Instructions per block: measured optimum, because the time of LLVM per block increases faster than linearly."""
@@ -182,6 +182,12 @@ class Text:
             self._inverses[value] = self.emit(f"call {self.kind.number} @inverse.v({self.kind.number} {value})")
         return self._inverses[value]
 
+    def define(self, name: str, arguments: str) -> str:
+        """Return the definition of a function with the lines of this text; its arguments are pointers."""
+        formal = ", ".join(f"ptr noalias nocapture {argument}" for argument in arguments.split())
+        head = f"define void @{name}({formal}) {self.kind.attributes} {{"
+        return "\n".join([head, *self.lines, "  ret void", "}", ""])
+
     @contextmanager
     def loop(self, n: int) -> Iterator[str]:
         """Add a loop of n > 0 iterations, and yield the name of its index."""
@@ -241,23 +247,20 @@ def _print_block(block: Block, inputs: Sequence[str], outputs: Sequence[str], ki
             names[instruction.result] = text.load(inputs[vector], element)
         elif instruction.operation == "const":
             names[instruction.result] = kind.constant(instruction.constant)
+        elif instruction.operation in ("div", "inv") and kind.width > 1:
+            arguments = [value(slot) for slot in instruction.arguments]
+            result = text.inverse(arguments[-1])
+            if instruction.operation == "div":
+                result = text.emit(f"fmul contract {kind.number} {arguments[0]}, {result}")
+            names[instruction.result] = result
+        elif instruction.operation in _FORMS:
+            arguments = [value(slot) for slot in instruction.arguments]
+            previous, result = "", arguments[0]  # `assign` has no lines: its result is its argument
+            for line in _FORMS[instruction.operation]:
+                previous, result = result, text.emit(line.format(*arguments, r=result, s=previous, **kind.words))
+            names[instruction.result] = result
         else:
-            names[instruction.result] = _operation(text, instruction, [value(slot) for slot in instruction.arguments])
+            raise NotImplementedError(f"no LLVM form for the CasADi operation {instruction.operation}")
     for slot in sorted(block.live_out):
         text.store(names[slot], "%w", slot)
     return text.lines
-
-
-def _operation(text: Text, instruction: Instruction, arguments: Sequence[str]) -> str:
-    if instruction.operation in ("div", "inv") and text.kind.width > 1:
-        inverse = text.inverse(arguments[-1])
-        if instruction.operation == "inv":
-            return inverse
-        return text.emit(f"fmul contract {text.kind.number} {arguments[0]}, {inverse}")
-    form = _FORMS.get(instruction.operation)
-    if form is None:
-        raise NotImplementedError(f"no LLVM form for the CasADi operation {instruction.operation}")
-    previous, result = "", arguments[0]  # `assign` has no lines: its result is its argument
-    for line in form:
-        previous, result = result, text.emit(line.format(*arguments, r=result, s=previous, **text.kind.words))
-    return result

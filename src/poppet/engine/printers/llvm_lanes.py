@@ -10,26 +10,7 @@ from collections.abc import Mapping
 from functools import cache
 from typing import Any
 
-from poppet.engine.job import (
-    END,
-    ERROR,
-    FACTOR,
-    GOAL,
-    LENGTH,
-    LOOK,
-    MASKS,
-    NEXT,
-    REFUSED,
-    ROOT,
-    ROOT_BEFORE,
-    SHRUNK,
-    STEP_BEFORE,
-    STOP,
-    TAKEN,
-    TAKES,
-    TRIES,
-    WANTED,
-)
+from poppet.engine import job
 from poppet.engine.printers.instructions import instructions
 from poppet.engine.printers.llvm import OF_ONE, OF_TWO, PRELUDE, Kind, Text, print_function
 from poppet.engine.rosenbrock import GROWTH, SAFETY, SHRINK
@@ -76,27 +57,21 @@ def lanes_prelude(kind: Kind) -> str:
     d, v = kind.number, kind.suffix
     declared = [f"declare {d} @llvm.{name}.{v}({d})" for name in ("sqrt", "fabs", "floor", "ceil")]
     declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
-    available = vector_functions(kind.width)
-    defined = [_library_function(kind, name, available.get(name, ("", 0))[0]) for name in (*OF_ONE, *OF_TWO)]
+    defined, available = [], vector_functions(kind.width)
+    for name in (*OF_ONE, *OF_TWO):
+        arguments, text, result = ("%a", "%b") if name in OF_TWO else ("%a",), Text(kind), "undef"
+        formal = ", ".join(f"{d} {a}" for a in arguments)
+        if name in available:
+            symbol = available[name][0]
+            defined.append(f"declare {d} @{symbol}({formal}) {_PURE}")
+            result = text.emit(f"call {d} @{symbol}({formal})")
+        # Without a vector library, the scalar function is called for each lane.
+        for lane in range(kind.width) if name not in available else ():
+            elements = [text.emit(f"extractelement {d} {a}, i32 {lane}") for a in arguments]
+            value = text.emit(f"call double @{name}({', '.join(f'double {element}' for element in elements)})")
+            result = text.emit(f"insertelement {d} {result}, double {value}, i32 {lane}")
+        defined.append(_function(kind, f"{name}.v", formal, text, result))
     return "\n".join([PRELUDE, *declared, *defined, _inverse(kind), _inverse_root(kind), _power(kind)])
-
-
-def _library_function(kind: Kind, name: str, symbol: str) -> str:
-    """Return LLVM IR of a mathematical function for lanes.
-
-    It calls a vector library, or the scalar function for each lane.
-    """
-    d, arguments = kind.number, ("%a", "%b") if name in OF_TWO else ("%a",)
-    formal = ", ".join(f"{d} {a}" for a in arguments)
-    text, result = Text(kind), "undef"
-    if symbol:
-        declared = f"declare {d} @{symbol}({formal}) {_PURE}\n"
-        return declared + _function(kind, f"{name}.v", formal, text, text.emit(f"call {d} @{symbol}({formal})"))
-    for lane in range(kind.width):
-        elements = [text.emit(f"extractelement {d} {a}, i32 {lane}") for a in arguments]
-        value = text.emit(f"call double @{name}({', '.join(f'double {element}' for element in elements)})")
-        result = text.emit(f"insertelement {d} {result}, double {value}, i32 {lane}")
-    return _function(kind, f"{name}.v", formal, text, result)
 
 
 _PURE = "nounwind willreturn memory(none)"
@@ -250,26 +225,24 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
         error = choose("olt", error, infinite)
         text.store(choose("ogt", error, text.load("%worst", 0)), "%worst", 0)
     error = text.load("%worst", 0)
-    text.store(error, "%control", ERROR)
+    text.store(error, "%control", job.ERROR)
     root = call("sqrt", call("sqrt", choose("ogt", error, kind.constant(1e-10))))
     basic_factor = divide(kind.constant(SAFETY), root)
     shrunk = choose("ogt", choose("olt", basic_factor, kind.constant(0.8)), kind.constant(SHRINK))
-    text.store(shrunk, "%control", SHRUNK)
+    text.store(shrunk, "%control", job.SHRUNK)
     # Without a previous step, the quotient is infinite and the basic factor is the minimum.
-    ratio = divide(text.load("%th", 1), text.load("%control", STEP_BEFORE))
-    ratio = text.emit(f"fmul {d} {text.times(SAFETY, ratio)}, {text.load('%control', ROOT_BEFORE)}")
+    ratio = divide(text.load("%th", 1), text.load("%control", job.STEP_BEFORE))
+    ratio = text.emit(f"fmul {d} {text.times(SAFETY, ratio)}, {text.load('%control', job.ROOT_BEFORE)}")
     predicted = divide(ratio, text.emit(f"fmul {d} {root}, {root}"))
     factor = choose("olt", predicted, basic_factor)
     factor = choose("ogt", choose("olt", factor, kind.constant(GROWTH)), kind.constant(SHRINK))
-    text.store(factor, "%control", FACTOR)
-    text.store(choose("ogt", root, kind.constant(0.01**0.25)), "%control", ROOT)
-    text.store(accepted := choose("ole", error, unity, unity, zero), "%control", TAKEN)
-    due = text.emit(f"fcmp olt {d} {text.load('%control', NEXT)}, {text.load('%control', END)}")
+    text.store(factor, "%control", job.FACTOR)
+    text.store(choose("ogt", root, kind.constant(0.01**0.25)), "%control", job.ROOT)
+    text.store(accepted := choose("ole", error, unity, unity, zero), "%control", job.TAKEN)
+    due = text.emit(f"fcmp olt {d} {text.load('%control', job.NEXT)}, {text.load('%control', job.END)}")
     due = text.emit(f"and {b} {due}, {text.emit(f'fcmp une {d} {accepted}, {zero}')}")
     _store_mask(text, due, 0)
-    names = ("tolerances", "low", "x", "new", "estimate", "th", "control")
-    head = f"define void @judge({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
-    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+    return text.define("judge", "%tolerances %low %x %new %estimate %th %control")
 
 
 def _store_mask(text: Text, flags: str, number: int) -> None:
@@ -277,7 +250,7 @@ def _store_mask(text: Text, flags: str, number: int) -> None:
     n = text.kind.width
     bits = text.emit(f"bitcast {text.kind.flag} {flags} to i{n}")
     wide = text.emit(f"zext i{n} {bits} to i64")
-    pointer = text.emit(f"getelementptr inbounds i64, ptr %control, i64 {MASKS * n + number}")
+    pointer = text.emit(f"getelementptr inbounds i64, ptr %control, i64 {job.MASKS * n + number}")
     text.lines.append(f"  store i64 {wide}, ptr {pointer}")
 
 
@@ -292,19 +265,17 @@ def print_choose(kind: Kind) -> str:
         flag = text.emit(f"fcmp {relation} {d} {x}, {y}")
         return text.emit(f"select {b} {flag}, {d} {if_true}, {d} {if_false}")
 
-    t, goal, h = text.load("%th", 0), text.load("%control", GOAL), text.load("%control", LENGTH)
+    t, goal, h = text.load("%th", 0), text.load("%control", job.GOAL), text.load("%control", job.LENGTH)
     first = text.emit(f"insertelement {d} undef, double {text.emit('load double, ptr %limits')}, i32 0")
     longest = text.emit(f"shufflevector {d} {first}, {d} undef, <{kind.width} x i32> zeroinitializer")
-    text.store(desired := choose("olt", h, longest, h, longest), "%control", WANTED)
+    text.store(desired := choose("olt", h, longest, h, longest), "%control", job.WANTED)
     remaining = text.emit(f"fsub {d} {goal}, {t}")
     half = text.emit(f"fmul {d} {kind.words['half']}, {remaining}")
     h = choose("olt", desired, half, desired, choose("olt", desired, remaining, half, remaining))
     text.store(h, "%th", 1)
     threshold = text.emit(f"fmul {d} {remaining}, {kind.constant(1.0 - 1e-12)}")
-    text.store(choose("oge", h, threshold, goal, text.emit(f"fadd {d} {t}, {h}")), "%control", END)
-    names = ("control", "th", "limits")
-    head = f"define void @choose({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
-    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+    text.store(choose("oge", h, threshold, goal, text.emit(f"fadd {d} {t}, {h}")), "%control", job.END)
+    return text.define("choose", "%control %th %limits")
 
 
 def print_settle(kind: Kind) -> str:
@@ -324,31 +295,34 @@ def print_settle(kind: Kind) -> str:
     def times(x: str, y: str) -> str:
         return text.emit(f"fmul {d} {x}, {y}")
 
-    rows = {k: text.load("%control", k) for k in (TAKEN, WANTED, FACTOR, SHRUNK, ROOT, END, STOP, REFUSED, LOOK)}
-    t, h, desired, factor = text.load("%th", 0), text.load("%th", 1), rows[WANTED], rows[FACTOR]
-    accepted = compare("une", rows[TAKEN], zero)
+    rows = {
+        k: text.load("%control", k)
+        for k in (job.TAKEN, job.WANTED, job.FACTOR, job.SHRUNK, job.ROOT, job.END, job.STOP, job.REFUSED, job.LOOK)
+    }
+    t, h, desired, factor = text.load("%th", 0), text.load("%th", 1), rows[job.WANTED], rows[job.FACTOR]
+    accepted = compare("une", rows[job.TAKEN], zero)
     factor_after_rejection = choose(compare("olt", factor, unity), factor, unity)
-    next_length = times(h, choose(compare("une", rows[REFUSED], zero), factor_after_rejection, factor))
+    next_length = times(h, choose(compare("une", rows[job.REFUSED], zero), factor_after_rejection, factor))
     grown = times(h, factor)
     # A step that the end of the segment shortened does not reduce the desired length.
     after_short_step = choose(compare("ogt", desired, grown), desired, grown)
-    length = choose(accepted, choose(compare("olt", h, desired), after_short_step, next_length), times(h, rows[SHRUNK]))
-    text.store(length, "%control", LENGTH)
-    text.store(choose(accepted, zero, unity), "%control", REFUSED)
-    for k, value in ((STEP_BEFORE, h), (ROOT_BEFORE, rows[ROOT])):
+    length = choose(
+        accepted, choose(compare("olt", h, desired), after_short_step, next_length), times(h, rows[job.SHRUNK])
+    )
+    text.store(length, "%control", job.LENGTH)
+    text.store(choose(accepted, zero, unity), "%control", job.REFUSED)
+    for k, value in ((job.STEP_BEFORE, h), (job.ROOT_BEFORE, rows[job.ROOT])):
         text.store(choose(accepted, value, text.load("%control", k)), "%control", k)
-    text.store(now := choose(accepted, rows[END], t), "%th", 0)
-    tries = text.emit(f"fadd {d} {text.load('%control', TRIES)}, {unity}")
-    text.store(tries, "%control", TRIES)
-    text.store(text.emit(f"fadd {d} {text.load('%control', TAKES)}, {rows[TAKEN]}"), "%control", TAKES)
-    has_ended = compare("uge", now, rows[STOP])
+    text.store(now := choose(accepted, rows[job.END], t), "%th", 0)
+    tries = text.emit(f"fadd {d} {text.load('%control', job.TRIES)}, {unity}")
+    text.store(tries, "%control", job.TRIES)
+    text.store(text.emit(f"fadd {d} {text.load('%control', job.TAKES)}, {rows[job.TAKEN]}"), "%control", job.TAKES)
+    has_ended = compare("uge", now, rows[job.STOP])
     stalls = compare("ule", text.emit(f"fadd {d} {now}, {length}"), now)
     stalls = text.emit(f"or {b} {stalls}, {compare('olt', length, kind.constant(1e-300))}")
-    needs_check = compare("oge", tries, rows[LOOK])
+    needs_check = compare("oge", tries, rows[job.LOOK])
     _store_mask(text, text.emit(f"or {b} {has_ended}, {text.emit(f'or {b} {stalls}, {needs_check}')}"), 1)
-    names = ("control", "th")
-    head = f"define void @settle({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
-    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+    return text.define("settle", "%control %th")
 
 
 def print_commit(n_states: int, kind: Kind) -> str:
@@ -357,7 +331,7 @@ def print_commit(n_states: int, kind: Kind) -> str:
     Lanes with an accepted step get the new state. Extremes and sums of |change| are updated.
     """
     text, d, b = Text(kind), kind.number, kind.flag
-    text.lines.append(f"  %is = fcmp une {d} {text.load('%control', TAKEN)}, {kind.words['zero']}")
+    text.lines.append(f"  %is = fcmp une {d} {text.load('%control', job.TAKEN)}, {kind.words['zero']}")
     for k, name in enumerate(("%least", "%greatest", "%through")):
         text.name(name, "%books", k * n_states)
 
@@ -371,8 +345,7 @@ def print_commit(n_states: int, kind: Kind) -> str:
             extreme = text.load(name, index)
             flag = text.emit(f"fcmp {relation} {d} {new}, {extreme}")
             text.store(text.emit(f"select {b} {flag}, {d} {new}, {d} {extreme}"), name, index)
-    head = "define void @commit(ptr noalias nocapture %control, ptr noalias nocapture %x, ptr noalias nocapture %new, "
-    return "\n".join([f"{head}ptr noalias nocapture %books) {kind.attributes} {{", *text.lines, "  ret void", "}", ""])
+    return text.define("commit", "%control %x %new %books")
 
 
 def print_rows(outputs: Any, n_states: int, kind: Kind) -> str:
@@ -443,9 +416,8 @@ def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
     text.lines.append(f"  %further = add i64 %c, {written}")
     is_full = text.emit(f"icmp eq i64 {written}, {n if name == 'rows_held' else n + 1}")
     text.lines += [f"  br i1 {is_full}, label %next, label %done", "done:", "  store i64 %further, ptr %column"]
-    names = ("grid", "table", "column", "n_rows", "before", "th", "x0", "x1", "d", "u", "p")
-    head = f"define void @{name}({', '.join(f'ptr noalias nocapture %{a}' for a in names)}) {kind.attributes} {{"
-    declared = [f"declare void @llvm.masked.store.{kind.suffix}.p0({d}, ptr, i32, {kind.flag})"]
-    declared.append("declare i64 @llvm.ctpop.i64(i64)")
-    lines = [head, *text.lines, "  ret void", "}", ""]
-    return "\n".join(lines if name == "rows" else [*declared, *lines])
+    definition = text.define(name, "%grid %table %column %n_rows %before %th %x0 %x1 %d %u %p")
+    if name == "rows":
+        return definition
+    declared = f"declare void @llvm.masked.store.{kind.suffix}.p0({d}, ptr, i32, {kind.flag})"
+    return "\n".join([declared, "declare i64 @llvm.ctpop.i64(i64)", definition])

@@ -53,41 +53,22 @@ def print_step(n_states: int, n_controlled: int, n_inputs: int, kind: Kind = SCA
         text.store(_with_drift(text, 0, index, text.load("%f0", index)), "%right", index)
     text.lines.append("  call void @solve(ptr %lu, ptr %right, ptr %k0)")
     for i in range(1, 6):
-        _print_stage(text, i, (n_states, n_controlled if i < 5 and n_controlled else n_states), n_inputs)
+        with text.loop(n_controlled if i < 5 and n_controlled else n_states) as index:
+            text.store(_weighted(text, index, ARGUMENT[i], text.load("%x0", index)), "%x1", index)
+        time = text.multiply_add(STAGE_TIME[i], "%h", "%t")
+        text.lines.append(f"  store {d} {time}, ptr %time")
+        inputs = text.at("%us", INPUT_TIMES.index(STAGE_TIME[i]) * n_inputs)
+        text.lines.append(f"  call void @rates(ptr %time, ptr %x1, ptr {inputs}, ptr %p, ptr %f1)")
+        with text.loop(n_states) as index:
+            coupled = _weighted(text, index, COUPLING[i])
+            total = text.multiply_add("%g", coupled, text.load("%f1", index))
+            text.store(_with_drift(text, i, index, total), "%right", index)
+        text.lines.append(f"  call void @solve(ptr %lu, ptr %right, ptr %k{i})")
     with text.loop(n_states) as index:
         # The method is stiffly accurate: the new state is the argument of the last stage plus the last stage.
         text.store(text.emit(f"fadd {d} {text.load('%x1', index)}, {text.load('%k5', index)}"), "%x1", index)
-    names = ("th", "x0", "us", "p", "f0", "j", "ft", "w", "k", "x1")
-    head = [f"declare {d} @llvm.fmuladd.{kind.suffix}({d}, {d}, {d})"]
-    head.append(
-        f"define void @step({', '.join(f'ptr noalias nocapture %{name}' for name in names)}) {kind.attributes} {{"
-    )
-    return "\n".join([*head, *text.lines, "  ret void", "}", "", _print_dense(n_states, kind)])
-
-
-def _print_stage(text: Text, i: int, sizes: tuple[int, int], n_inputs: int) -> None:
-    """Add the computation of stage i > 0.
-
-    It consists of the argument of the rates, the rates, the right-hand side and the linear system.
-
-    `sizes` are the sizes of system and argument.
-    """
-    n_states, n_argument = sizes
-    with text.loop(n_argument) as index:
-        text.store(_weighted(text, index, ARGUMENT[i], text.load("%x0", index)), "%x1", index)
-    time = text.multiply_add(STAGE_TIME[i], "%h", "%t")
-    text.lines.append(f"  store {text.kind.number} {time}, ptr %time")
-    inputs = text.at("%us", INPUT_TIMES.index(STAGE_TIME[i]) * n_inputs)
-    text.lines.append(f"  call void @rates(ptr %time, ptr %x1, ptr {inputs}, ptr %p, ptr %f1)")
-    with text.loop(n_states) as index:
-        coupled = _weighted(text, index, COUPLING[i])
-        total = text.multiply_add("%g", coupled, text.load("%f1", index))
-        text.store(_with_drift(text, i, index, total), "%right", index)
-    text.lines.append(f"  call void @solve(ptr %lu, ptr %right, ptr %k{i})")
-
-
-def _print_dense(n_states: int, kind: Kind) -> str:
-    """Return LLVM IR of `dense`, which computes two interpolation coefficients from the stages."""
+    declared = f"declare {d} @llvm.fmuladd.{kind.suffix}({d}, {d}, {d})"
+    step = text.define("step", "%th %x0 %us %p %f0 %j %ft %w %k %x1")
     text = Text(kind)
     for i in range(5):
         text.name(f"%k{i}", "%k", i * n_states)
@@ -95,5 +76,4 @@ def _print_dense(n_states: int, kind: Kind) -> str:
     with text.loop(n_states) as index:
         for k in range(2):
             text.store(_weighted(text, index, DENSE[k]), f"%d{k}", index)
-    head = f"define void @dense(ptr noalias nocapture %k, ptr noalias nocapture %d0) {kind.attributes} {{"
-    return "\n".join([head, *text.lines, "  ret void", "}", ""])
+    return "\n".join([declared, step, text.define("dense", "%k %d0")])

@@ -156,7 +156,14 @@ class Statements:
             if not is_simple and (uses[k] != 1 or len(value.text) > LONGEST):
                 value = self._variable(value)
             slots[instruction.result] = value
-        self._assign(results)
+        written = {target for target, _ in results}
+        assignments = []
+        for target, value in results:
+            if value.text != target:
+                # A value that reads a result is computed before the assignments.
+                reads_result = written & set(re.findall(r"\w+", value.text))
+                assignments.append((target, self._variable(value) if reads_result else value))
+        self.lines += [f"{target} := {value.number if value.is_flag else value.text};" for target, value in assignments]
 
     def _value(self, instruction: Instruction, arguments: list[Value]) -> Value:
         name = instruction.operation
@@ -198,17 +205,6 @@ class Statements:
         self.variables.append((name, "BOOL" if value.is_flag else "LREAL"))
         self.lines.append(f"{name} := {value.text};")
         return Value(name, value.is_flag, negated=value.negated if value.negated.isidentifier() else "")
-
-    def _assign(self, results: list[tuple[str, Value]]) -> None:
-        written = {target for target, _ in results}
-        assignments = []
-        for target, value in results:
-            if value.text == target:
-                continue
-            # A value that reads a result is computed before the assignments.
-            reads_result = written & set(re.findall(r"\w+", value.text))
-            assignments.append((target, self._variable(value) if reads_result else value))
-        self.lines += [f"{target} := {value.number if value.is_flag else value.text};" for target, value in assignments]
 
 
 def _choice(a: Value, b: Value) -> str:

@@ -19,12 +19,9 @@ from itertools import pairwise
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from poppet.engine.problem import Outcome, Problem, RawRun
+from poppet.engine.problem import Array, Outcome, Problem, RawRun
 from poppet.engine.reference_solvers.track import Leg, Track, jacobian, rates, rounding, tolerances
-
-Array = NDArray[np.float64]
 
 SOLVERS: tuple[str, ...] = ("cvodes", "lsoda", "bdf", "radau")
 
@@ -111,9 +108,19 @@ def _run_segments(
     for segment, (begin, end) in enumerate(zip(starts, np.append(starts[1:], last), strict=True)):
         track.enter(segment, float(begin))
         while track.stop < 0 and track.t < end:
-            outcome = _run_interval(track, legs, fractions, progress, track.next_instant(float(end)))
-            if outcome is not Outcome.DONE:
-                return outcome
+            if legs.has_too_many_steps():
+                return legs.failure
+            target = track.next_instant(float(end))
+            for leg in legs.over(segment, track.t, target, track.x):
+                if not track.is_valid(leg.x1):
+                    return Outcome.STALLED
+                track.take(leg, fractions)
+                if progress is not None:
+                    progress(track.t)
+                if track.stop >= 0:
+                    return Outcome.STOPPED
+            if track.t < target:
+                return legs.failure
             if track.t < end:
                 track.act()
                 # Each restart begins with tiny steps, which must not count against the limit of a run.
@@ -121,23 +128,6 @@ def _run_segments(
         if track.stop >= 0:
             return Outcome.STOPPED
     return Outcome.DONE
-
-
-def _run_interval(
-    track: Track, legs: _Legs, fractions: tuple[float, ...], progress: Callable[[float], Any] | None, end: float
-) -> Outcome:
-    """Run a solver over one interval without jumps and sample instants."""
-    if legs.has_too_many_steps():
-        return legs.failure
-    for leg in legs.over(track.segment, track.t, end, track.x):
-        if not track.is_valid(leg.x1):
-            return Outcome.STALLED
-        track.take(leg, fractions)
-        if progress is not None:
-            progress(track.t)
-        if track.stop >= 0:
-            return Outcome.STOPPED
-    return Outcome.DONE if track.t >= end else legs.failure
 
 
 class _StatelessLegs(_Legs):
@@ -206,14 +196,12 @@ class _Cvodes(_Legs):
     """
 
     def __init__(self, problem: Problem) -> None:
-        super().__init__(problem)
-        self.rows = 1 if problem.kernel.model.memory else ROWS
-        self.integrator = self._integrator()
-
-    def _integrator(self) -> Any:
         import casadi as ca
 
-        model, symbols = self.problem.kernel.model, self.problem.kernel.model.symbols
+        super().__init__(problem)
+        self.rows = 1 if problem.kernel.model.memory else ROWS
+
+        model, symbols = problem.kernel.model, problem.kernel.model.symbols
         n_u = symbols["u"].shape[0]
         z, warp, tau, start = ca.SX.sym("z", model.size), ca.SX.sym("warp", 2), ca.SX.sym("tau"), ca.SX.sym("start")
         scale, c = ca.SX.sym("scale", model.size), ca.SX.sym("c", n_u, 7)
@@ -226,23 +214,15 @@ class _Cvodes(_Legs):
         ode = warp[1] * traced(start + since, z * scale, u, symbols["p"]) / scale
         parameters = ca.veccat(symbols["p"], start, scale, c)
         dae = {"x": z, "t": tau, "u": warp, "p": parameters, "ode": ode}
-        return ca.integrator(
-            "cross_check", "cvodes", dae, 0.0, np.arange(1.0, self.rows + 1.0).tolist(), self._options()
-        )
-
-    def _options(self) -> dict[str, Any]:
-        options = {
-            "reltol": self.rtol,
-            "abstol": self.rtol,
-            "linear_solver": "csparse",
-            "max_num_steps": self.max_steps,
-            "disable_internal_warnings": True,
-            "show_eval_warnings": False,
-        }
-        if np.isfinite(self.problem.maximum_step):
-            longest = np.diff(self.problem.grid).max(initial=self.problem.grid[0])
-            options["max_step_size"] = self.problem.maximum_step / longest
-        return options
+        options: dict[str, Any] = {
+            "reltol": self.rtol, "abstol": self.rtol, "linear_solver": "csparse", "max_num_steps": self.max_steps,
+            "disable_internal_warnings": True, "show_eval_warnings": False,
+        }  # fmt: skip
+        if np.isfinite(problem.maximum_step):
+            longest = np.diff(problem.grid).max(initial=problem.grid[0])
+            options["max_step_size"] = problem.maximum_step / longest
+        ends = np.arange(1.0, self.rows + 1.0).tolist()
+        self.integrator = ca.integrator("cross_check", "cvodes", dae, 0.0, ends, options)
 
     def over(self, segment: int, begin: float, end: float, x: Array) -> Iterator[Leg]:
         stops = self._row_times(begin, end)

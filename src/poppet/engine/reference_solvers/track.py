@@ -6,11 +6,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from poppet.engine.problem import Outcome, Problem, RawRun
-
-Array = NDArray[np.float64]
+from poppet.engine.problem import Array, Outcome, Problem, RawRun
 
 BISECTIONS = 60
 
@@ -95,7 +92,14 @@ class Track:
             t = leg.end if fraction == 1.0 else leg.begin + fraction * (leg.end - leg.begin)
             self.stop = self._condition(t, leg.at(t))
             if self.stop >= 0:
-                end, x1 = self._locate_stop(leg, t)
+                # The condition becomes true between `low` and `t`, which become adjacent doubles.
+                low = leg.begin
+                for _ in range(BISECTIONS):
+                    middle = 0.5 * (low + t)
+                    if not low < middle < t:
+                        break
+                    low, t = (low, middle) if self._condition(middle, leg.at(middle)) >= 0 else (middle, t)
+                end, x1 = t, leg.at(t)
                 break
         grid, limit = self.problem.grid, end - rounding(end)
         while len(self.times) < grid.size and grid[len(self.times)] < limit:
@@ -136,23 +140,6 @@ class Track:
             if sum(weight * y[index] for index, weight in pairs if index >= 0) + condition.weights[2] > 0.0:
                 return k
         return -1
-
-    def _locate_stop(self, leg: Leg, high: float) -> tuple[float, Array]:
-        """Return time and state at which a stop condition becomes true in a leg.
-
-        The time is found by bisection.
-        """
-        low = leg.begin
-        for _ in range(BISECTIONS):
-            middle = 0.5 * (low + high)
-            # The limits are adjacent doubles.
-            if not low < middle < high:
-                break
-            if self._condition(middle, leg.at(middle)) >= 0:
-                high = middle
-            else:
-                low = middle
-        return high, leg.at(high)
 
 
 def inputs_at(problem: Problem, segment: int, t: float) -> Array:

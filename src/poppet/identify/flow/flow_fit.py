@@ -461,10 +461,10 @@ def find_other_law(fit: FlowFit) -> tuple[str, FlowFit] | None:
     The result is None if no fixed parameter improves the fit clearly when it is free.
     """
     alternatives = []
-    for name in [name for name in ("subsonic_index", "cracking_pressure") if name in fit.model.fixed]:
+    for name in ("subsonic_index", "cracking_pressure"):
         fixed = {key: value for key, value in fit.model.fixed.items() if key != name}
         richer = FlowModel(fit.model.points, fixed)
-        if len(richer.points) <= len(richer.free):
+        if name not in fit.model.fixed or len(richer.points) <= len(richer.free):
             continue
         # Decrease of -2 ln L if the parameter becomes free, predicted from the derivatives at the optimum.
         index = richer.free.index(name)

@@ -110,8 +110,8 @@ def identify_flow(
         for name, value in law.items():
             if isinstance(value, str) and value != "free":
                 errors.add("flow.number_or_free", name, value=value)
-            elif value != "free" and (error := problem(name, float(value), DOMAINS[name])):
-                errors.extend([error])
+            elif value != "free" and (range_error := problem(name, float(value), DOMAINS[name])):
+                errors.extend([range_error])
     fixed = {name: float(value) for name, value in law.items() if value != "free"}
     model = FlowModel(points, fixed)
     count, free = len(points), len(model.free)
@@ -137,6 +137,13 @@ def identify_flow(
     if doubts:  # independent of the width of the intervals
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
+    evaluation = evaluate_by_standard(points, subsonic_index, cracking_pressure)
+    errors_by_standard = standard_uncertainties(points, evaluation, subsonic_index, cracking_pressure)
+    is_bound = fit.values["critical_ratio"] < float(np.min(points.pressure_ratio))
+    standard: dict[str, Any] = {"note": "No point is saturated: C is a lower and b an upper bound." if is_bound else ""}
+    for name, error in zip(UNITS, errors_by_standard.tolist(), strict=True):
+        standard |= {name: getattr(evaluation, name), f"u_{name}": error}
+    standard |= {"saturated_points": [*evaluation.saturated], "subsonic_points": [*evaluation.subsonic]}
     prefix, rows = f"{part}." if part else "", accepted.gain[0][: len(accepted.model.free)]
     return Result(
         method="flow",
@@ -146,7 +153,7 @@ def identify_flow(
         correlation=correlations([f"{prefix}{name}" for name in accepted.model.free], rows @ rows.T),
         comparison=tests
         | {
-            "standard_formulas": _evaluate_standard(fit, subsonic_index, cracking_pressure),
+            "standard_formulas": standard,
             "uncertainty": {f"{prefix}{name}": row for name, row in accepted.budgets.items()},
             "common_errors": {effect.source: size for size, effect in accepted.model.common_errors(accepted.x)},
             "influence": influence,
@@ -180,18 +187,6 @@ def _influence(fit: FlowFit) -> dict[str, list[float]]:
     shifts /= np.maximum(np.linalg.norm(fit.gain[0], axis=1), 1e-300)[:, None]
     # Common errors follow the free parameters and are omitted here.
     return {name: row.tolist() for name, row in zip(fit.model.free, shifts, strict=False)}
-
-
-def _evaluate_standard(fit: FlowFit, subsonic_index: float | Free, cracking_pressure: float | Free) -> dict[str, Any]:
-    """Return C, b, m and cracking pressure from the formulas of ISO 6358-1, with uncertainties."""
-    points = fit.model.points
-    evaluation = evaluate_by_standard(points, subsonic_index, cracking_pressure)
-    errors = standard_uncertainties(points, evaluation, subsonic_index, cracking_pressure)
-    doubtful = fit.values["critical_ratio"] < float(np.min(points.pressure_ratio))
-    row: dict[str, Any] = {"note": "No point is saturated: C is a lower and b an upper bound." if doubtful else ""}
-    for name, error in zip(UNITS, errors, strict=True):
-        row |= {name: getattr(evaluation, name), f"u_{name}": float(error)}
-    return row | {"saturated_points": list(evaluation.saturated), "subsonic_points": list(evaluation.subsonic)}
 
 
 def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:

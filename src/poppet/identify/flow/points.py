@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError, collect
+from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
+from poppet.core.tables import NumberRange
 from poppet.core.units import convert, sizes_of
 from poppet.laws.iso6358 import mass_flow_rate
 from poppet.timeseries.checks import FloatArray, numbers
@@ -18,6 +19,7 @@ from poppet.timeseries.recording import Recording
 CHANNELS = {"mass_flow_rate": "kg/s", "pressure_1": "Pa", "pressure_2": "Pa", "temperature_1": "K"}
 """Quantities of each point, with their SI units."""
 
+UNCERTAINTIES = NumberRange(unit="", low=0.0, below=np.inf)
 TEMPERATURES = (200.0, 450.0)
 """Plausible temperatures of air; they exclude 20 degC that was read as 20 K [K]."""
 
@@ -53,8 +55,10 @@ class Instrument:
     calibration: float = 0.0
 
     def __post_init__(self) -> None:
-        wrong = {name: value for name, value in vars(self).items() if not 0.0 <= value < np.inf}
-        collect([OutOfRangeError("flow.uncertainty", name, value=value) for name, value in wrong.items()])
+        with ErrorCollector() as errors:
+            for name, value in vars(self).items():
+                with errors.collecting():
+                    UNCERTAINTIES.check_range(name, value, f"{value:g}", "standard uncertainty")
 
     @property
     def is_noisy(self) -> bool:

@@ -15,7 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -25,9 +25,6 @@ from poppet.identify.gum import coverage_factor
 from poppet.identify.result import WEAK
 from poppet.laws.physics.friction import sliding_level
 from poppet.timeseries.checks import FloatArray
-
-if TYPE_CHECKING:
-    from poppet.identify.friction.friction_fit import LawSolution
 
 FEWEST, STEPS = 3, 48
 """Minimum number of reversals, and number of stiffnesses on the grid."""
@@ -81,13 +78,16 @@ class Bristles:
         return self.is_seen and not self.is_coarse and self.damping_low > 0.0
 
 
-def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distance: float) -> Bristles | None:
+def fit_bristles(
+    motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
+) -> Bristles | None:
     """Fit stiffness and damping of the LuGre model to the friction after reversals.
 
-    The fit uses the samples up to the distance `distance` after a reversal; beyond it the body slides. `levels` is the
-    fitted law of steady sliding. The result is None if there are too few reversals.
+    The fit uses the samples up to the distance `distance` after a reversal; beyond it the body slides. `values` and
+    `offsets` are the parameters of steady sliding and the force offsets of the recordings. The result is None if there
+    are too few reversals.
     """
-    turns = usable_reversals(motions, levels, distance)
+    turns = usable_reversals(motions, values, offsets, distance)
     if len(turns) < FEWEST or distance <= 0.0:
         return None
     level = float(np.mean([turn.level[-1] for turn in turns]))
@@ -117,6 +117,8 @@ def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distanc
     # The window smooths the velocity while the bristles deflect.
     half_damping = math.hypot(cover * scatter[1], apparent_damping, window / bending * best[1])
     is_end = best[0] >= logarithms[-1] - 1e-9
+    # Without bristles, the friction changes its sign suddenly.
+    squares = [(np.where(turn.distance > 0.0, turn.level, -turn.level) - turn.measured) ** 2 for turn in turns]
     samples = sum(turn.measured.size for turn in turns)
     return Bristles(
         stiffness=stiffness,
@@ -126,7 +128,7 @@ def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distanc
         way=level / stiffness,
         resolution=resolution,
         rms=math.sqrt(max(best[2], 0.0) / samples),
-        rms_without=math.sqrt(sum(turn.sudden_change_cost() for turn in turns) / samples),
+        rms_without=math.sqrt(float(np.sum(np.concatenate(squares))) / samples),
         reversals=len(turns),
         damping=best[1],
         damping_low=min(best[1], unshifted[1]) - half_damping,
@@ -138,7 +140,9 @@ def fit_bristles(motions: Sequence[RecordedMotion], levels: LawSolution, distanc
     )
 
 
-def usable_reversals(motions: Sequence[RecordedMotion], levels: LawSolution, distance: float) -> list[ReversalData]:
+def usable_reversals(
+    motions: Sequence[RecordedMotion], values: Mapping[str, float], offsets: Mapping[int, float], distance: float
+) -> list[ReversalData]:
     """Return the reversals at which the deflection of the bristles is resolved and known.
 
     The deflection is known after a long stroke. It is also known after a short stroke that follows a usable reversal.
@@ -150,7 +154,7 @@ def usable_reversals(motions: Sequence[RecordedMotion], levels: LawSolution, dis
         for reversal in motion.reversals:
             is_long = reversal.previous_length > 2.0 * distance
             if (is_long or reversal.stroke == last + 1) and SHARP * reversal.rounding < decay:
-                model = ReversalData.of(reversal, levels, distance, is_chained=not is_long)
+                model = ReversalData.of(reversal, values, offsets, distance, is_chained=not is_long)
                 if model.measured.size >= FEWEST:
                     turns.append(model)
                     last = reversal.stroke
@@ -172,17 +176,25 @@ class ReversalData:
     is_chained: bool  # True if the bristles start at the deflection of the previous reversal
 
     @classmethod
-    def of(cls, turn: Reversal, levels: LawSolution, distance: float, *, is_chained: bool) -> ReversalData:
-        """Return the data of a reversal up to a distance, for given levels of sliding friction.
+    def of(
+        cls,
+        turn: Reversal,
+        values: Mapping[str, float],
+        offsets: Mapping[int, float],
+        distance: float,
+        *,
+        is_chained: bool,
+    ) -> ReversalData:
+        """Return the data of a reversal up to a distance, for a given law of sliding friction.
 
         `is_chained` is True if the bristles start at the deflection at which the previous stroke ended.
         """
-        is_within, values, last = turn.distance <= distance, levels.values, turn.last
+        is_within, last = turn.distance <= distance, turn.last
         assert last is not None
         # After a small stroke, the bristles start at its final deflection, otherwise at sliding.
         is_lead = last.distance > (distance if is_chained else turn.previous_length - distance)
         velocity = turn.velocity[is_within]
-        offset_and_viscous = levels.offsets.get(turn.record, 0.0) + values.get(VISCOUS, 0.0) * velocity
+        offset_and_viscous = offsets.get(turn.record, 0.0) + values.get(VISCOUS, 0.0) * velocity
         fading = np.exp(-((velocity / values[STRIBECK]) ** 2)) if STRIBECK in values else 1.0
         return cls(
             turn,
@@ -216,14 +228,6 @@ class ReversalData:
             missed, rate = self.measured[k] - force, self.rate[k] * (1.0 - force / level)
             sums += missed * missed, missed * rate, rate * rate
         return sums, force
-
-    def sudden_change_cost(self) -> float:
-        """Return the sum of squared errors of a model without bristles.
-
-        In this model the friction force changes its sign suddenly at the reversal.
-        """
-        modelled = np.where(self.distance > 0.0, self.level, -self.level)
-        return float(np.sum((modelled - self.measured) ** 2))
 
 
 def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:

@@ -96,8 +96,44 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
     """
     file = TomlFile.read(path, "force")
     with file.errors():
-        coordinate = TURNING if "torque" in file.content else ON_LINE
-        fields = _read_fields(file.content, coordinate)
+        content = file.content
+        coordinate = TURNING if "torque" in content else ON_LINE
+        opposite = coordinate.opposite
+        with ErrorCollector() as errors:
+            offset = {"offset": Field(unit=coordinate.effort_unit, choices=("free",))}
+            force = {} if coordinate is TURNING else {"force": _FORCE}
+            fields = read_fields(errors, content, TOP_LEVEL | offset | force, table="friction file")
+            if "force" in content and "torque" in content:
+                errors.add("friction.force_and_torque", "torque")
+            for name in (opposite.inertia, *["pulley_radius"] * (coordinate is ON_LINE)):
+                if name in content:
+                    facts = {"body": opposite.body, "effort": coordinate.effort, "other": coordinate.body}
+                    errors.add("friction.of_other_body", name, **facts)
+            if coordinate is TURNING and "pressure" in content and "pulley_radius" not in content:
+                errors.add("friction.no_radius", "pulley_radius")
+            if "velocity" not in fields and not {"position", "time"} <= fields.keys():
+                errors.add("friction.no_velocity", "velocity")
+            if "bore" in fields and "area" in fields:
+                errors.add("friction.bore_or_area", "area")
+            if abs(fields.get("direction", 1.0)) != 1.0:
+                errors.add("bodies.direction", "direction", value=fields["direction"])
+            if "within" in fields:
+                with errors.collecting():
+                    is_pair = isinstance(fields["within"], list) and len(fields["within"]) == 2
+                    ends = fields["within"] if is_pair else (0.0, 0.0)
+                    low, high = (quantity(end, coordinate.length, name="within").value for end in ends)
+                    if not low < high:
+                        raise InputError("friction.within", "within", value=fields["within"])
+                    fields["within"] = low, high
+            files = fields.get("file", "")
+            fields["file"] = files if isinstance(files, list) else [files]
+            ambient_pressure = 0.0
+            with errors.collecting():
+                ambient_pressure = read_ambient(fields)
+            fields["ambient_pressure"] = ambient_pressure
+            fields |= {
+                channel: _read_channel(errors, channel, fields, coordinate) for channel in COLUMNS if channel in fields
+            }
         records, notes = [], list[Note]()
         with ErrorCollector() as errors:
             for index, name in enumerate(fields["file"]):
@@ -109,63 +145,19 @@ def read_friction_file(path: str | Path) -> tuple[list[FrictionRecord], dict[str
     return records, {"title": Path(file.name).stem, "within": None} | options | {"notes": tuple(notes)}
 
 
-def _read_fields(content: Mapping[str, Any], coordinate: Coordinate) -> dict[str, Any]:
-    """Return the fields of a file in SI units, with a list of its tables.
-
-    A `value` of a pressure becomes a list of gauge pressures, one for each table.
-    """
-    opposite = coordinate.opposite
-    with ErrorCollector() as errors:
-        offset = {"offset": Field(unit=coordinate.effort_unit, choices=("free",))}
-        force = {} if coordinate is TURNING else {"force": _FORCE}
-        fields = read_fields(errors, content, TOP_LEVEL | offset | force, table="friction file")
-        if "force" in content and "torque" in content:
-            errors.add("friction.force_and_torque", "torque")
-        for name in (opposite.inertia, *["pulley_radius"] * (coordinate is ON_LINE)):
-            if name in content:
-                facts = {"body": opposite.body, "effort": coordinate.effort, "other": coordinate.body}
-                errors.add("friction.of_other_body", name, **facts)
-        if coordinate is TURNING and "pressure" in content and "pulley_radius" not in content:
-            errors.add("friction.no_radius", "pulley_radius")
-        if "velocity" not in fields and not {"position", "time"} <= fields.keys():
-            errors.add("friction.no_velocity", "velocity")
-        if "bore" in fields and "area" in fields:
-            errors.add("friction.bore_or_area", "area")
-        if abs(fields.get("direction", 1.0)) != 1.0:
-            errors.add("bodies.direction", "direction", value=fields["direction"])
-        if "within" in fields:
-            with errors.collecting():
-                is_pair = isinstance(fields["within"], list) and len(fields["within"]) == 2
-                ends = fields["within"] if is_pair else (0.0, 0.0)
-                low, high = (quantity(end, coordinate.length, name="within").value for end in ends)
-                if not low < high:
-                    raise InputError("friction.within", "within", value=fields["within"])
-                fields["within"] = low, high
-        file = fields.get("file", "")
-        fields |= {"file": file if isinstance(file, list) else [file]}
-        ambient_pressure = 0.0
-        with errors.collecting():
-            ambient_pressure = read_ambient(fields)
-        fields["ambient_pressure"] = ambient_pressure
-        fields |= {
-            channel: _read_channel(errors, channel, fields, coordinate) for channel in COLUMNS if channel in fields
-        }
-    return fields
-
-
 def _read_channel(
     errors: ErrorCollector, channel: str, file_fields: Mapping[str, Any], coordinate: Coordinate
 ) -> dict[str, Any]:
     """Return the table of a channel in SI units."""
     raw, n_files = file_fields[channel], len(file_fields["file"])
-    declared = dict.fromkeys(("column", "unit"), Field())
+    declared = {"column": Field(is_required=True, example=f'{channel} = {{ column = "..." }}'), "unit": Field()}
     if channel in PRESSURES:
-        declared["value"] = Field()
+        declared |= dict.fromkeys(("column", "value"), Field())
     if channel == coordinate.effort:
         declared["uncertainty"] = Field(unit=coordinate.effort_unit)
     fields = read_fields(errors, raw, declared, channel, table="channel")
-    if ("column" in raw) == ("value" in raw):
-        errors.add("friction.column_or_value" if channel in PRESSURES else "friction.no_column", channel)
+    if channel in PRESSURES and ("column" in raw) == ("value" in raw):
+        errors.add("friction.column_or_value", channel)
     if "unit" in fields:
         _has_valid_unit(errors, channel, str(fields["unit"]), coordinate)
     if "value" in fields:

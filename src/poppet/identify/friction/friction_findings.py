@@ -11,7 +11,7 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.core.message_format import facts_of
 from poppet.identify.friction.friction_fit import LAWS, FrictionFits, levels_of
-from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST
+from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST, stack_rows
 from poppet.identify.friction.records import SEAL, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import clustered, coverage_factor
 from poppet.identify.result import judged
@@ -118,7 +118,8 @@ def _motion_notes(analysis: FrictionFits) -> Iterator[Note]:
         half = coverage_factor(float(spread.freedom[0])) * math.sqrt(float(spread.covariance[0, 0]))
         facts = {"value": float(linear[0]), "half": half, "part": 100.0 * float(linear[0]) / analysis.mean_friction}
         yield Note("friction.lopsided" if abs(linear[0]) > half else "friction.even", **facts)
-    rows, excess, levels = analysis.all_rows, [], []
+    # All rows, including rows with deflecting bristles after a reversal.
+    rows, excess, levels = stack_rows([motion.rows for motion in analysis.motions]), [], []
     friction_along_motion = rows.sign * (rows.friction - solution.zero(rows))
     for k in np.unique(rows.stroke[rows.stroke >= 0]):
         is_stroke, is_start = rows.stroke == k, rows.distance <= 3.0 * analysis.distance

@@ -459,14 +459,9 @@ class FrictionFits:
         return self.speeds[1] < NARROW * self.speeds[0]
 
     @cached_property
-    def all_rows(self) -> SlidingRows:
-        """All rows of all records, including rows with deflecting bristles after a reversal."""
-        return stack_rows([motion.rows for motion in self.motions])
-
-    @cached_property
     def bristles(self) -> Bristles | None:
         """Estimates of bristle stiffness and damping; None if there are too few reversals."""
-        return fit_bristles(self.motions, self.fit.solution, self.distance)
+        return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
 
     @property
     def reversals(self) -> int:

@@ -264,7 +264,7 @@ def _curves(analysis: FrictionFits) -> dict[str, Any]:
     if SEAL in parameters:
         curves["pressure.friction"] = _pressure_curve(analysis, rows.sign * (measured - model))
     if bristles is not None:
-        turns = usable_reversals(analysis.motions, solution, analysis.distance)
+        turns = usable_reversals(analysis.motions, parameters, solution.offsets, analysis.distance)
         turns = [turn for turn in turns if not turn.is_chained]
         level = bristles.stiffness * bristles.way  # mean sliding level
         distance = np.concatenate([turn.distance for turn in turns])

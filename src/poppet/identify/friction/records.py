@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
+from poppet.core.errors import ErrorCollector, InputError
+from poppet.core.tables import Field, NumberRange
 from poppet.core.unit_table import read_unit
 from poppet.timeseries.checks import FloatArray, first_bad_time, numbers
 
@@ -66,6 +67,7 @@ COORDINATES = {coordinate.body: coordinate for coordinate in (ON_LINE, TURNING)}
 
 LEAST = 3
 """Minimum number of points."""
+POSITIVE = NumberRange(unit="", above=0.0)
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -123,14 +125,8 @@ class FrictionRecord:
                 array = numbers(name, values)
                 arrays[name] = np.full(force.shape, float(array)) if array.ndim == 0 else array
         with ErrorCollector() as errors:
-            if self.body not in COORDINATES:
-                errors.add(
-                    "fields.not_an_option",
-                    "body",
-                    value=self.body,
-                    meaning="body",
-                    near=NameSuggestion(self.body, COORDINATES),
-                )
+            with errors.collecting():
+                Field(choices=tuple(COORDINATES)).read(self.body, "body")
             for name, array in arrays.items():
                 if array.shape != force.shape:
                     errors.add("friction.shape", name, shape=str(array.shape), points=force.size)
@@ -140,8 +136,10 @@ class FrictionRecord:
                 errors.add("friction.too_few", "force", count=force.size, least=LEAST)
             if "velocity" not in arrays and not {"position", "time"} <= arrays.keys():
                 errors.add("friction.no_velocity", "velocity")
-            if "uncertainty" in arrays and not (arrays["uncertainty"] > 0.0).all():
-                errors.add("friction.no_uncertainty", "uncertainty", value=float(np.min(arrays["uncertainty"])))
+            if "uncertainty" in arrays:
+                with errors.collecting():
+                    lowest = float(np.min(arrays["uncertainty"]))
+                    POSITIVE.check_range("uncertainty", lowest, f"{lowest:.3g}", "standard deviation")
             if "time" in arrays and (time_error := first_bad_time(arrays["time"], self.name)):
                 errors.extend([time_error[1]])
         if not np.ptp(arrays.get("velocity", arrays.get("position", force))) and "time" in arrays:

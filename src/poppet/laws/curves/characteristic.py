@@ -113,7 +113,13 @@ class Characteristic:
         """
         values = self._own if parameters is None else parameters
         x = self._operand(x, "sonic_conductance")
-        stroke = self._highest_up_to(self._held(x, values), values) if self.monotone else self._held(x, values)
+        held = stroke = self._held(x, values)
+        if self.monotone and self._bounded:
+            # The stroke up to `held` at which C has its maximum: `held` on a rise, the end of the last rise elsewhere.
+            stroke = clip(held, values["rise0_start"], values["rise0_end"])
+            for i in range(1, self._rise_count):
+                start, end = values[f"rise{i}_start"], values[f"rise{i}_end"]
+                stroke = where(held >= start, minimum(held, end), stroke)
         value = self.sonic_conductance.evaluate(stroke, _under("sonic_conductance", values))
         # The closing law uses the unlimited stroke, because the domain can begin above the seat.
         return value if self.closing is None else value * smoothstep(x, 0.0, values["closing"])
@@ -232,9 +238,16 @@ class Characteristic:
     def _own(self) -> dict[str, float]:
         own = _joined({name: self._curve(name).parameters() for name in _CURVES})
         if self._bounded:
-            own |= {"domain_start": self.domain[0], "domain_end": self.domain[1]}
-            # The rises of C are parameters, so a fit can move the turning points without a new compilation.
-            own |= self._rises() if self.monotone else {}
+            low, high = self.domain
+            own |= {"domain_start": low, "domain_end": high}
+            if self.monotone:
+                # The rises of C are parameters, so a fit can move the turning points without a new compilation. Their
+                # count is the maximum for any values; unused rises are outside the domain.
+                rises = rising_intervals(self.sonic_conductance, low, high) or [(low, low)]
+                never = high + (high - low)  # beyond every limited stroke
+                rises += [(never, never)] * (self._rise_count - len(rises))
+                for i, (start, end) in enumerate(rises):
+                    own |= {f"rise{i}_start": start, f"rise{i}_end": end}
         if self.closing is not None:
             own["closing"] = float(self.closing)
         return own
@@ -263,34 +276,7 @@ class Characteristic:
     def _held(self, x: Any, parameters: Mapping[str, Any]) -> Any:
         return clip(x, parameters["domain_start"], parameters["domain_end"]) if self._bounded else x
 
-    def _rises(self) -> dict[str, float]:
-        """Return the ends of the intervals in which the running maximum of C increases.
-
-        The count of intervals is the maximum for any values of the parameters. Unused intervals are outside the domain.
-        """
-        low, high = self.domain
-        rises = rising_intervals(self.sonic_conductance, low, high) or [(low, low)]
-        never = high + (high - low)  # beyond every limited stroke
-        rises += [(never, never)] * (self._rise_count - len(rises))
-        values: dict[str, float] = {}
-        for i, (start, end) in enumerate(rises):
-            values |= {f"rise{i}_start": start, f"rise{i}_end": end}
-        return values
-
-    def _highest_up_to(self, x: Any, parameters: Mapping[str, Any]) -> Any:
-        """Return the stroke up to `x` at which C has its maximum.
-
-        This is `x` on a rise, and the end of the last rise on a plateau.
-        """
-        if not self._bounded:
-            return x
-        stroke = clip(x, parameters["rise0_start"], parameters["rise0_end"])
-        for i in range(1, self._rise_count):
-            start, end = parameters[f"rise{i}_start"], parameters[f"rise{i}_end"]
-            stroke = where(x >= start, minimum(x, end), stroke)
-        return stroke
-
-    def _operand(self, x: Any, curve: str) -> Any:
+    def _operand(self, x: Any, name: str) -> Any:
         """Convert a stroke to a value for calculation; reject invalid values."""
         if is_symbolic(x):
             return x
@@ -300,19 +286,14 @@ class Characteristic:
         if self.edge == "error" and values.size:
             beyond = np.maximum(values - self.domain[1], self._lowest - values)
             if beyond.max() > 0.0:
-                raise self._out_of_range(float(values.flat[int(beyond.argmax())]), curve)
+                stroke = float(values.flat[int(beyond.argmax())])
+                facts: dict[str, Any] = {"stroke_mm": _millimetres(stroke), "domain": _span(*self.domain)}
+                facts["known"] = self._known(name)
+                if not self._curve(name).extrapolates:
+                    raise OutOfRangeError("curves.outside", **facts)
+                (symbol, unit), value = _CURVES[name], float(self._curve(name)(stroke))
+                raise OutOfRangeError("curves.outside_polynomial", **facts, symbol=symbol, value=value, unit=unit)
         return np.asarray(x, dtype=float) if isinstance(x, (list, tuple)) else x
-
-    def _out_of_range(self, x: float, name: str) -> OutOfRangeError:
-        curve, (symbol, unit) = self._curve(name), _CURVES[name]
-        facts: dict[str, Any] = {
-            "stroke_mm": _millimetres(x),
-            "domain": _span(*self.domain),
-            "known": self._known(name),
-        }
-        if not curve.extrapolates:
-            return OutOfRangeError("curves.outside", **facts)
-        return OutOfRangeError("curves.outside_polynomial", **facts, symbol=symbol, value=float(curve(x)), unit=unit)
 
     def _known(self, name: str) -> str:
         where_from = ", ".join(part for part in (self.name, self.source.locator) if part)
@@ -333,13 +314,8 @@ class Characteristic:
                 points = _span(first, last)
                 yield OutOfRangeError("curves.beyond_points", domain=_span(*self.domain), symbol=symbol, points=points)
         if self.edge not in EDGES:
-            yield InputError(
-                "fields.not_an_option",
-                "edge",
-                meaning="edge policy",
-                value=self.edge,
-                near=NameSuggestion(self.edge, EDGES),
-            )
+            near = NameSuggestion(self.edge, EDGES)
+            yield InputError("fields.not_an_option", "edge", meaning="edge policy", value=self.edge, near=near)
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 

@@ -166,9 +166,8 @@ class _CharacteristicReader:
             self.complain("curves.not_a_truth", "monotone", value=monotone)
         edge: Edge = self.table.get("edge", "hold")
         if edge not in EDGES:
-            self.complain(
-                "fields.not_an_option", "edge", meaning="edge policy", value=edge, near=NameSuggestion(str(edge), EDGES)
-            )
+            near = NameSuggestion(str(edge), EDGES)
+            self.complain("fields.not_an_option", "edge", meaning="edge policy", value=edge, near=near)
         return {"edge": edge, "closing": closing, "monotone": monotone, "source": self.source}
 
     def _source(self) -> Source:

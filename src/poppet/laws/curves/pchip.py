@@ -48,16 +48,13 @@ def pchip_slopes(x: Sequence[float], y: Sequence[float]) -> list[float]:
     m = [(right - left) / width for (left, right), width in zip(pairwise(y), h, strict=True)]
     if len(m) == 1:
         return [m[0], m[0]]
-    inner = [_harmonic(h0, h1, m0, m1) for (h0, h1), (m0, m1) in zip(pairwise(h), pairwise(m), strict=True)]
+    inner = []
+    for (h0, h1), (m0, m1) in zip(pairwise(h), pairwise(m), strict=True):
+        # A zero slope at an extremum of the points prevents overshoot of the curve.
+        is_extremum = m0 == 0.0 or m1 == 0.0 or (m0 > 0.0) != (m1 > 0.0)
+        w1, w2 = 2.0 * h1 + h0, h1 + 2.0 * h0
+        inner.append(0.0 if is_extremum else (w1 + w2) / (w1 / m0 + w2 / m1))
     return [_end_slope(h[0], h[1], m[0], m[1]), *inner, _end_slope(h[-1], h[-2], m[-1], m[-2])]
-
-
-def _harmonic(h0: float, h1: float, m0: float, m1: float) -> float:
-    # A zero slope at an extremum of the points prevents overshoot of the curve.
-    if m0 == 0.0 or m1 == 0.0 or (m0 > 0.0) != (m1 > 0.0):
-        return 0.0
-    w1, w2 = 2.0 * h1 + h0, h1 + 2.0 * h0
-    return (w1 + w2) / (w1 / m0 + w2 / m1)
 
 
 def _end_slope(h0: float, h1: float, m0: float, m1: float) -> float:

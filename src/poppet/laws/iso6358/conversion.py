@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.core.units import ANR, ReferenceAtmosphere
@@ -112,11 +112,7 @@ def conductance_from_effective_area(
     >>> round(conductance_from_effective_area(1e-6).sonic_conductance * 1e8, 4)
     0.1992
     """
-    check(
-        {"effective_area": effective_area, "critical_ratio": critical_ratio, "gas_constant": gas_constant}
-        | {"isentropic_exponent": isentropic_exponent},
-        _DOMAINS,
-    )
+    check(dict(locals()), _DOMAINS)
     note = f"isentropic nozzle with exponent {isentropic_exponent:g}"
     conductance = effective_area * _conductance_per_area(isentropic_exponent, gas_constant)
     # The choked flow alone determines C; a given b has no effect on C.
@@ -158,11 +154,7 @@ def effective_area_from_conductance(
     >>> round(effective_area_from_conductance(1e-8) * 1e6, 3)
     5.02
     """
-    check(
-        {"sonic_conductance": sonic_conductance, "gas_constant": gas_constant}
-        | {"isentropic_exponent": isentropic_exponent},
-        _DOMAINS,
-    )
+    check(dict(locals()), _DOMAINS)
     return sonic_conductance / _conductance_per_area(isentropic_exponent, gas_constant)
 
 
@@ -514,24 +506,18 @@ def _conductance_per_cv(critical_ratio: float, definition: Definition) -> float:
     if definition == "small_dp":
         # Q = Kv/3600 sqrt((dp/1e5) (1000/rho)), so q = rho Q = Kv/3600 sqrt(0.01 dp rho), rho = p/(R T)
         return KV_PER_CV / 3600.0 * 0.1 * root / (ANR.density * math.sqrt(AIR_GAS_CONSTANT))
-    raise InputError(
-        "fields.not_an_option",
-        "definition",
-        value=definition,
-        meaning="definition of the flow coefficient",
-        near=NameSuggestion(definition, _DEFINITIONS),
-    )
+    near, meaning = NameSuggestion(definition, _DEFINITIONS), "definition of the flow coefficient"
+    raise InputError("fields.not_an_option", "definition", value=definition, meaning=meaning, near=near)
 
 
 def _nominal_flow_per_conductance(critical_ratio: float, subsonic_index: float, atmosphere: float) -> float:
     """Return the nominal flow (ANR) per sonic conductance of a flow path [Pa]."""
     # The law is linear in C, and both nominal pressures lie well outside the regularised zone.
-    flow = flow_law(
-        NOMINAL_INLET_GAUGE + atmosphere,
-        NOMINAL_OUTLET_GAUGE + atmosphere,
-        ANR.temperature,
-        sonic_conductance=1.0,
-        critical_ratio=critical_ratio,
-        subsonic_index=subsonic_index,
-    )
+    pressures = NOMINAL_INLET_GAUGE + atmosphere, NOMINAL_OUTLET_GAUGE + atmosphere
+    size: dict[str, Any] = {
+        "sonic_conductance": 1.0,
+        "critical_ratio": critical_ratio,
+        "subsonic_index": subsonic_index,
+    }
+    flow = flow_law(*pressures, ANR.temperature, **size)
     return float(flow / ANR.density)

@@ -25,22 +25,8 @@ def evaluate(
     values = {name: plain(value) for name, value in arguments.items()}
     check(values, domains)
     arrays = {name: value for name, value in values.items() if isinstance(value, np.ndarray)}
-    return _in_blocks(law, values, arrays) if arrays else law(**values)
-
-
-def plain(value: Any) -> Any:
-    """Convert arguments to the types for evaluation.
-
-    Sequences become float arrays. Integers and zero-dimensional arrays become floats. Symbols are unchanged.
-    """
-    if type(value) is float or value is None or is_symbolic(value):
-        return value
-    array = np.asarray(value, dtype=float)
-    return array if array.ndim else float(array)
-
-
-def _in_blocks(law: Callable[..., tuple[Any, ...]], values: dict[str, Any], arrays: dict[str, Any]) -> tuple[Any, ...]:
-    """Evaluate a formula for arrays in blocks that fit into the cache."""
+    if not arrays:
+        return law(**values)
     shape = np.broadcast_shapes(*(array.shape for array in arrays.values()))
     flat = {name: np.broadcast_to(array, shape).reshape(-1) for name, array in arrays.items()}
     size = math.prod(shape)
@@ -53,3 +39,14 @@ def _in_blocks(law: Callable[..., tuple[Any, ...]], values: dict[str, Any], arra
         for result, row in zip(results, block, strict=True):
             result[part] = row
     return tuple(result.reshape(shape) for result in results)
+
+
+def plain(value: Any) -> Any:
+    """Convert arguments to the types for evaluation.
+
+    Sequences become float arrays. Integers and zero-dimensional arrays become floats. Symbols are unchanged.
+    """
+    if type(value) is float or value is None or is_symbolic(value):
+        return value
+    array = np.asarray(value, dtype=float)
+    return array if array.ndim else float(array)

@@ -83,18 +83,8 @@ def downstream_pressure(
     >>> round(downstream_pressure(8.29327e-3, 5e5, 293.15, sonic_conductance=2e-8, critical_ratio=0.3))
     400000
     """
-    arguments = {
-        "mass_flow_rate": mass_flow_rate,
-        "pressure_1": pressure_1,
-        "temperature_1": temperature_1,
-        "sonic_conductance": sonic_conductance,
-        "critical_ratio": critical_ratio,
-        "subsonic_index": subsonic_index,
-        "cracking_pressure": cracking_pressure,
-        "laminar_ratio": laminar_ratio,
-        "reference_density": reference_density,
-        "reference_temperature": reference_temperature,
-    }
+    arguments = dict(locals())
+    del arguments["one_way"]
     number = _checked_arrays(arguments)
     choked = _choked_flow_per_pressure(number) * number["pressure_1"]
     refuse_where(choked <= 0.0, "pressure_1", number["pressure_1"], "Pa", "iso6358.no_upstream")
@@ -161,24 +151,19 @@ def upstream_pressure(
     >>> round(upstream_pressure(8.29327e-3, 4e5, 293.15, sonic_conductance=2e-8, critical_ratio=0.3))
     500000
     """
-    arguments = {
-        "mass_flow_rate": mass_flow_rate,
-        "pressure_2": pressure_2,
-        "temperature_1": temperature_1,
-        "sonic_conductance": sonic_conductance,
-        "critical_ratio": critical_ratio,
-        "subsonic_index": subsonic_index,
-        "cracking_pressure": cracking_pressure,
-        "laminar_ratio": laminar_ratio,
-        "reference_density": reference_density,
-        "reference_temperature": reference_temperature,
-    }
+    arguments = dict(locals())
+    del arguments["one_way"]
     number = _checked_arrays(arguments)
     choking = number["mass_flow_rate"] / _choked_flow_per_pressure(number)
     if np.any(number["subsonic_index"] != 0.5) or np.any(number["cracking_pressure"] != 0.0):
         return plain(_upstream_by_bisection(choking, number, one_way))
-    upstream = _upstream_in_closed_form(choking, number)
-    # At the edge of the zone both laws agree; the closed form is faster than the bisection.
+    # At the edge of the zone both laws agree; this closed form of the ellipse is faster than the bisection.
+    b = number["critical_ratio"]
+    # at p2 = b choking the formula gives just `choking`, so raising p2 to it covers the choked branch
+    downstream = np.maximum(number["pressure_2"], b * choking)
+    root = np.sqrt(np.maximum(downstream**2 + (1.0 - 2.0 * b) * choking**2, 0.0))
+    divisor = b * downstream + (1.0 - b) * root
+    upstream = (downstream**2 + ((1.0 - b) * choking) ** 2) / np.where(divisor > 0.0, divisor, 1.0)
     in_zone = number["pressure_2"] > number["laminar_ratio"] * upstream
     if in_zone.any():
         upstream = np.where(in_zone, _upstream_by_bisection(choking, number, one_way), upstream)
@@ -244,20 +229,9 @@ def sonic_conductance_from_flow(
     >>> round(sonic_conductance_from_flow(8.29327e-3, 5e5, 4e5, 293.15, critical_ratio=0.3), 13)
     2e-08
     """
-    per_conductance = flow_law(
-        pressure_1,
-        pressure_2,
-        temperature_1,
-        temperature_2,
-        sonic_conductance=1.0,
-        critical_ratio=critical_ratio,
-        subsonic_index=subsonic_index,
-        cracking_pressure=cracking_pressure,
-        laminar_ratio=laminar_ratio,
-        one_way=one_way,
-        reference_density=reference_density,
-        reference_temperature=reference_temperature,
-    )
+    arguments = dict(locals())
+    del arguments["mass_flow_rate"]
+    per_conductance = flow_law(**arguments, sonic_conductance=1.0)
     measured = np.asarray(plain(mass_flow_rate))
     refuse_where(per_conductance == 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.closed_here")
     refuse_where(measured * per_conductance < 0.0, "mass_flow_rate", measured, "kg/s", "iso6358.runs_uphill")
@@ -299,13 +273,7 @@ def effective_conductance(
     >>> round(effective_conductance(8.29327e-3, 5e5, 293.15), 12)
     1.3997e-08
     """
-    arguments = {
-        "mass_flow_rate": mass_flow_rate,
-        "pressure_1": pressure_1,
-        "temperature_1": temperature_1,
-        "reference_density": reference_density,
-        "reference_temperature": reference_temperature,
-    }
+    arguments = dict(locals())
     upstream = {"pressure_1": Domain("iso6358.upstream", "Pa", open_low=True)}
     number = _checked_arrays(arguments, _DOMAINS | upstream)
     root = np.sqrt(number["reference_temperature"] / number["temperature_1"])
@@ -350,8 +318,7 @@ def critical_ratio_from_point(pressure_ratio: Any, flow_ratio: Any, subsonic_ind
     >>> round(critical_ratio_from_point(0.8, 0.699854), 4)
     0.3
     """
-    arguments = {"pressure_ratio": pressure_ratio, "flow_ratio": flow_ratio, "subsonic_index": subsonic_index}
-    number = _checked_arrays(arguments, DOMAINS | {"pressure_ratio": _FRACTION, "flow_ratio": _FRACTION})
+    number = _checked_arrays(dict(locals()), DOMAINS | {"pressure_ratio": _FRACTION, "flow_ratio": _FRACTION})
     squared = number["flow_ratio"] ** (1.0 / number["subsonic_index"])
     # 1 - s = squared/(1 + s) keeps its digits for small flows, where s is nearly 1
     ratio = 1.0 - (1.0 - number["pressure_ratio"]) * (1.0 + np.sqrt(1.0 - squared)) / squared
@@ -395,19 +362,6 @@ def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
         zone = width * _rising_root(shape, within, np.zeros_like(within), np.ones_like(within))
         excess = np.where(ratio < at_edge, zone, excess)
     return number["pressure_1"] * (cracking + excess)
-
-
-def _upstream_in_closed_form(choking: Any, number: dict[str, Any]) -> Any:
-    """Return the upstream pressure for m = 0.5 outside the regularised zone [Pa].
-
-    `choking` is the upstream pressure that gives the flow if choked.
-    """
-    b = number["critical_ratio"]
-    # at p2 = b choking the formula gives just `choking`, so raising p2 to it covers the choked branch
-    pressure_2 = np.maximum(number["pressure_2"], b * choking)
-    root = np.sqrt(np.maximum(pressure_2**2 + (1.0 - 2.0 * b) * choking**2, 0.0))
-    divisor = b * pressure_2 + (1.0 - b) * root
-    return (pressure_2**2 + ((1.0 - b) * choking) ** 2) / np.where(divisor > 0.0, divisor, 1.0)
 
 
 def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) -> Any:

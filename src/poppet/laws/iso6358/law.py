@@ -121,22 +121,9 @@ def mass_flow_rate(
     >>> round(q / 1.185 * 60e3, 2)
     419.91
     """
-    (mass_flow,) = evaluate(
-        lambda **number: mass_flow_and_temperature(one_way=one_way, **number)[:1],
-        {
-            "pressure_1": pressure_1,
-            "pressure_2": pressure_2,
-            "temperature_1": temperature_1,
-            "temperature_2": temperature_2,
-            "sonic_conductance": sonic_conductance,
-            "critical_ratio": critical_ratio,
-            "subsonic_index": subsonic_index,
-            "cracking_pressure": cracking_pressure,
-            "laminar_ratio": laminar_ratio,
-            "reference_density": reference_density,
-            "reference_temperature": reference_temperature,
-        },
-    )
+    numbers = dict(locals())
+    del numbers["one_way"]
+    (mass_flow,) = evaluate(lambda **values: mass_flow_and_temperature(one_way=one_way, **values)[:1], numbers)
     return mass_flow
 
 
@@ -203,22 +190,9 @@ def flow(
     >>> round(q, 7), temperature
     (-0.0079394, 320.0)
     """
-    mass_flow, temperature = evaluate(
-        lambda **number: mass_flow_and_temperature(one_way=one_way, **number),
-        {
-            "pressure_1": pressure_1,
-            "pressure_2": pressure_2,
-            "temperature_1": temperature_1,
-            "temperature_2": temperature_2,
-            "sonic_conductance": sonic_conductance,
-            "critical_ratio": critical_ratio,
-            "subsonic_index": subsonic_index,
-            "cracking_pressure": cracking_pressure,
-            "laminar_ratio": laminar_ratio,
-            "reference_density": reference_density,
-            "reference_temperature": reference_temperature,
-        },
-    )
+    numbers = dict(locals())
+    del numbers["one_way"]
+    mass_flow, temperature = evaluate(lambda **values: mass_flow_and_temperature(one_way=one_way, **values), numbers)
     return mass_flow, temperature
 
 
@@ -271,16 +245,7 @@ def upstream_temperature(
     >>> round(upstream_temperature(1e5, 1e5, 300.0, 280.0), 3)
     289.77
     """
-    (temperature,) = evaluate(
-        upstream_temperature_between,
-        {
-            "pressure_1": pressure_1,
-            "pressure_2": pressure_2,
-            "temperature_1": temperature_1,
-            "temperature_2": temperature_2,
-            "laminar_ratio": laminar_ratio,
-        },
-    )
+    (temperature,) = evaluate(upstream_temperature_between, dict(locals()))
     return temperature
 
 
@@ -343,12 +308,7 @@ def flow_regime(
     >>> flow_regime(1e5, [0.0, 0.9e5, 1e5, 1.1e5], critical_ratio=0.3).tolist()
     [3, 2, 0, -2]
     """
-    arguments = {
-        "pressure_1": pressure_1,
-        "pressure_2": pressure_2,
-        "critical_ratio": critical_ratio,
-        "cracking_pressure": cracking_pressure,
-        "laminar_ratio": laminar_ratio,
-    }
-    (code,) = evaluate(lambda **number: regime_code(one_way=one_way, **number), arguments)
+    numbers = dict(locals())
+    del numbers["one_way"]
+    (code,) = evaluate(lambda **values: regime_code(one_way=one_way, **values), numbers)
     return code.astype(int) if isinstance(code, np.ndarray) else code

@@ -125,16 +125,7 @@ def nozzle_mass_flow_rate(
     >>> round(nozzle_mass_flow_rate(7e5, 1e5, 293.15, effective_area=1e-6), 7)
     0.0016523
     """
-    arguments = {
-        "pressure_1": pressure_1,
-        "pressure_2": pressure_2,
-        "temperature_1": temperature_1,
-        "temperature_2": temperature_2,
-        "effective_area": effective_area,
-        "isentropic_exponent": isentropic_exponent,
-        "gas_constant": gas_constant,
-    }
-    return evaluate(_nozzle, arguments, NOZZLE_DOMAINS)[0]
+    return evaluate(_nozzle, dict(locals()), NOZZLE_DOMAINS)[0]
 
 
 def _nozzle(
