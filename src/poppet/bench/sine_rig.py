@@ -62,7 +62,17 @@ class SineRig:
         self.u = instance.held_inputs({}) if rest is None else np.array(list(rest.u.values()))
         self.point = SampledPoint(instance, self.u)
         if rest is None:
-            self.x, self.p, self.begin = self._settled(settling)
+            # A run with constant inputs to a common sample instant of all controllers.
+            clock = self.point.clock
+            self.begin = clock.start + max(1, round(settling / clock.sample_time)) * clock.sample_time
+            end = np.array([self.begin])
+            call = Call(self._problem(constant_coefficients(self.u), 0.0, end, *self.point.first()))
+            run = call.run()
+            if not run.outcome.is_success:
+                cause = run.outcome.value
+                raise SimulationError(Note("limits.unsettled", outcome=cause, text=str(Note(cause))))
+            self.x = np.concatenate([run.x[: self.point.n], np.zeros(model.n_quadratures)])
+            self.p = np.concatenate([self.point.numbers, call.memory])
         else:
             v = self.point.v(rest.x, np.array(list(rest.memory.values())))
             (self.x, self.p), self.begin = self.point.at_clock(v), self.point.clock.start
@@ -84,22 +94,6 @@ class SineRig:
         y = np.empty(len(self.kernel.model.outputs))
         self.kernel.call("outputs", np.array([self.begin]), self.x, self.u, self.p, y)
         return float(y[self.output])
-
-    def _settled(self, duration: float) -> tuple[Array, Array, float]:
-        """Return states, parameters and time at the end of a run with constant inputs.
-
-        The end is a common sample instant of all controllers.
-        """
-        clock = self.point.clock
-        end = clock.start + max(1, round(duration / clock.sample_time)) * clock.sample_time
-        x, p = self.point.first()
-        call = Call(self._problem(constant_coefficients(self.u), 0.0, np.array([end]), x, p))
-        run = call.run()
-        if not run.outcome.is_success:
-            cause = run.outcome.value
-            raise SimulationError(Note("limits.unsettled", outcome=cause, text=str(Note(cause))))
-        settled = np.concatenate([run.x[: self.point.n], np.zeros(self.kernel.model.n_quadratures)])
-        return settled, np.concatenate([self.point.numbers, call.memory]), end
 
     def _problem(
         self, coefficients: Array, begin: float, grid: Array, x: Array, p: Array, **options: object

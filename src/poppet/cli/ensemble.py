@@ -43,7 +43,7 @@ def run_ensemble(options: argparse.Namespace) -> int:
         print(f"note: {note}", file=sys.stderr)
     worst_files = ensemble.save_worst(options.worst) if options.worst else []
     if options.report:
-        from poppet.report.ensemble.ensemble_report import write_ensemble
+        from poppet.report.ensemble_report import write_ensemble
 
         write_ensemble(ensemble, options.report)
     print(ensemble_summary(ensemble))
@@ -54,7 +54,7 @@ def run_ensemble(options: argparse.Namespace) -> int:
 
 def ensemble_summary(ensemble: Ensemble) -> str:
     """Return the tables of yields and metrics of an ensemble as text."""
-    from poppet.report.ensemble.ensemble_report import metric_table, yield_table
+    from poppet.report.ensemble_report import metric_table, yield_table
 
     lines = [ensemble.plan.circuit.title] if ensemble.plan.circuit.title else []
     for table in (yield_table(ensemble), metric_table(ensemble)):
@@ -67,7 +67,7 @@ def find_size(options: argparse.Namespace) -> int:
     from poppet.core.toml_file import TomlFile
     from poppet.core.units import quantity
     from poppet.ensemble import size
-    from poppet.report.ensemble.sizing_report import sizing_text, write_sizing
+    from poppet.report.ensemble_report import sizing_text, write_sizing
 
     require_matplotlib(options.report)
     circuit, notes = load_circuit(options)

@@ -24,7 +24,6 @@ from poppet.timeseries.plotting.figures import (
     INK,
     PALETTE,
     axes_in,
-    check_format,
     new_figure,
     save_figure,
     style,
@@ -167,11 +166,9 @@ def loop_figure(tuning: Tuning) -> Figure:
             elif name in runs:
                 run = runs[name]
                 right.plot(run.time - run.time[0], (run.measured - run.setpoint[0]) / run.step, **line)
-    left.set_xlabel("frequency [Hz]")
-    left.set_ylabel("sensitivity [1]")
+    left.set(xlabel="frequency [Hz]", ylabel="sensitivity [1]")
     right.axhline(1.0, color=GREY, linewidth=0.8)
-    right.set_xlabel("time [s]")
-    right.set_ylabel("measurement per step [1]")
+    right.set(xlabel="time [s]", ylabel="measurement per step [1]")
     handles, labels = left.get_legend_handles_labels()
     figure.legend(handles, labels, loc="upper left", bbox_to_anchor=(0.07, 0.99), ncols=4, fontsize=7.5)
     return figure
@@ -182,9 +179,7 @@ def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, t
 
     The figure is saved if `path` is set.
     """
-    if path is not None:
-        check_format(path)
-    with style("A picture of a comparison"):
+    with style("A picture of a comparison", path):
         width = _total_width(comparison)
         figure = new_figure(width, _TOP + _UPPER + 0.15 + _LOWER + 0.85 + _STRIP + 0.75)
         _draw_responses(figure, comparison)
@@ -196,9 +191,7 @@ def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, t
             comma = note.rfind(",", 0, len(note) // 2 + 10)
             note = f"{note[: comma + 1]}\n{note[comma + 2 :]}"
         figure.text(_LEFT / width, 0.12 / height, note, color=GREY, fontsize=7.5)
-    if path is not None:
-        save_figure(figure, path)
-    return figure
+        return save_figure(figure, path)
 
 
 def response_figure(comparison: Comparison) -> Figure:
@@ -249,8 +242,7 @@ def _draw_responses(figure: Figure, comparison: Comparison) -> None:
         lower.plot(time, commands, color=colour, linewidth=1.0, drawstyle="steps-post", label="command")
         if is_opening and max_opening > _SMALL_OPENING:
             lower.set_ylim(-1.1, 1.1)
-        lower.set_xlabel("time [s]")
-        lower.set_xlim(time[0], time[-1])
+        lower.set(xlabel="time [s]", xlim=(time[0], time[-1]))
         if first is not None:
             upper.tick_params(labelleft=False)
             lower.tick_params(labelleft=False)

@@ -12,8 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from poppet.core.codes import Note
-from poppet.core.errors import InputError
-from poppet.core.files import write_whole
+from poppet.core.files import by_suffix, write_whole
 from poppet.core.note_groups import grouped
 from poppet.core.number_format import printable
 from poppet.core.version import __version__
@@ -55,8 +54,7 @@ def write_page(path: str | Path, text: Callable[[], str]) -> Path:
     The file name is checked before the function `text` is called, because that may take long.
     """
     target = Path(path)
-    if target.suffix.lower() not in (".html", ".htm"):
-        raise InputError("page.suffix", path=str(target))
+    by_suffix(target, dict.fromkeys((".html", ".htm"), ""))
     content = printable(text()).encode("utf-8")
     return write_whole(target, lambda stream: stream.write(content))
 

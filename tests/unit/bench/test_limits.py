@@ -319,7 +319,7 @@ class TestResult:
         assert "The solenoids limit the bandwidth at 1 of 3 points" in page
         with pytest.raises(InputError) as caught:
             write_limits(result_with_points(), tmp_path / "page.pdf")
-        assert caught.value.code == "page.suffix"
+        assert caught.value.code == "files.suffix"
 
     def test_report_without_stability(self):
         pytest.importorskip("matplotlib")

@@ -104,7 +104,7 @@ def test_equal_results_give_equal_reports(result, tmp_path):
     assert first == second
     with pytest.raises(InputError) as caught:
         write_bench(result, tmp_path / "a.pdf")
-    assert caught.value.code == "page.suffix"
+    assert caught.value.code == "files.suffix"
 
 
 def test_result_from_file_gives_the_same_report(result, tmp_path):

@@ -24,7 +24,7 @@ def written(path, text=b"whole"):
 
 @pytest.mark.skipif(os.name != "posix", reason="where processes can be asked for")
 @pytest.mark.parametrize("name", ["o.csv", "[o]*.csv"])
-def test_the_next_write_removes_what_a_kill_has_left(tmp_path, name):
+def test_next_write_removes_files_of_a_killed_process(tmp_path, name):
     path = tmp_path / name
     assert subprocess.run([sys.executable, "-c", KILLED, path], check=False).returncode == 9
     (half,) = tmp_path.iterdir()
@@ -34,7 +34,7 @@ def test_the_next_write_removes_what_a_kill_has_left(tmp_path, name):
     assert path.read_bytes() == b"whole"
 
 
-def test_what_others_are_writing_stays(tmp_path):
+def test_temporary_files_of_running_processes_remain(tmp_path):
     path = tmp_path / "o.csv"
 
     def fill(stream):
@@ -53,7 +53,7 @@ def test_what_others_are_writing_stays(tmp_path):
     assert path.read_bytes() == b"outer"
 
 
-def test_a_failure_leaves_the_file_as_it_was(tmp_path):
+def test_failure_does_not_change_the_file(tmp_path):
     path = written(tmp_path / "o.csv")
 
     def fails(stream):

@@ -107,7 +107,7 @@ def test_progress_and_interruption():
         run_batch(batch_of(100_000), progress=interrupt, threads=2)
 
 
-def test_a_mistake_in_what_is_kept_of_the_rows_is_raised():
+def test_error_of_the_reduce_function_is_raised():
     def fail(rows: BatchRows) -> np.ndarray:
         raise ZeroDivisionError
 
@@ -116,7 +116,7 @@ def test_a_mistake_in_what_is_kept_of_the_rows_is_raised():
 
 
 @pytest.mark.parametrize("lanes", [1, 4])
-def test_a_run_that_stalls_is_handed_over_as_a_single_one_is(lanes):
+def test_stalled_run_is_repeated_like_a_single_run(lanes):
     """Of three tanks the second is drawn empty, on which every method stalls."""
     circuit = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-4)})
     problem = replace(circuit.problem(Run(duration=5.0, output_step=0.5)), most_attempts=1000)

@@ -57,7 +57,7 @@ class TestStopping:
 
 @pytest.mark.parametrize("solver", SOLVERS)
 class TestFailing:
-    def test_a_store_drawn_empty_stalls_with_the_rows_so_far(self, solver):
+    def test_emptied_gas_node_stalls_and_keeps_the_rows(self, solver):
         parts = {"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-3)}
         problem = problem_of(Circuit(parts), 5.0, 0.05)
         empty = problem.x0[1] / 1e-3
@@ -83,7 +83,7 @@ class TestFailing:
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
-def test_reservoirs_alone_have_nothing_but_integrals(solver):
+def test_reservoirs_alone_have_integrals_only(solver):
     parts = {"supply": Reservoir(pressure="7 bar"), "leak": Orifice(from_="supply", to="ambient", **SIZE)}
     problem = problem_of(Circuit(parts, {"supply.pressure": Steps([0.0, 1.0], [7e5, 14e5])}), 3.0, 0.5)
     assert problem.kernel.model.states == ()
@@ -95,7 +95,7 @@ def test_reservoirs_alone_have_nothing_but_integrals(solver):
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
-def test_rows_may_lie_anywhere(solver):
+def test_rows_at_arbitrary_times(solver):
     problem = problem_of(filling({"supply.pressure": Steps([0.0, 2.0], [7e5, 3e5])}), 5.0, 1.0, 1e-9)
     times = np.sort(np.random.default_rng(3).uniform(0.0, 5.0, 100))
     problem = replace(problem, grid=np.concatenate([[0.0], times, [5.0]]))
@@ -106,7 +106,7 @@ def test_rows_may_lie_anywhere(solver):
 
 
 @pytest.mark.parametrize("solver", SOLVERS)
-def test_extremes_and_what_went_through(solver):
+def test_extremes_and_total_change(solver):
     problem = problem_of(filling({"supply.pressure": Steps([0.0, 2.0], [7e5, 1e5])}), 6.0, 0.01, 1e-8)
     kernel, other = solve(problem), solve(problem, solver)
     np.testing.assert_allclose(other.extremes, kernel.extremes, rtol=1e-4, atol=1e-9)

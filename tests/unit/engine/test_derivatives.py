@@ -26,7 +26,7 @@ def both(rates: ca.SX, t: ca.SX, x: ca.SX, u: ca.SX, p: ca.SX) -> tuple[ca.Funct
 
 
 @pytest.mark.parametrize("example", ["vertical_load", "pressure_regulator"])
-def test_derivatives_are_casadis(example):
+def test_derivatives_equal_those_of_casadi(example):
     circuit = load(EXAMPLES / f"{example}.toml")
     model, kernel, generator = circuit.model, circuit.kernel, np.random.default_rng(7)
     own, casadis = both(model.expressions["rates"], *(model.symbols[name] for name in ("t", "x", "u", "p")))
@@ -53,7 +53,7 @@ def derivative_at(make, value: float) -> float:
     return float(ca.Function("slope", [x], [ca.densify(jacobian)])(value))
 
 
-def test_what_a_condition_leaves_out_may_be_infinite():
+def test_unselected_branch_can_be_infinite():
     assert derivative_at(lambda x: ca.if_else(x > 0.0, ca.sqrt(3.0 * x) + x * x, 2.0 * x), -4.0) == 2.0
     assert derivative_at(lambda x: ca.if_else(x > 0.0, ca.exp(ca.sqrt(3.0 * x)), 2.0 * x), -4.0) == 2.0
 
@@ -65,7 +65,7 @@ def test_limits_and_ties(value, slope):
     assert derivative_at(lambda x: ca.fmax(x, 2.0 * value - x) + ca.fmin(x, 2.0 * value - x), value) == 0.0
 
 
-def test_a_rate_that_nothing_moves():
+def test_constant_rate_has_no_derivative():
     x, none = ca.SX.sym("x", 2), ca.SX.sym("none", 0)
     rates, jacobian, drift = differentiate_rates(ca.vertcat(1.0, x[0]), (ca.SX.sym("t"), x, none, none), none)
     assert (rates.shape, jacobian.shape, jacobian.nnz(), drift.shape) == ((2, 1), (2, 2), 1, (2, 1))

@@ -20,7 +20,7 @@ LIMITS = Job._fields.index("limits")
 
 
 @pytest.mark.parametrize("example", ["fill_staircase", "pressure_control"])
-def test_pieces_have_the_bits_of_the_whole(example: str) -> None:
+def test_blocks_have_the_bits_of_the_whole_function(example: str) -> None:
     circuit = load(EXAMPLES / f"{example}.toml").with_values({"run.duration": 0.6})
     problem = circuit.problem(circuit.run)
     ends = np.linspace(0.0, 0.6, 7)

@@ -57,7 +57,7 @@ def test_lanes_compute_what_the_kernel_does(name, width):
                 assert np.ptp(one, axis=1).max() == 0.0
 
 
-def test_numbers_are_worked_out_once_and_divisors_shared():
+def test_parameter_expressions_are_computed_once_and_divisors_shared():
     model = load(EXAMPLES / "fill_staircase.toml").model
     functions = trace_functions(model)
     listings, n_derived = lane_listings(functions, model)

@@ -98,7 +98,7 @@ def test_an_exponent_of_a_half_is_a_root_whatever_the_neighbours_have(width):
     assert np.allclose(among, bases**mixed, rtol=1e-15)
 
 
-def test_a_vector_library_is_found_where_there_is_one():
+def test_vector_library_is_found_if_available():
     if sys.platform != "linux" or usual_width() < 4:
         pytest.skip("no vector library is looked for")
     pytest.importorskip("ctypes").CDLL("libmvec.so.1")
@@ -106,7 +106,7 @@ def test_a_vector_library_is_found_where_there_is_one():
     assert set(llvm_lanes.vector_functions(4)) <= {*OF_ONE, *OF_TWO}
 
 
-def test_the_width_may_be_asked_for(monkeypatch):
+def test_width_is_selectable(monkeypatch):
     assert usual_width() in WIDTHS
     monkeypatch.setenv("POPPET_LANES", "2")
     assert usual_width() == 2
@@ -251,7 +251,7 @@ def test_inputs_that_move_and_jump():
     assert np.array_equal(found.ends.counts[:, 2], scalar.ends.counts[:, 2])
 
 
-def test_inputs_that_move_for_a_while_leave_the_digits_to_a_lane_alone():
+def test_inputs_that_vary_for_a_time_do_not_change_digits_of_other_lanes():
     """Lanes come to the ends of ramps at different steps; whoever is beside a lane, it calls the same functions."""
     parts = {
         "supply": Reservoir(pressure=6e5),

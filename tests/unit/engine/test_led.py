@@ -52,7 +52,7 @@ def led(problem: Problem, factors: list[float]) -> LockstepLanes:
 
 
 @pytest.mark.parametrize("count", [0, 1, 3, 9])
-def test_the_first_has_its_digits_whoever_follows(problem, width, count):
+def test_first_run_has_the_same_digits_with_any_followers(problem, width, count):
     tables = led(problem, [1.1] * count).run()
     batch = Batch(problem, places_of(problem), problem.p[places_of(problem)][np.newaxis])
     alone = run_batch(batch, reduce=lambda rows: rows.values.copy(), lanes=width).reduced
@@ -87,7 +87,7 @@ def test_a_run_that_leaves_its_domain_ends_and_the_others_do_not(problem, width)
     assert np.isfinite(found[:3]).all()
 
 
-def test_where_the_first_run_fails_all_end(problem, width):
+def test_all_runs_end_if_the_first_run_fails(problem, width):
     tables = led(dataclasses.replace(problem, most_attempts=20), [1.1, 1.2]).run()
     reached = np.isfinite(tables).all(axis=1)
     assert 0 < reached[0].sum() < problem.grid.size
@@ -108,7 +108,7 @@ def test_inputs_held_at_a_number_follow_it(width):
     np.testing.assert_allclose(both.run()[1, row], known, rtol=1e-5)
 
 
-def test_what_lanes_do_not_take(problem, monkeypatch):
+def test_problems_that_lanes_do_not_support(problem, monkeypatch):
     examples = Path(__file__).parents[3] / "examples"
     sampled = poppet.load(examples / "pressure_control.toml")
     monkeypatch.setenv("POPPET_LANES", "8")

@@ -42,13 +42,13 @@ def code(compiler: Compiler) -> int:
     return compiler.asked
 
 
-def test_folder_and_entries_are_the_users_alone(folder):
+def test_folder_and_entries_are_accessible_to_the_user_only(folder):
     assert code(Compiler()) == 1
     assert folder.stat().st_mode & 0o777 == 0o700
     assert entry(folder).stat().st_mode & 0o777 == 0o600
 
 
-def test_an_entry_that_others_may_write_is_made_anew(folder):
+def test_entry_with_write_permission_of_others_is_compiled_again(folder):
     code(Compiler())
     entry(folder).chmod(0o666)
     assert code(Compiler()) == 1  # made anew, renamed over the old one, and read
@@ -56,7 +56,7 @@ def test_an_entry_that_others_may_write_is_made_anew(folder):
 
 
 @pytest.mark.parametrize("rights", [0o777, 0o770])
-def test_a_folder_that_others_may_write_is_left_alone(folder, rights):
+def test_folder_with_write_permission_of_others_is_not_used(folder, rights):
     folder.mkdir()
     folder.chmod(rights)
     assert code(Compiler()) == 2
@@ -73,13 +73,13 @@ def test_a_link_in_place_of_an_entry_is_not_followed(folder, tmp_path):
     assert not path.is_symlink()
 
 
-def test_what_somebody_else_owns_is_not_read(folder, monkeypatch):
+def test_entry_of_another_owner_is_not_read(folder, monkeypatch):
     code(Compiler())
     monkeypatch.setattr(os, "geteuid", lambda: os.getuid() + 1)
     assert code(Compiler()) == 2
 
 
-def test_half_an_entry_is_made_anew(folder):
+def test_incomplete_entry_is_compiled_again(folder):
     code(Compiler())
     entry(folder).write_bytes(entry(folder).read_bytes()[:-1])
     assert code(Compiler()) == 1

@@ -117,7 +117,7 @@ def test_run_time_exponents():
             assert out[0] == pytest.approx(base**exponent, rel=2e-15, abs=0.0)
 
 
-def test_not_a_number_goes_through():
+def test_not_a_number_is_propagated():
     """A state that is no number must show in the error, or the step would be taken."""
     function = ca.Function("f", [A, B], [A * B + ca.sqrt(A)])
     assert np.isnan(evaluated(function, np.array([np.nan]), np.array([1.0]))[0][0])
@@ -145,12 +145,12 @@ def random_function(operations: int, seed: int) -> Any:
 
 
 @pytest.mark.parametrize("block_size", [1, 2, 7, 50, 10_000])
-def test_blocks_hand_on_their_values(monkeypatch, block_size):
+def test_blocks_pass_their_values(monkeypatch, block_size):
     monkeypatch.setattr(printer_llvm, "BLOCK_SIZE", block_size)
     assert_same(random_function(120, 1), np.array([0.3, -0.7, 1.1, 0.01, -2.0]))
 
 
-def test_long_functions_are_cut():
+def test_long_functions_are_divided_into_blocks():
     function = random_function(1000, 2)
     text = print_function(function, "f")
     assert function.n_instructions() > printer_llvm.BLOCK_SIZE

@@ -13,7 +13,7 @@ from poppet.engine.lru_cache import LruCache
 from poppet.engine.solve import solve
 
 
-def test_the_one_asked_for_longest_ago_goes_first():
+def test_least_recently_used_entry_is_removed_first():
     table: LruCache[str] = LruCache(2)
     made: list[str] = []
 
@@ -36,7 +36,7 @@ def test_outputs_are_chosen_once():
     assert circuit.kernel.observing([1]).model.outputs == circuit.kernel.model.outputs[1:2]
 
 
-def test_code_that_was_forgotten_still_runs(monkeypatch):
+def test_code_of_a_removed_entry_still_runs(monkeypatch):
     monkeypatch.setattr(kernel, "KERNELS", LruCache(1))
 
     def emptied(name: str) -> Circuit:

@@ -68,7 +68,7 @@ def test_rows_that_a_failed_run_did_not_reach_are_not_a_number(problem):
     assert not repeated.is_scripted
 
 
-def test_steps_that_do_not_fit_into_the_script_are_no_script(problem):
+def test_script_with_too_many_steps_is_not_used(problem):
     repeated = RepeatedCall(problem, np.empty(5))
     assert np.array_equal(repeated.run(), solve(problem).values)
     assert not repeated.is_scripted

@@ -261,7 +261,7 @@ def test_a_sampler_that_drives_nothing_costs_no_steps_and_reads_the_interpolant(
 # --- Fast clocks and stalls ---
 
 
-def test_a_clock_of_a_microsecond_is_no_stall():
+def test_clock_of_a_microsecond_does_not_stall():
     circuit = fed_chamber(2e-8, 1e-6, Steps([0.0], [3e5]))
     run = circuit.simulate(0.05, 1e-3)
     assert run.outcome == str(Note(Outcome.DONE.value))
@@ -270,7 +270,7 @@ def test_a_clock_of_a_microsecond_is_no_stall():
     np.testing.assert_allclose(run["tank.pressure"], 3e5 - 2e5 * (1.0 - rate * 1e-6) ** (run.time / 1e-6), rtol=1e-9)
 
 
-def test_pulses_at_which_many_steps_are_rejected_are_no_stall():
+def test_pulses_with_many_rejected_steps_do_not_stall():
     """Every pulse throws the plate against its stops; the run gets from edge to edge all the same."""
     parts = {
         "supply": Reservoir(pressure="7 bar"),
@@ -300,7 +300,7 @@ def test_an_emptied_store_stalls_between_instants(sample_time):
     assert run.time[-1] == pytest.approx(1.19e-3 / 0.1, abs=2e-3)
 
 
-def test_a_stalled_run_is_handed_over_with_its_memory_as_at_the_start(monkeypatch):
+def test_stalled_run_is_repeated_with_its_initial_memory(monkeypatch):
     from dataclasses import replace
 
     from poppet.engine import solve as simulate
@@ -332,7 +332,7 @@ def test_a_stalled_run_is_first_repeated_with_a_tighter_tolerance(monkeypatch):
     assert any("stalled after 1 s; the run was repeated with a relative tolerance of 1e-08." in n for n in run.notes)
 
 
-def test_a_run_leaves_the_memory_of_its_problem_alone():
+def test_run_does_not_change_the_memory_of_its_problem():
     circuit = fed_chamber(2e-8, 0.1, Steps([0.0], [3e5]))
     problem = circuit.problem(Run(duration="1 s"))
     p = problem.p.copy()
@@ -341,7 +341,7 @@ def test_a_run_leaves_the_memory_of_its_problem_alone():
     assert np.array_equal(runs[0].values, runs[1].values)
 
 
-def test_both_sides_round_instants_alike():
+def test_kernel_and_reference_round_instants_equally():
     pytest.importorskip("numba", reason="only developers need numba")
     from poppet.engine import stepping
 
@@ -376,7 +376,7 @@ def test_a_replay_lands_on_instants_that_have_moved():
     assert np.max(np.abs(slope(1e-8, 1e-5, is_replayed=True) - replayed)) < 0.02 * np.max(np.abs(true))
 
 
-def test_a_resumed_run_takes_the_integral_over():
+def test_resumed_run_continues_with_the_integral():
     circuit = valve_on_tank()
     held = Circuit(circuit.parts, {"valve.setpoint": Steps([0.0], [3e5])})
     whole = held.simulate(4.0, 0.01)
@@ -407,7 +407,7 @@ def test_connections_in_a_loop_of_two_are_named():
     ("time", "code"),
     [(float("nan"), "quantity.not_finite"), *((time, "fields.out_of_range") for time in (0.0, -1e-3, 0.9e-6))],
 )
-def test_a_sample_time_that_is_none_is_refused(time, code):
+def test_invalid_sample_time_is_refused(time, code):
     with refused(code, "sample_time"):
         Proportional(sample_time=time)
 
@@ -424,7 +424,7 @@ def test_the_linear_model_of_a_chamber_under_sampled_control_is_the_exact_recurs
     assert linear.poles()[0] == pytest.approx(np.log(complex(factor)) / sample_time, rel=1e-9)
 
 
-def test_the_last_resort_has_an_end(monkeypatch):
+def test_attempts_of_the_last_solver_are_limited(monkeypatch):
     from dataclasses import replace
 
     from poppet.engine import solve as simulate

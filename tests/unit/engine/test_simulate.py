@@ -94,7 +94,7 @@ class TestRows:
 
 class TestAccuracy:
     @pytest.mark.parametrize("tolerance", [1e-4, 1e-6, 1e-8])
-    def test_isothermal_filling_keeps_the_promise(self, tolerance):
+    def test_isothermal_filling_is_within_the_tolerance(self, tolerance):
         """r = r0 + K t while choked, then r = b + (1 - b) sin(K (t - tb)/(1 - b))."""
         recording = filling().simulate("9 s", "0.05 s", tolerance)
         k = 287.05 * 293.15 * 1e-8 * 1.185 / 10e-3
@@ -185,7 +185,7 @@ class TestProgress:
 
 
 class TestFailures:
-    def test_drawing_a_chamber_empty(self):
+    def test_emptied_chamber_ends_the_run(self):
         """Air of 1 bar in 1 l is gone after 1.19 s."""
         with pytest.raises(SimulationError) as caught:
             draining().simulate("10 s", "0.01 s")
@@ -237,7 +237,7 @@ class TestResiduals:
         assert residual.name == "tank mass"
         assert residual.is_kept
 
-    def test_what_a_wrong_balance_looks_like(self):
+    def test_wrong_balance_exceeds_its_limit(self):
         assert not Residual("tank", "mass", "kg", 1e-3, 1.0, 1.0).is_kept
         assert Residual("tank", "mass", "kg", 1e-13, 1.0, 1.0).is_kept
         assert Residual("tank", "energy", "J", 1e-8, 1.0, 1.0).is_kept

@@ -1,4 +1,4 @@
-"""The pages of tuned gains and of compared controllers."""
+"""Reports of controller tunings and of controller comparisons."""
 
 from __future__ import annotations
 
@@ -39,20 +39,20 @@ def comparison(circuit):
     return compare({"pid": circuit, "<law>": other}, vary={"tank.volume": 0.2}, draws=2)
 
 
-def test_the_loops_drawn_are_those_whose_margins_are_told(tuning, circuit):
+def test_loop_figure_shows_the_loops_of_the_margins(tuning, circuit):
     (point,) = tuning.points
     with style("test"):
         left, right = loop_figure(tuning).axes
-    drawn = {line.get_label(): line.get_ydata() for line in left.lines}
+    sensitivities = {line.get_label(): line.get_ydata() for line in left.lines}
     for name, margins in point.margins.items():
-        assert np.max(drawn[name]) == pytest.approx(margins.sensitivity, rel=2e-3)
+        assert np.max(sensitivities[name]) == pytest.approx(margins.sensitivity, rel=2e-3)
     steps = {line.get_label(): line.get_ydata() for line in right.lines}
     highest = max(np.max(steps[name]) for name in point.margins)
     assert highest - 1.0 == pytest.approx(point.overshoot, abs=2e-3)
     assert all(abs(steps[name][-1] - 1.0) < 0.01 for name in point.margins)
 
 
-def test_the_page_of_a_tuning(tuning, circuit, tmp_path):
+def test_tuning_page_has_plot_gains_and_margins(tuning, circuit, tmp_path):
     text = tuning_page(tuning, circuit)
     needs_nothing_else(text)
     (plot,) = plots(text)
@@ -63,7 +63,7 @@ def test_the_page_of_a_tuning(tuning, circuit, tmp_path):
     assert write_tuning(tuning, circuit, tmp_path / "tuning.html").read_text(encoding="utf-8") == text
 
 
-def test_the_page_of_a_comparison(comparison, tmp_path):
+def test_comparison_page_has_responses_and_metrics(comparison, tmp_path):
     text = comparison_page(comparison, "two")
     needs_nothing_else(text)
     (plot,) = plots(text)

@@ -1,4 +1,4 @@
-"""The page of an ensemble: what it holds, and that it needs nothing else."""
+"""Report of an ensemble: sections, reproducibility and missing results."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ import pytest
 
 from circuits_of_ensembles import METRICS, NUMBERS, TABLES, tank
 from pages import needs_nothing_else
-from poppet.report.ensemble.ensemble_report import ensemble_page, write_ensemble
+from poppet.report.ensemble_report import ensemble_page, write_ensemble
 
-WHOLE = TABLES.replace("seed = 1", 'seed = 1\nsampling = "latin"\nkeep = "bands"\nindices = 32')
+ALL_TABLES = TABLES.replace("seed = 1", 'seed = 1\nsampling = "latin"\nkeep = "bands"\nindices = 32')
 
 
 @pytest.fixture(scope="module")
 def page() -> str:
-    return ensemble_page(tank(WHOLE).ensemble(runs=120))
+    return ensemble_page(tank(ALL_TABLES).ensemble(runs=120))
 
 
-def test_a_page_holds_all_that_an_ensemble_tells(page):
+def test_page_has_a_section_for_each_result(page):
     headings = re.findall(r"<h2>(.*?)</h2>", page)
     assert headings == [
         "Yield",
@@ -35,25 +35,25 @@ def test_a_page_holds_all_that_an_ensemble_tells(page):
     assert "120 runs" in page
 
 
-def test_a_page_needs_nothing_else(page):
+def test_page_is_self_contained(page):
     needs_nothing_else(page)
 
 
-def test_the_same_dataset_gives_the_same_page(page, tmp_path):
-    found = tank(WHOLE).ensemble(tmp_path / "set", runs=120, workers=2)
-    assert write_ensemble(found, tmp_path / "page.html").read_text(encoding="utf-8") == page
+def test_equal_datasets_give_equal_pages(page, tmp_path):
+    ensemble = tank(ALL_TABLES).ensemble(tmp_path / "set", runs=120, workers=2)
+    assert write_ensemble(ensemble, tmp_path / "page.html").read_text(encoding="utf-8") == page
 
 
-def test_a_page_of_little(tmp_path):
-    found = tank("").ensemble(runs=3, parameters=NUMBERS, metrics=METRICS)
-    headings = re.findall(r"<h2>(.*?)</h2>", ensemble_page(found))
+def test_sections_without_content_are_omitted(tmp_path):
+    ensemble = tank("").ensemble(runs=3, parameters=NUMBERS, metrics=METRICS)
+    headings = re.findall(r"<h2>(.*?)</h2>", ensemble_page(ensemble))
     assert headings == ["Metrics", "Influence of the parameters", "Runs", "Parameters"]
 
 
-def test_failed_runs_are_said(tmp_path):
-    """A level that no run passes is never reached, and a figure of no values is still a figure."""
-    never = {"late": {"of": "tank.pressure", "metric": "time_to", "value": "9 bar"}}
-    found = tank("").ensemble(runs=5, parameters=NUMBERS, metrics=never, requirements={"soon": "late < 1 s"})
-    text = ensemble_page(found)
-    assert [each.good for each in found.yields()] == [0]
+def test_page_shows_never_for_an_event_that_does_not_occur(tmp_path):
+    """The histogram of a metric without values is drawn without bars."""
+    metrics = {"late": {"of": "tank.pressure", "metric": "time_to", "value": "9 bar"}}
+    ensemble = tank("").ensemble(runs=5, parameters=NUMBERS, metrics=metrics, requirements={"soon": "late < 1 s"})
+    text = ensemble_page(ensemble)
+    assert [result.good for result in ensemble.yields()] == [0]
     assert ">never<" in text

@@ -492,7 +492,7 @@ def test_the_same_result_gives_the_same_bytes(tmp_path):
     assert first.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
-@pytest.mark.parametrize(("name", "code"), [("a.pdf", "page.suffix"), ("no/a.html", "files.no_folder")])
+@pytest.mark.parametrize(("name", "code"), [("a.pdf", "files.suffix"), ("no/a.html", "files.no_folder")])
 def test_a_file_that_cannot_be_is_refused(tmp_path, name, code):
     with refused(code, path=str(tmp_path / name)):
         write_identification(result(), tmp_path / name)

@@ -1,4 +1,4 @@
-"""Pictures of circuits: layers, no overlap, captions, every kind of part."""
+"""Schematics of circuits: layers, layout, captions and symbols of every kind of part."""
 
 from __future__ import annotations
 
@@ -45,8 +45,8 @@ from poppet.signals import Constant, Points, Steps
 SIZE = {"sonic_conductance": "1 dm^3/(s bar)", "critical_ratio": 0.3}
 
 
-def island() -> Circuit:
-    """One part of every kind, and a little more."""
+def circuit_with_every_kind() -> Circuit:
+    """Return a circuit with at least one part of every kind."""
     return Circuit(
         {
             "supply": Reservoir(pressure="7 bar"),
@@ -88,19 +88,19 @@ def island() -> Circuit:
 
 
 @pytest.fixture(scope="module")
-def picture():
-    """The island, drawn once."""
-    return draw_circuit(island())
+def schematic():
+    """Return the schematic of the circuit, drawn once."""
+    return draw_circuit(circuit_with_every_kind())
 
 
 def texts(figure) -> list[str]:
     return [text.get_text() for text in figure.axes[0].texts]
 
 
-# --- layers and places ---
+# --- layout ---
 
 
-def test_gas_comes_from_the_left_and_ends_at_the_right():
+def test_layers_increase_from_the_supply_to_the_outlet():
     edges = (
         ("valve", "supply", "supply"),
         ("valve", "outlet", "tank"),
@@ -113,13 +113,13 @@ def test_gas_comes_from_the_left_and_ends_at_the_right():
     assert layers == {"supply": 0, "valve": 1, "tank": 2, "bleed": 3, "room": 4}
 
 
-def test_a_source_stands_before_what_it_feeds():
+def test_flow_source_precedes_its_tank():
     graph = Graph(("tank",), ("pump", "vent"), (("pump", "to", "tank"), ("vent", "from", "tank")))
     layers = assign_layers(graph, [])
     assert layers["pump"] < layers["tank"]
 
 
-def test_parts_that_nothing_joins_have_a_place():
+def test_unconnected_parts_have_layers():
     edges = (("pipe", "from", "a"), ("pipe", "to", "b"), ("other", "from", "c"), ("other", "to", "d"))
     assert assign_layers(Graph(tuple("abcd"), ("pipe", "other"), edges), []).keys() == {*"abcd", "pipe", "other"}
 
@@ -138,47 +138,47 @@ def graphs(draw) -> tuple[Graph, list[str]]:
 
 @settings(derandomize=True, deadline=None, max_examples=60)
 @given(graphs(), st.randoms(use_true_random=False))
-def test_boxes_never_overlap_and_edges_join_different_layers(given_graph, random):
-    graph, fixed = given_graph
+def test_boxes_do_not_overlap_and_edges_join_different_layers(graph_with_fixed, random):
+    graph, fixed = graph_with_fixed
     layers = assign_layers(graph, fixed)
     assert layers.keys() == {*graph.stores, *graph.passages}
     assert min(layers.values()) == 0
     assert all(layers[passage] != layers[store] for passage, _, store in graph.edges)
     sizes = {name: (random.uniform(0.5, 2.5), random.uniform(0.3, 2.0)) for name in layers}
     layout = Layout(graph, layers, sizes, (0.6, 0.3), {name: random.uniform(-0.2, 0.2) for name in layers})
-    for one, other in combinations(layout.positions, 2):
-        a, b = layout.positions[one], layout.positions[other]
-        across = (layout.sizes[one][0] + layout.sizes[other][0]) / 2.0
-        up = (layout.sizes[one][1] + layout.sizes[other][1]) / 2.0
-        assert abs(a.x - b.x) >= across + 0.6 - 1e-9 or abs(a.y - b.y) >= up + 0.3 - 1e-9
+    for first, second in combinations(layout.positions, 2):
+        a, b = layout.positions[first], layout.positions[second]
+        min_x_distance = (layout.sizes[first][0] + layout.sizes[second][0]) / 2.0
+        min_y_distance = (layout.sizes[first][1] + layout.sizes[second][1]) / 2.0
+        assert abs(a.x - b.x) >= min_x_distance + 0.6 - 1e-9 or abs(a.y - b.y) >= min_y_distance + 0.3 - 1e-9
 
 
-def test_a_chain_is_drawn_level():
+def test_chain_is_horizontal():
     edges = (("p", "from", "a"), ("p", "to", "b"), ("q", "from", "b"), ("q", "to", "c"))
     graph = Graph(tuple("abc"), ("p", "q"), edges)
     anchors = {"p": 0.2, "q": -0.1}
     sizes = dict.fromkeys("abcpq", (1.0, 1.0))
     layout = Layout(graph, assign_layers(graph, ["a"]), sizes, (0.5, 0.3), anchors)
-    heights = [place.y + anchors.get(name, 0.0) for name, place in layout.positions.items()]
+    heights = [position.y + anchors.get(name, 0.0) for name, position in layout.positions.items()]
     assert max(heights) - min(heights) <= 1e-3
 
 
-# --- the picture ---
+# --- schematic ---
 
 
-def test_every_kind_of_part_is_in_the_island_and_has_a_symbol():
+def test_every_kind_of_part_has_a_symbol():
     with_symbol = {name for name, kind in KINDS.items() if kind.symbol}
-    kinds = {part.kind for part in island().parts.values()}
+    kinds = {part.kind for part in circuit_with_every_kind().parts.values()}
     assert kinds >= with_symbol | {"reservoir", "chamber"}
     flow_paths = {name for name, kind in KINDS.items() if issubclass(kind, Passage | Actuator)}
     assert flow_paths <= with_symbol
 
 
-def test_the_picture_names_the_parts(picture):
-    found = texts(picture)
+def test_schematic_has_names_and_captions(schematic):
+    captions = texts(schematic)
     for text in (
         "An island with one of each",
-        *island().parts,
+        *circuit_with_every_kind().parts,
         "7 bar",
         "200 cm³",
         "energy, adiabatic",
@@ -203,31 +203,31 @@ def test_the_picture_names_the_parts(picture):
         "ambient",
         "* assumed",
     ):
-        assert text in found
+        assert text in captions
 
 
-def test_no_text_is_cut_or_covers_another(picture):
-    renderer = picture.canvas.get_renderer()
-    frame = picture.bbox
-    boxes = [text.get_window_extent(renderer) for text in picture.axes[0].texts]
+def test_texts_are_inside_the_figure_and_do_not_overlap(schematic):
+    renderer = schematic.canvas.get_renderer()
+    frame = schematic.bbox
+    boxes = [text.get_window_extent(renderer) for text in schematic.axes[0].texts]
     for box in boxes:
         assert frame.x0 <= box.x0 <= box.x1 <= frame.x1
         assert frame.y0 <= box.y0 <= box.y1 <= frame.y1
-    overlapping = [pair for pair in combinations(boxes, 2) if _share(*pair) > 0.1]
+    overlapping = [pair for pair in combinations(boxes, 2) if overlap_fraction(*pair) > 0.1]
     assert overlapping == []
 
 
-def _share(one, other) -> float:
-    """Part of the smaller of two boxes that the other one covers."""
-    width = min(one.x1, other.x1) - max(one.x0, other.x0)
-    height = min(one.y1, other.y1) - max(one.y0, other.y0)
+def overlap_fraction(first, second) -> float:
+    """Return the fraction of the smaller box that the larger one covers."""
+    width = min(first.x1, second.x1) - max(first.x0, second.x0)
+    height = min(first.y1, second.y1) - max(first.y0, second.y0)
     if width <= 0.0 or height <= 0.0:
         return 0.0
-    return width * height / min(one.width * one.height, other.width * other.height)
+    return width * height / min(first.width * first.height, second.width * second.height)
 
 
 @pytest.mark.parametrize("count", [1, 9])
-def test_chains_of_two_to_twenty_parts(count):
+def test_schematic_of_a_chain_shows_all_parts(count):
     parts = {"supply": Reservoir(pressure="7 bar")}
     for k in range(count):
         parts[f"tank_{k}"] = Chamber(volume="1 l")
@@ -236,7 +236,7 @@ def test_chains_of_two_to_twenty_parts(count):
     assert set(parts) <= set(texts(figure))
 
 
-def test_a_driven_flow_path_is_drawn_adjustable_without_a_fixed_stroke():
+def test_signal_replaces_the_fixed_stroke():
     parts = {
         "tank": Chamber(volume="1 l"),
         "vent": Orifice(from_="tank", to="ambient", characteristic="varga2012", stroke="0.5 mm"),
@@ -271,8 +271,8 @@ class Sponge(Orifice):
 
 
 @pytest.mark.parametrize(("ends", "side"), [(("supply", "tank"), 1), (("tank", "supply"), -1)])
-def test_a_symbol_points_the_way_of_the_gas(ends, side):
-    """The seat of a check valve is a corner on the side where gas enters; a source points at what it feeds."""
+def test_symbol_points_in_the_direction_of_flow(ends, side):
+    """The seat of a check valve is a corner on the side where gas enters."""
     check = {"from_": ends[0], "to": ends[1], "cracking_pressure": "0.1 bar", "sonic_conductance": 1e-8}
     circuit = Circuit(
         {
@@ -287,15 +287,15 @@ def test_a_symbol_points_the_way_of_the_gas(ends, side):
     assert (seat[0] - seat[1]) * side > 0.0
 
 
-def test_kinds_without_symbol_are_boxes_with_a_label():
+def test_kind_without_symbol_is_a_labelled_box():
     parts = {
         "tank": Chamber(volume="1 l"),
         "pump": Pump(to="tank"),
         "sponge": Sponge(from_="tank", to="ambient", **SIZE),
     }
-    found = texts(draw_circuit(Circuit(parts)))
-    assert {"speed 10 Hz*", "C = 1 dm³/(s bar)", "porous"} <= set(found)
-    assert found.count("rotary pump") == 2  # label and caption
+    captions = texts(draw_circuit(Circuit(parts)))
+    assert {"speed 10 Hz*", "C = 1 dm³/(s bar)", "porous"} <= set(captions)
+    assert captions.count("rotary pump") == 2  # label and caption
 
 
 @pytest.mark.parametrize(
@@ -311,14 +311,14 @@ def test_kinds_without_symbol_are_boxes_with_a_label():
         (0.3, "1", "0.3"),
     ],
 )
-def test_numbers_are_in_the_units_an_engineer_reads(value, unit, text):
+def test_captions_use_readable_units(value, unit, text):
     numbers = CaptionNumbers({}.__getitem__)
     assert numbers.text(Number(value, unit, Source("given"))) == text
     assert numbers.text(Number(value, unit, Source("assumed"))) == f"{text}*"
 
 
 @pytest.mark.parametrize("suffix", ["svg", "png"])
-def test_files_are_the_same_every_time(tmp_path, suffix):
+def test_equal_circuits_give_equal_files(tmp_path, suffix):
     circuit = Circuit({"tank": Chamber(volume="1 l"), "vent": Orifice(from_="tank", to="ambient", **SIZE)})
     contents = []
     for folder in ("one", "two"):
@@ -331,26 +331,26 @@ def test_files_are_the_same_every_time(tmp_path, suffix):
         assert ElementTree.fromstring(contents[0]).tag.endswith("svg")
 
 
-def test_an_unknown_format_is_refused(tmp_path):
+def test_unsupported_suffix_is_refused(tmp_path):
     with pytest.raises(InputError) as caught:
-        draw_circuit(island(), tmp_path / "circuit.txt")
+        draw_circuit(circuit_with_every_kind(), tmp_path / "circuit.txt")
     assert caught.value.code == "files.suffix"
 
 
-def test_a_missing_package_is_named(monkeypatch):
+def test_missing_matplotlib_is_reported(monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(MissingDependencyError) as caught:
-        draw_circuit(island())
+        draw_circuit(circuit_with_every_kind())
     assert caught.value.facts["package"] == "matplotlib"
 
 
-def test_a_tube_is_drawn_between_the_port_that_names_it_and_its_other_end():
+def test_tube_connects_the_port_that_names_it_and_its_other_end():
     parts = {
         "supply": Reservoir(pressure="7 bar"),
         "valve": Orifice(from_="supply", to="hose", **SIZE),
         "hose": Tube(from_="valve.to", to="end", length="3 m", bore="4 mm", inertia=True),
         "end": Chamber(volume="1 l"),
     }
-    found = texts(draw_circuit(Circuit(parts)))
-    assert {"hose", "3 m, bore 4 mm", "8 cells, with waves", "1"} <= {*found}
-    assert "ambient" not in found
+    captions = texts(draw_circuit(Circuit(parts)))
+    assert {"hose", "3 m, bore 4 mm", "8 cells, with waves", "1"} <= {*captions}
+    assert "ambient" not in captions

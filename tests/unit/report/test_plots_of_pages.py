@@ -1,4 +1,4 @@
-"""Plots that one can zoom: they hold what their pictures show, and a browser reads off what was recorded."""
+"""Interactive plots: data of figures, and behaviour of the page in a browser."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def page_of(figure) -> str:
         return document("Plots", [("", head("Plots", "A page.")), ("Run", picture(figure, "run", "The run."))])
 
 
-def drawn(draw) -> dict:
+def data_of_axes(draw) -> dict:
     with style("test"):
         figure = new_figure(6.0, 4.0)
         draw(axes_in(figure, 1.0, 0.5, 4.5, 3.0))
@@ -53,29 +53,29 @@ def drawn(draw) -> dict:
     return data
 
 
-# --- numbers ---
+# --- data ---
 
 
-def test_a_plot_holds_the_recording():
+def test_plot_contains_the_recorded_values():
     text = page_of(plot_recordings({"": recording()}))
     (plot,) = plots(text)
-    found = lines(plot)
+    lines_by_label = lines(plot)
     expected = {
         "pressure [bar, absolute]: tank": PRESSURE / 1e5,
         "pressure [bar, absolute]: valve: setpoint": SERIES["valve.setpoint [Pa]"] / 1e5,
         "temperature [°C]: tank": SERIES["tank.temperature [K]"] - 273.15,
         "mass flow rate [g/s]: valve": 1e3 * SERIES["valve.mass_flow_rate [kg/s]"],
     }
-    assert set(found) == set(expected)
+    assert set(lines_by_label) == set(expected)
     for name, values in expected.items():
-        time, shown = found[name]
+        time, shown_values = lines_by_label[name]
         assert np.allclose(time, TIME, rtol=0.0, atol=1e-9 * TIME[-1])
-        assert np.max(np.abs(shown - values)) <= 10.0**-DIGITS * np.ptp(values)
+        assert np.max(np.abs(shown_values - values)) <= 10.0**-DIGITS * np.ptp(values)
     assert text.count("<svg") == 1
     needs_nothing_else(text)
 
 
-def test_regimes_are_boxes_of_time():
+def test_regimes_are_boxes_along_the_time_axis():
     (plot,) = plots(page_of(plot_recordings({"": recording()})))
     (panel,) = [panel for panel in plot["panels"] if "rows" in panel]
     assert panel["rows"] == [[0.0, "valve"]]
@@ -84,36 +84,36 @@ def test_regimes_are_boxes_of_time():
     assert {panel["group"] for panel in plot["panels"]} == {0}
 
 
-def test_the_second_axis_is_a_factor():
+def test_second_axis_has_a_factor():
     (plot,) = plots(page_of(plot_recordings({"": recording()})))
     (second,) = [panel["y"]["second"] for panel in plot["panels"] if "second" in panel["y"]]
     assert second == {"label": "l/min ANR", "factor": pytest.approx(60e3 / 1.185e3, rel=2e-3)}
 
 
-def test_of_many_samples_the_extremes_are_kept():
+def test_thinned_line_keeps_its_extremes():
     values = np.zeros(20_000)
     values[12_345] = 1.0
-    data = drawn(lambda axes: axes.plot(np.arange(20_000.0), values, label="peak"))
+    data = data_of_axes(lambda axes: axes.plot(np.arange(20_000.0), values, label="peak"))
     ((x, y),) = lines(data).values()
     assert data["panels"][0]["lines"][0]["of"] == 20_000
     assert x.size <= MAX_POINTS
     assert x[np.argmax(y)] == 12_345
 
 
-def test_a_thinned_picture_carries_its_whole_line():
+def test_page_states_the_number_of_samples_of_a_thinned_line():
     time = np.linspace(0.0, 1.0, 3 * MAX_POINTS)
     run = Recording.from_series(time, {"a.pressure [Pa]": 1e5 * (2.0 + np.sin(500.0 * time))})
     (plot,) = plots(page_of(plot_recordings({"": run})))
     assert plot["panels"][0]["lines"][0]["of"] == time.size
 
 
-def test_gaps_stay_gaps():
-    data = drawn(lambda axes: axes.plot([0.0, 1.0, 3.0], [1.0, np.nan, 2.0]))
+def test_nan_interrupts_a_line():
+    data = data_of_axes(lambda axes: axes.plot([0.0, 1.0, 3.0], [1.0, np.nan, 2.0]))
     ((_, y),) = lines(data).values()
     assert np.isnan(y).tolist() == [False, True, False]
 
 
-def test_bands_boxes_rules_and_scales():
+def test_bands_boxes_rules_segments_and_texts_are_converted():
     x = np.array([1.0, 10.0, 1000.0])
 
     def draw(axes):
@@ -124,7 +124,7 @@ def test_bands_boxes_rules_and_scales():
         axes.vlines(x, x - 1.0, x + 1.0)
         axes.text(10.0, 5.0, "here")
 
-    data = drawn(draw)
+    data = data_of_axes(draw)
     (panel,) = data["panels"]
     assert panel["x"]["log"]
     (line,), (band,), (rule,), (box,) = (panel[key] for key in ("lines", "bands", "rules", "boxes"))
@@ -137,8 +137,8 @@ def test_bands_boxes_rules_and_scales():
     assert panel["texts"][0][:3] == [10.0, 5.0, "here"]
 
 
-def test_names_at_ticks_go_along():
-    data = drawn(lambda axes: (axes.plot([0.0, 2.0], [1.0, 2.0]), axes.set_xticks([0.0, 2.0], ["low", "high"])))
+def test_tick_labels_are_converted():
+    data = data_of_axes(lambda axes: (axes.plot([0.0, 2.0], [1.0, 2.0]), axes.set_xticks([0.0, 2.0], ["low", "high"])))
     assert data["panels"][0]["x"]["ticks"] == [[0.0, 2.0], ["low", "high"]]
 
 
@@ -152,31 +152,31 @@ def test_names_at_ticks_go_along():
         lambda axes: axes.set_yscale("symlog"),
     ],
 )
-def test_maps_and_drawings_stay_pictures(draw):
+def test_maps_and_drawings_have_no_plot_data(draw):
     with style("test"):
         figure = new_figure(4.0, 3.0)
         draw(axes_in(figure, 0.5, 0.5, 3.0, 2.0))
         assert plot_data(figure) is None
 
 
-def test_no_name_ends_the_numbers():
+def test_labels_are_escaped_in_the_data_element():
     element = data_element({"label": "</script><script>alert(1)</script> & <!--"})
     assert element.count("</script>") == 1
     assert plots(element) == [{"label": "</script><script>alert(1)</script> & <!--"}]
 
 
-def test_a_page_without_plots_runs_nothing():
+def test_page_without_plots_has_no_script():
     text = document("a", [("", "<p>b</p>")])
     needs_nothing_else(text)
     assert "<script" not in text
 
 
-def test_the_library_is_as_published():
-    place = files("poppet.report.plots") / "uplot"
-    assert "MIT" in (place / "LICENSE").read_text(encoding="utf-8")
-    assert "1.6.32" in (place / "VERSION.txt").read_text(encoding="utf-8")
+def test_uplot_files_are_the_published_ones():
+    folder = files("poppet.report.plots") / "uplot"
+    assert "MIT" in (folder / "LICENSE").read_text(encoding="utf-8")
+    assert "1.6.32" in (folder / "VERSION.txt").read_text(encoding="utf-8")
     for name, digest in UPLOT.items():
-        assert hashlib.sha256((place / name).read_bytes()).hexdigest() == digest
+        assert hashlib.sha256((folder / name).read_bytes()).hexdigest() == digest
 
 
 # --- in a browser ---
@@ -186,9 +186,9 @@ def test_the_library_is_as_published():
 def browser():
     program = found()
     if program is None:
-        pytest.skip("no browser: none of the usual names, and POPPET_BROWSER names none")
-    with Browser(program) as each:
-        yield each
+        pytest.skip("no browser was found; set POPPET_BROWSER")
+    with Browser(program) as instance:
+        yield instance
 
 
 @pytest.fixture(scope="module")
@@ -205,8 +205,8 @@ def screen(browser, page):
     return browser
 
 
-def place_of(browser, panel: int = 0) -> tuple[float, float, float, float]:
-    """Left, top, width and height of the area of a panel."""
+def panel_area(browser, panel: int = 0) -> tuple[float, float, float, float]:
+    """Return the position of a panel on the screen: left, top, width and height."""
     return tuple(
         browser(
             f"(r => [r.left, r.top, r.width, r.height])(document.querySelectorAll('.u-over')[{panel}]"
@@ -215,18 +215,18 @@ def place_of(browser, panel: int = 0) -> tuple[float, float, float, float]:
     )
 
 
-def read_off(browser) -> list[str]:
+def legend_texts(browser) -> list[str]:
     browser.settle()
     return browser("[...document.querySelectorAll('.keys')].map(each => each.innerText.replace(/\\s+/g, ' '))")
 
 
 def point(browser, share: float) -> None:
-    left, top, wide, high = place_of(browser)
+    left, top, wide, high = panel_area(browser)
     browser.mouse("Moved", left + share * wide, top + 0.5 * high)
 
 
 def drag(browser, start: float, end: float) -> None:
-    left, top, wide, high = place_of(browser)
+    left, top, wide, high = panel_area(browser)
     y = top + 0.5 * high
     browser.mouse("Moved", left + start * wide, y)
     browser.mouse("Pressed", left + start * wide, y, is_down=True, clicks=1)
@@ -236,69 +236,69 @@ def drag(browser, start: float, end: float) -> None:
     browser.settle()
 
 
-def time_at(texts: list[str]) -> list[float]:
+def times_in_legends(texts: list[str]) -> list[float]:
     return [float(re.search(r"time \[s\] (-?[\d.]+)", text)[1]) for text in texts]
 
 
-def test_a_browser_shows_plots_and_asks_nobody(screen, page):
+def test_browser_shows_plots_without_other_requests(screen, page):
     assert screen("document.querySelectorAll('figure.is-live canvas').length") == 4
     assert screen("getComputedStyle(document.querySelector('.still')).display") == "none"
-    asked = [e["params"]["request"]["url"] for e in screen.events if e.get("method") == "Network.requestWillBeSent"]
-    assert asked == [page.as_uri()]
+    addresses = [e["params"]["request"]["url"] for e in screen.events if e.get("method") == "Network.requestWillBeSent"]
+    assert addresses == [page.as_uri()]
 
 
-def test_the_pointer_reads_off_in_all_panels(screen):
+def test_pointer_reads_values_in_all_panels(screen):
     point(screen, 0.25)
-    texts = read_off(screen)
-    assert time_at(texts) == pytest.approx([30.0] * 4, abs=0.2)
-    at = time_at(texts)[0]
-    shown = float(re.search(r"tank ([\d.]+)", texts[0])[1])
-    assert shown == pytest.approx(np.interp(at, TIME, PRESSURE) / 1e5, abs=2e-3)
+    texts = legend_texts(screen)
+    assert times_in_legends(texts) == pytest.approx([30.0] * 4, abs=0.2)
+    time = times_in_legends(texts)[0]
+    shown_pressure = float(re.search(r"tank ([\d.]+)", texts[0])[1])
+    assert shown_pressure == pytest.approx(np.interp(time, TIME, PRESSURE) / 1e5, abs=2e-3)
     assert "valve: setpoint 2.000" in texts[0]
-    assert texts[3].count("choked") >= 2  # the key, and what was read off
+    assert texts[3].count("choked") >= 2  # the legend entry and the value at the pointer
 
 
-def test_a_drag_enlarges_all_panels_and_a_double_click_ends_it(screen):
+def test_drag_enlarges_all_panels_and_double_click_resets_them(screen):
     drag(screen, 0.25, 0.5)
     point(screen, 0.5)
-    assert time_at(read_off(screen)) == pytest.approx([45.0] * 4, abs=0.3)
+    assert times_in_legends(legend_texts(screen)) == pytest.approx([45.0] * 4, abs=0.3)
     assert not screen("document.querySelector('.foot button').hidden")
-    left, top, wide, high = place_of(screen, 1)
+    left, top, wide, high = panel_area(screen, 1)
     for clicks in (1, 2):
         for kind in ("Pressed", "Released"):
             screen.mouse(kind, left + 0.5 * wide, top + 0.5 * high, is_down=kind == "Pressed", clicks=clicks)
     point(screen, 0.5)
-    assert time_at(read_off(screen)) == pytest.approx([60.0] * 4, abs=0.3)
+    assert times_in_legends(legend_texts(screen)) == pytest.approx([60.0] * 4, abs=0.3)
     assert screen("document.querySelector('.foot button').hidden")
 
 
-def test_a_key_hides_its_line(screen):
-    ink = (
+def test_click_on_a_legend_entry_hides_its_line(screen):
+    count_pixels = (
         "(c => c.getContext('2d').getImageData(0, 0, c.width, c.height).data.reduce((n, v, k) => n + (k % 4 == 3 && v),"
         " 0))(document.querySelector('canvas'))"
     )
-    before = screen(ink)
+    n_pixels_before = screen(count_pixels)
     screen("document.querySelector('.key').click()")
     screen.settle()
-    assert screen(ink) < before
+    assert screen(count_pixels) < n_pixels_before
     assert screen("document.querySelector('.key').getAttribute('aria-pressed')") == "false"
 
 
-def test_what_is_finer_than_the_page_is_said(browser, tmp_path):
+def test_enlarged_thinned_line_shows_a_note(browser, tmp_path):
     time = np.linspace(0.0, 10.0, 20_001)
     run = Recording.from_series(time, {"a.pressure [Pa]": 1e5 * (2.0 + np.sin(300.0 * time))})
     path = tmp_path / "fine.html"
     path.write_text(page_of(plot_recordings({"": run})), encoding="utf-8")
     browser.open(path)
-    said = "document.querySelector('.foot strong').textContent"
+    note = "document.querySelector('.foot strong').textContent"
     drag(browser, 0.2, 0.8)
-    assert browser(said) == ""
+    assert browser(note) == ""
     for _ in range(3):
         drag(browser, 0.4, 0.6)
-    assert "20001" in browser(said)
+    assert "20001" in browser(note)
 
 
-def test_without_scripts_the_pictures_are_there(browser, page, tmp_path):
+def test_page_without_scripts_shows_the_pictures(browser, page, tmp_path):
     path = tmp_path / "bare.html"
     text = page.read_text(encoding="utf-8")
     path.write_text(re.sub(r"<script>.*?</script>", "", text, flags=re.DOTALL), encoding="utf-8")
@@ -306,7 +306,7 @@ def test_without_scripts_the_pictures_are_there(browser, page, tmp_path):
     assert browser("document.querySelector('.still svg').getBoundingClientRect().width") > 500
 
 
-def test_no_script_runs_but_the_pages_own(browser, page, tmp_path):
+def test_inserted_script_does_not_run(browser, page, tmp_path):
     path = tmp_path / "foreign.html"
     text = page.read_text(encoding="utf-8")
     path.write_text(text.replace("</main>", "<script>document.title = 'foreign'</script></main>"), encoding="utf-8")
@@ -317,17 +317,17 @@ def test_no_script_runs_but_the_pages_own(browser, page, tmp_path):
 
 def test_print_shows_the_pictures(browser, page):
     browser.open(page, media="print")
-    shown = browser("['.live', '.still'].map(each => getComputedStyle(document.querySelector(each)).display)")
-    assert shown == ["none", "block"]
+    displays = browser("['.live', '.still'].map(each => getComputedStyle(document.querySelector(each)).display)")
+    assert displays == ["none", "block"]
 
 
-def test_the_dark_page_turns_paper_and_pictures_over(browser, page):
+def test_dark_page_inverts_background_and_plots(browser, page):
     browser.open(page, scheme="dark")
     assert browser("getComputedStyle(document.body).backgroundColor") == "rgb(18, 18, 18)"
     assert "invert" in browser("getComputedStyle(document.querySelector('canvas')).filter")
 
 
-def test_a_telephone_cuts_no_value_of_a_table(browser, tmp_path):
+def test_narrow_screen_shows_all_values_of_a_table(browser, tmp_path):
     cells = [f"{10.0**k:.4f} dm³/(s bar)" for k in range(8)]
     wide = ReportTable(
         ("heading 0", *numeric(*(f"heading {k}" for k in range(1, 8)))), [["valve.sonic_conductance", *cells[1:]]] * 3
@@ -343,15 +343,15 @@ def test_a_telephone_cuts_no_value_of_a_table(browser, tmp_path):
     assert browser("getComputedStyle(document.querySelector('tr')).display") == "table-row"
 
 
-def test_a_telephone_shows_the_plots_and_enlarges_with_two_fingers(browser, page):
+def test_touch_screen_reads_values_and_enlarges_with_two_fingers(browser, page):
     browser.open(page, 360)
     assert browser("document.documentElement.scrollWidth") == 360
-    left, top, wide, high = place_of(browser)
+    left, top, wide, high = panel_area(browser)
     assert wide > 250
     y = top + 0.5 * high
     browser.fingers("Start", (left + 0.5 * wide, y))
     browser.fingers("Move", (left + 0.25 * wide, y))
-    assert time_at(read_off(browser)) == pytest.approx([30.0] * 4, abs=0.5)
+    assert times_in_legends(legend_texts(browser)) == pytest.approx([30.0] * 4, abs=0.5)
     browser.fingers("End")
     browser.fingers("Start", (left + 0.4 * wide, y), (left + 0.6 * wide, y))
     for spread in (0.2, 0.3, 0.4):

@@ -1,4 +1,4 @@
-"""The page of a run: what was simulated, with which numbers, what came out, and whether the balances hold."""
+"""Report of a run: parameters, results, balances and selected outputs."""
 
 from __future__ import annotations
 
@@ -32,21 +32,21 @@ def text(recording) -> str:
     return run_page(CIRCUIT, recording)
 
 
-def words(text: str) -> str:
+def text_without_markup(text: str) -> str:
     body = re.sub(r"<(style|script|svg)\b.*?</\1>", " ", text, flags=re.DOTALL)
     return " ".join(html.unescape(re.sub(r"<[^>]+>", " ", body)).split())
 
 
-def test_the_page_needs_nothing_and_says_what_was_run(text, recording):
+def test_page_is_self_contained_and_describes_the_run(text, recording):
     needs_nothing_else(text)
-    found = words(text)
-    assert "A <tank> is filled" in found
-    assert recording.outcome in found
-    assert "rosenbrock" in found
-    assert f"{recording.statistics['accepted_steps']:.0f} accepted" in found
+    visible_text = text_without_markup(text)
+    assert "A <tank> is filled" in visible_text
+    assert recording.outcome in visible_text
+    assert "rosenbrock" in visible_text
+    assert f"{recording.statistics['accepted_steps']:.0f} accepted" in visible_text
 
 
-def test_the_plot_holds_the_recording(text, recording):
+def test_plot_contains_the_recorded_values(text, recording):
     (plot,) = plots(text)
     time, pressure = lines(plot)["pressure [bar, absolute]: tank"]
     assert np.allclose(time, recording.time, atol=1e-9)
@@ -54,40 +54,41 @@ def test_the_plot_holds_the_recording(text, recording):
     assert text.count("<svg") == 2  # the run and the circuit
 
 
-def test_every_number_stands_with_its_source_the_assumed_ones_first(text):
-    found = words(text)
+def test_parameters_have_sources_and_assumed_ones_come_first(text):
+    visible_text = text_without_markup(text)
     for address, number in CIRCUIT.numbers().items():
-        assert f"{address} {number.display()}" in found
-        assert number.source.note in found
-    assert found.index("assumed (") < found.index("given (")
+        assert f"{address} {number.display()}" in visible_text
+        assert number.source.note in visible_text
+    assert visible_text.index("assumed (") < visible_text.index("given (")
 
 
-def test_values_have_their_times(recording, text):
+def test_extreme_values_have_their_times(recording, text):
     highest = int(np.argmax(recording["tank.temperature"]))
-    assert f"{recording['tank.temperature'][highest] - 273.15:.5g} {recording.time[highest]:.5g}" in words(text)
+    temperature, time = recording["tank.temperature"][highest] - 273.15, recording.time[highest]
+    assert f"{temperature:.5g} {time:.5g}" in text_without_markup(text)
 
 
-def test_balances_are_judged(text, recording):
+def test_violated_balance_is_marked(text, recording):
     assert all(balance.is_kept for balance in recording.residuals)
-    found = words(text)
-    assert all(balance.name in found for balance in recording.residuals)
-    broken = Recording(**(recording.fields() | {"residuals": (recording.residuals[0]._replace(error=1.0),)}))
-    assert "NOT kept" in words(run_page(CIRCUIT, broken))
+    visible_text = text_without_markup(text)
+    assert all(balance.name in visible_text for balance in recording.residuals)
+    violated = Recording(**(recording.fields() | {"residuals": (recording.residuals[0]._replace(error=1.0),)}))
+    assert "NOT kept" in text_without_markup(run_page(CIRCUIT, violated))
 
 
-def test_what_is_drawn_can_be_chosen(recording):
+def test_outputs_and_units_of_the_plot_can_be_selected(recording):
     (plot,) = plots(run_page(CIRCUIT, recording, select="tank.pressure", units=["kPa"]))
     assert list(lines(plot)) == ["pressure [kPa, absolute]: tank"]
-    (whole,) = plots(run_page(CIRCUIT, recording, inner=True))
-    (first,) = plots(run_page(CIRCUIT, recording))
-    assert len(whole["panels"]) > len(first["panels"])
+    (plot_with_inner,) = plots(run_page(CIRCUIT, recording, inner=True))
+    (plot_without_inner,) = plots(run_page(CIRCUIT, recording))
+    assert len(plot_with_inner["panels"]) > len(plot_without_inner["panels"])
 
 
-def test_a_run_without_a_row_has_a_page(recording):
+def test_run_without_samples_has_a_page_without_plots(recording):
     empty = Recording(**(recording.fields() | {"time": np.zeros(0), "values": np.zeros((len(recording), 0))}))
     assert plots(run_page(CIRCUIT, empty)) == []
 
 
-def test_another_suffix_is_refused(recording, tmp_path):
-    with refused("page.suffix"):
+def test_unsupported_suffix_is_refused(recording, tmp_path):
+    with refused("files.suffix"):
         write_run(CIRCUIT, recording, tmp_path / "run.txt")

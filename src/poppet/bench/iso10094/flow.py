@@ -104,7 +104,17 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
             sweeps[side] += [sweep] if sweep else []
     for side in SIDES:
         _read(evaluation, side, sweeps[side])
-    _capacity(evaluation)
+    # The smallest flow capacity of all cases. If the outlet did not fall sufficiently in any case, the smallest of the
+    # tested maximum flows is a lower bound.
+    for key, bound in (("capacity", ""), ("capacity_at_least", AT_LEAST)):
+        rows = [row for row in evaluation.rows if key in row]
+        if rows:
+            row = min(rows, key=lambda candidate: float(candidate[key]))
+            capacity_uncertainty = evaluation.uncertainties.get((id(row), key))
+            evaluation.add("flow_capacity", row[key], capacity_uncertainty, bound=bound, setpoint=row["setpoint"])
+            break
+    else:
+        evaluation.note_absence("none_drawn", "flow_capacity")
 
 
 def _one(
@@ -257,21 +267,6 @@ def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> No
     evaluation.add_greatest(side.figure, side.change, f"little_{side.name}", conditions=case, flow=rated)
     key, reason = f"hysteresis_{side.name}", f"{side.name}_one_way"
     evaluation.add_greatest(side.hysteresis, key, reason, conditions=case, is_nonnegative=True)
-
-
-def _capacity(evaluation: Evaluation) -> None:
-    """Add the smallest flow capacity of all cases to the evaluation.
-
-    If the outlet did not fall sufficiently in any case, the smallest of the tested maximum flows is a lower bound.
-    """
-    for key, bound in (("capacity", ""), ("capacity_at_least", AT_LEAST)):
-        rows = [row for row in evaluation.rows if key in row]
-        if rows:
-            row = min(rows, key=lambda candidate: float(candidate[key]))
-            uncertainty = evaluation.uncertainties.get((id(row), key))
-            evaluation.add("flow_capacity", row[key], uncertainty, bound=bound, setpoint=row["setpoint"])
-            return
-    evaluation.note_absence("none_drawn", "flow_capacity")
 
 
 FLOW = BenchTest(

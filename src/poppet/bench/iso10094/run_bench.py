@@ -52,9 +52,35 @@ class BenchRun:
         if trials is not None:
             pace = Pace(self.specimen, self.settings, self.hold(), self._sweep)
             return [self._respond(trial) for trial in trials(pace)]
-        if test == "frequency":
-            return self._sines()
-        return [self.step(v, a).record for v in self.settings.volumes for a in self.settings.amplitudes]
+        if test == "step":
+            return [self.step(v, a).record for v in self.settings.volumes for a in self.settings.amplitudes]
+        frequencies = self.settings.frequencies
+        if frequencies:
+            return [self._sine(f).record for f in sorted(frequencies)]
+        # Sines at frequencies from far below to above both bandwidths, closer to each other near the bandwidths.
+        smallest = self.step(self.settings.volumes[0], min(self.settings.amplitudes))
+        # A first-order response rises from 10 to 90 % in 0.35 periods of the corner frequency.
+        corner = 0.35 / min(self._response_times([smallest]))
+        ladder = [preferred(corner * 10.0 ** (step / 10.0)) for step in range(DECADE_BELOW, DECADE_ABOVE)]
+        sines: dict[float, EvaluatedRecord] = {}
+        n_beyond = 0
+        # Three frequencies per decade locate the bandwidths; the other frequencies of the range follow.
+        for frequency in ladder[::3]:
+            sines[frequency] = self._sine(frequency)
+            rows = self._bode(sines).rows
+            is_beyond = len(rows) > 1 and rows[-1]["gain_db"] < GAIN_DB and rows[-1]["phase"] < PHASE_DEG
+            n_beyond = n_beyond + 1 if is_beyond else 0
+            if n_beyond >= AFTER:
+                break
+        for frequency in dict.fromkeys(ladder):
+            if frequency not in sines and frequency < max(sines):
+                sines[frequency] = self._sine(frequency)
+        for _ in range(REFINED):
+            for name in ("bandwidth_gain", "bandwidth_phase"):
+                figure = self._bode(sines).figures.get(name)
+                if figure is not None and not figure.bound and figure.value not in sines:
+                    sines[figure.value] = self._sine(figure.value)
+        return [sines[frequency].record for frequency in sorted(sines)]
 
     def _respond(self, trial: Trial) -> Record:
         self.say(trial.name)
@@ -105,38 +131,6 @@ class BenchRun:
         if sweep_time < response:
             raise InputError("bench.sweep_time", given=sweep_time, response=response, usual=usual)
         return sweep_time if math.isfinite(sweep_time) else usual
-
-    def _sines(self) -> list[Record]:
-        """Measure sines at frequencies from far below to above both bandwidths.
-
-        The frequencies are closer to each other near the bandwidths.
-        """
-        frequencies = self.settings.frequencies
-        if frequencies:
-            return [self._sine(f).record for f in sorted(frequencies)]
-        smallest = self.step(self.settings.volumes[0], min(self.settings.amplitudes))
-        # A first-order response rises from 10 to 90 % in 0.35 periods of the corner frequency.
-        corner = 0.35 / min(self._response_times([smallest]))
-        ladder = [preferred(corner * 10.0 ** (step / 10.0)) for step in range(DECADE_BELOW, DECADE_ABOVE)]
-        sines: dict[float, EvaluatedRecord] = {}
-        n_beyond = 0
-        # Three frequencies per decade locate the bandwidths; the other frequencies of the range follow.
-        for frequency in ladder[::3]:
-            sines[frequency] = self._sine(frequency)
-            rows = self._bode(sines).rows
-            is_beyond = len(rows) > 1 and rows[-1]["gain_db"] < GAIN_DB and rows[-1]["phase"] < PHASE_DEG
-            n_beyond = n_beyond + 1 if is_beyond else 0
-            if n_beyond >= AFTER:
-                break
-        for frequency in dict.fromkeys(ladder):
-            if frequency not in sines and frequency < max(sines):
-                sines[frequency] = self._sine(frequency)
-        for _ in range(REFINED):
-            for name in ("bandwidth_gain", "bandwidth_phase"):
-                figure = self._bode(sines).figures.get(name)
-                if figure is not None and not figure.bound and figure.value not in sines:
-                    sines[figure.value] = self._sine(figure.value)
-        return [sines[frequency].record for frequency in sorted(sines)]
 
     def _sine(self, frequency: float) -> EvaluatedRecord:
         choices, scale, hold = self.settings, self.specimen.scale, self.hold()

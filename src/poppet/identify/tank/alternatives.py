@@ -17,7 +17,7 @@ from poppet.identify.fit.residuals import correlation_time, is_white
 from poppet.identify.fit.search import FitObjective, Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import aicc, estimates
 from poppet.identify.free_parameter import FreeParameter, with_starts
-from poppet.identify.result import Estimate, Result
+from poppet.identify.result import Estimate, Result, mark_interrupted
 from poppet.identify.tank.tank_plan import TankRun, is_free, plan_tank_fit, plausible_wall
 from poppet.identify.tank.test import TankTest
 from poppet.timeseries.checks import FloatArray
@@ -293,8 +293,7 @@ def compare_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result:
         settings, sigmas = SearchSettings(test.loss), _sigmas(law_plan, result)
         optimum = optimise(law_plan.experiments, law_plan.free, settings, sigmas=sigmas)
         if optimum.interrupted:
-            conditions = {**result.conditions, "interrupted": True}
-            return replace(result, conditions=conditions, remarks=(*result.remarks, Note("finding.stopped.laws")))
+            return mark_interrupted(result, Note("finding.stopped.laws"))
         parameters, residuals, criterion = _evaluate(law_plan, optimum)
         rms = {channel: float((piece @ piece / piece.size) ** 0.5) for channel, piece in residuals.items()}
         laws[name] = _law_row(criterion, parameters, rms)

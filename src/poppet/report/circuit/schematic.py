@@ -14,16 +14,7 @@ from poppet.parts.captions import ASSUMED, CaptionNumbers, format_value
 from poppet.parts.part import AMBIENT, Body, Controller
 from poppet.parts.symbols import OPEN_END, Symbol, rectangle
 from poppet.report.circuit.layout import BoxPosition, Edge, Graph, Layout, assign_layers
-from poppet.timeseries.plotting.figures import (
-    ACCENT,
-    GREY,
-    INK,
-    check_format,
-    new_figure,
-    save_figure,
-    style,
-    text_width,
-)
+from poppet.timeseries.plotting.figures import ACCENT, GREY, INK, new_figure, save_figure, style, text_width
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -62,13 +53,8 @@ def draw_circuit(circuit: BaseCircuit, path: str | Path | None = None) -> Figure
     >>> "10 l" in [text.get_text() for text in figure.axes[0].texts]
     True
     """
-    if path is not None:
-        check_format(path)
-    with style("A picture of a circuit"):
-        figure = _Schematic(circuit).draw()
-    if path is not None:
-        save_figure(figure, path)
-    return figure
+    with style("A picture of a circuit", path):
+        return save_figure(_Schematic(circuit).draw(), path)
 
 
 class EmptyLine(NamedTuple):

@@ -181,7 +181,7 @@ def linear_card(linear: LinearModel) -> str:
 
 def ensemble_card(ensemble: Ensemble) -> str:
     """Return an ensemble as HTML: yield of the requirements and statistics of the metrics."""
-    from poppet.report.ensemble.ensemble_report import metric_table, yield_table
+    from poppet.report.ensemble_report import metric_table, yield_table
 
     lead = f"Ensemble of {ensemble.done} runs"
     return card(ensemble.plan.circuit.title, lead, yield_table(ensemble), metric_table(ensemble))

@@ -412,8 +412,7 @@ def figure_6(findings: runs.Findings) -> Figure:
     upper.tick_params(labelbottom=False)
     upper.legend(loc="lower right", fontsize=8.5, facecolor="white", frameon=True, edgecolor=FAINT, framealpha=1.0)
     upper.set_ylabel("tank pressure  [bar, absolute]")
-    lower.set_ylabel("gas temperature  [°C]")
-    lower.set_xlabel("time  [s]")
+    lower.set(xlabel="time  [s]", ylabel="gas temperature  [°C]")
     figure.align_ylabels([upper, lower])
     return figure
 
@@ -422,9 +421,7 @@ def _sheet(limits: tuple[float, float, float, float], label: str) -> tuple[Figur
     figure = new_figure(6.2, 3.9)
     axes = axes_in(figure, 0.7, 0.15, 5.3, 3.2)
     axes.axis(limits)
-    axes.set_xticks(np.arange(0.0, 1.01, 0.1))
-    axes.set_xlabel("stroke of the poppet x  [mm]")
-    axes.set_ylabel(label)
+    axes.set(xticks=np.arange(0.0, 1.01, 0.1), xlabel="stroke of the poppet x  [mm]", ylabel=label)
     return figure, axes
 
 

@@ -52,11 +52,14 @@ _DOTS_PER_INCH = 150
 _HINTED = 1.05  # maximum width of letters that are fitted to pixels, relative to their outlines
 
 
-def style(purpose: str) -> Any:
+def style(purpose: str, path: str | Path | None = None) -> Any:
     """Return a context manager that applies the style of all figures while drawing.
 
-    `purpose` is the text of the error message if Matplotlib is not installed.
+    `purpose` is the text of the error message if Matplotlib is not installed. The suffix of `path`, the file of the
+    figure, is checked before the figure is drawn.
     """
+    if path is not None:
+        check_format(path)
     with needed("matplotlib", purpose, "plot"):
         import matplotlib as mpl
     return mpl.rc_context(_STYLE)
@@ -135,15 +138,17 @@ def check_format(path: str | Path) -> None:
     by_suffix(Path(path), dict.fromkeys((f".{name}" for name in _METADATA), str))
 
 
-def save_figure(figure: Figure, path: str | Path) -> Path:
-    """Write a figure to a file; equal figures give identical bytes.
+def save_figure(figure: Figure, path: str | Path | None) -> Figure:
+    """Write a figure to a file if `path` is set, and return the figure; equal figures give identical bytes.
 
     The function replaces an existing file completely or not at all.
     """
-    check_format(path)
-    target = Path(path)
-    content = figure_bytes(figure, target.suffix[1:].lower(), target.stem)
-    return write_whole(target, lambda stream: stream.write(content))
+    if path is not None:
+        check_format(path)
+        target = Path(path)
+        content = figure_bytes(figure, target.suffix[1:].lower(), target.stem)
+        write_whole(target, lambda stream: stream.write(content))
+    return figure
 
 
 def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:

@@ -79,10 +79,7 @@ def plot_recordings(
     if len(recordings) > MOST_RECORDINGS:
         raise OutOfRangeError("drawing.too_many", count=len(recordings), most=MOST_RECORDINGS)
     with style("A figure"):
-        figure = Sheet(recordings, select, units, title, inner).draw()
-    if path is not None:
-        save_figure(figure, path)
-    return figure
+        return save_figure(Sheet(recordings, select, units, title, inner).draw(), path)
 
 
 LINE_STYLES: tuple[Any, ...] = (
@@ -387,9 +384,7 @@ def plot_fitted_series(
     """
     if not tables:
         raise InputError("drawing.nothing")
-    if path is not None:
-        check_format(path)
-    with style("A figure"):
+    with style("A figure", path):
         figure = new_figure(WIDTH, HEIGHT * len(tables) + 0.4)
         panels = figure.subplots(len(tables), squeeze=False)[:, 0]
         for panel, (name, table) in zip(panels, tables.items(), strict=True):
@@ -406,6 +401,4 @@ def plot_fitted_series(
         panels[-1].set_xlabel(label)
         figure.suptitle(title)
         figure.set_layout_engine("tight")
-    if path is not None:
-        save_figure(figure, path)
-    return figure
+        return save_figure(figure, path)
