@@ -19,6 +19,7 @@ from poppet.circuit.placed_part import PlacedPart, signal_notes, value_notes
 from poppet.circuit.trace import SURROUNDINGS
 from poppet.circuit.wiring import (
     PartWiring,
+    check_bodies,
     check_connections,
     check_kinds,
     check_signals,
@@ -118,6 +119,7 @@ class BaseCircuit(HtmlMixin):
             # A fit creates many circuits with the same wiring, which is checked once.
             if like is None or like._wiring != self._wiring or like.connections is not self.connections:
                 check_wiring(errors, self._wiring)
+                check_bodies(errors, self._wiring)
                 check_connections(errors, self.connections, self.parts, self.inputs, self.signals)
             check_starts(errors, self.parts, self.signals)
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}

@@ -14,6 +14,7 @@ from poppet.circuit.options import Ambient, GasChoice, Run
 from poppet.circuit.signal_tables import check_signal_table, read_signal
 from poppet.circuit.wiring import (
     PartWiring,
+    check_bodies,
     check_connections,
     check_count,
     check_signals,
@@ -78,6 +79,7 @@ def read_circuit(file: TomlFile, circuit_class: type[CircuitT]) -> CircuitT:
         check_count(tables["parts"])
         parts = _Parts(errors, tables["parts"], ambient, gas, file.folder)
         check_wiring(errors, parts.wiring)
+        check_bodies(errors, parts.wiring)
         signals = parts.signals(tables["signals"])
         check_signals(errors, signals, parts.inputs, parts.numbers)
         check_starts(errors, parts.made, signals, "parts.")

@@ -174,17 +174,17 @@ class Instance:
 
         The keys of `changes` are the addresses of the candidates; each value must differ from the present value.
         """
-        # All recordings of a fit have the same candidates.
-        return self._ties.get(tuple(changes.items()), lambda: self._tied(changes))
 
-    def _tied(self, changes: Mapping[str, float]) -> frozenset[str]:
         def has_dependents(values: dict[str, float]) -> bool:
             return bool(self.with_values(values).parameters != {**self.parameters, **values})
 
-        # Usually no parameter is tied: one check of all is enough.
-        if not has_dependents(dict(changes)):
-            return frozenset()
-        return frozenset(address for address, value in changes.items() if has_dependents({address: value}))
+        def find_tied() -> frozenset[str]:
+            # Usually no parameter is tied: one check of all is enough.
+            candidates = changes.items() if has_dependents(dict(changes)) else ()
+            return frozenset(address for address, value in candidates if has_dependents({address: value}))
+
+        # All recordings of a fit have the same candidates.
+        return self._ties.get(tuple(changes.items()), find_tied)
 
     # Inputs ------------------------------------------------------------------------------------------------------
 

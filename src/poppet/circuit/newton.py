@@ -58,7 +58,15 @@ def refine_steady_state(
         # A derivative can be infinite, as of a root at zero: the previous point is the result.
         if not np.all(np.isfinite(jacobian)):
             break
-        step, norm = _newton_step(f * weight, jacobian * weight[:, None], conserves) * size, np.linalg.norm(f * weight)
+        matrix, target = jacobian * weight[:, None], -f * weight
+        if conserves and f.size:
+            # With conserved quantities J is singular; the additional rows keep these quantities constant.
+            left, singular, _ = np.linalg.svd(matrix)
+            conserved = left[:, singular <= SINGULAR * singular[0]].T
+            matrix = np.vstack([matrix, conserved * singular[0]])
+            target = np.concatenate([target, np.zeros(len(conserved))])
+        # The shortest solution, in sizes of the variables.
+        step, norm = np.linalg.lstsq(matrix, target, rcond=SINGULAR)[0] * size, np.linalg.norm(f * weight)
         for halvings in range(HALVINGS):
             trial = v + step * 0.5**halvings
             if np.all(trial[positive] > 0.0) and np.linalg.norm(_limit(scaled(trial))[0] * weight) < norm:
@@ -68,18 +76,6 @@ def refine_steady_state(
         v = trial
         f, jacobian = _limit(scaled(v))
     return v
-
-
-def _newton_step(f: Array, jacobian: Array, conserves: bool) -> Array:
-    matrix, target = jacobian, -f
-    if conserves and f.size:
-        # With conserved quantities J is singular; the additional rows keep these quantities constant.
-        left, singular, _ = np.linalg.svd(jacobian)
-        conserved = left[:, singular <= SINGULAR * singular[0]].T
-        matrix = np.vstack([jacobian, conserved * singular[0]])
-        target = np.concatenate([target, np.zeros(len(conserved))])
-    # The shortest solution, in sizes of the variables.
-    return np.asarray(np.linalg.lstsq(matrix, target, rcond=SINGULAR)[0], dtype=np.float64)
 
 
 def _limit(scaled: tuple[Array, Array]) -> tuple[Array, Array]:

@@ -193,18 +193,18 @@ def _gas_name() -> Schema:
     return {"type": "string", "examples": list(library.gas_names())}
 
 
-def _characteristic() -> Schema:
-    table = {
-        "type": "object",
-        "properties": {"kind": {"enum": ["constant", "polynomial", "table"]}},
-        "required": ["kind"],
-    }
-    return {"anyOf": [{"type": "string", "examples": list(library.characteristics())}, table]}
-
-
 _REFERENCES: dict[str, Callable[[], Schema]] = {
     "data": lambda: {"enum": [name for name in library.sets() if name != "gases"]},
-    "characteristic": _characteristic,
+    "characteristic": lambda: {
+        "anyOf": [
+            {"type": "string", "examples": list(library.characteristics())},
+            {
+                "type": "object",
+                "properties": {"kind": {"enum": ["constant", "polynomial", "table"]}},
+                "required": ["kind"],
+            },
+        ]
+    },
     # The first column of a schedule has the name of the controlled quantity.
     "schedule": lambda: closed(
         dict.fromkeys((*QUANTITIES, *GainSchedule.column_specs("pressure", "opening")), _LIST),

@@ -88,7 +88,7 @@ def check_count(parts: Any) -> None:
 
 
 def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
-    """Collect errors in names of parts, in ports and in bodies."""
+    """Collect errors in names of parts and in ports."""
     if not wiring:
         errors.add("wiring.empty", "parts")
     for name in wiring:
@@ -106,7 +106,15 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
         for port, store in part.ports.items():
             address = f"parts.{name}.{port}"
             if part.kind.kind == TUBE and is_port(store):
-                _check_tube_end(errors, wiring, name, port, store)
+                owner, _, owner_port = store.partition(".")
+                cell = part.stores[0 if port == "from" else -1]
+                if owner not in wiring or owner_port not in wiring[owner].ports:
+                    ports = [f"{n}.{local}" for n, other in wiring.items() if n != name for local in other.ports]
+                    near = NameSuggestion(store, ports)
+                    errors.add("fields.not_an_option", address, value=store, meaning="port", near=near)
+                elif (joint := wiring[owner].ports[owner_port]) not in (name, f"{name}.{cell}"):
+                    facts = {"end": store, "tube": name, "store": joint, "owner": owner, "port": owner_port}
+                    errors.add("tube.not_met", address, **facts)
             elif tube_of_port.get(f"{name}.{port}") == store:
                 continue  # port and tube name each other
             elif store in wiring and store not in stores:
@@ -127,21 +135,6 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
         # Enclosed gas that a body compresses changes without a connection.
         elif name in stores and name not in joined and not issubclass(part.kind, Passage) and part.body is None:
             errors.add("wiring.alone", f"parts.{name}")
-    _check_bodies(errors, wiring)
-
-
-def _check_tube_end(errors: ErrorCollector, wiring: Wiring, tube: str, side: str, end: str) -> None:
-    """Collect the error of a tube end that is not correctly joined to a port.
-
-    The port does not exist, or it is joined to another gas node.
-    """
-    owner, _, port = end.partition(".")
-    address, cell = f"parts.{tube}.{side}", wiring[tube].stores[0 if side == "from" else -1]
-    if owner not in wiring or port not in wiring[owner].ports:
-        ports = [f"{name}.{local}" for name, part in wiring.items() if name != tube for local in part.ports]
-        errors.add("fields.not_an_option", address, value=end, meaning="port", near=NameSuggestion(end, ports))
-    elif (store := wiring[owner].ports[port]) not in (tube, f"{tube}.{cell}"):
-        errors.add("tube.not_met", address, end=end, tube=tube, store=store, owner=owner, port=port)
 
 
 def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
@@ -156,7 +149,7 @@ def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
     return result
 
 
-def _check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
+def check_bodies(errors: ErrorCollector, wiring: Wiring) -> None:
     """Collect an error for each actuator without a body and each body without an actuator."""
     bodies = {name for name, part in wiring.items() if issubclass(part.kind, Body)}
     driven = {part.body for part in wiring.values()}

@@ -327,7 +327,23 @@ class _ParameterReader:
         parameters = dict(read.get(key, {}))
         if self.sampling == "file":
             with errors.collecting():
-                self._of_file(errors, read, parameters)
+                if not isinstance(read.get("file"), str):
+                    raise InputError("ensemble.no_file", "ensemble.file")
+                if parameters:
+                    errors.add("ensemble.file_and_numbers", self.address)
+                table = read_table(self.folder / read["file"])
+                columns = []
+                for k, (name, unit, column) in enumerate(zip(table.names, table.units, table.columns, strict=True)):
+                    location = f"ensemble.file: {name}"
+                    with errors.collecting():
+                        if name in table.names[:k]:
+                            raise InputError("ensemble.column_twice", location)
+                        spec = self._spec(name, location)
+                        columns.append(_in_si(column, unit, spec, location, self.ambient))
+                if not table.names:
+                    raise InputError("ensemble.no_columns", "ensemble.file", path=read["file"])
+                if len(columns) == len(table.names):
+                    self.table = tuple(table.names), np.column_stack(columns)
             return
         if "file" in read:
             errors.add("ensemble.not_of_file", "ensemble.file", sampling=self.sampling)
@@ -387,24 +403,6 @@ class _ParameterReader:
         title = raw if isinstance(raw, str) else raw.title
         self.joint = tuple(names)
         self.normal = JointNormal(title, means, sigmas, tuple(tuple(map(float, row)) for row in factor))
-
-    def _of_file(self, errors: ErrorCollector, read: Mapping[str, Any], listed: Mapping[str, Any]) -> None:
-        if not isinstance(read.get("file"), str):
-            raise InputError("ensemble.no_file", "ensemble.file")
-        if listed:
-            errors.add("ensemble.file_and_numbers", self.address)
-        table = read_table(self.folder / read["file"])
-        columns = []
-        for k, (name, unit, column) in enumerate(zip(table.names, table.units, table.columns, strict=True)):
-            with errors.collecting():
-                if name in table.names[:k]:
-                    raise InputError("ensemble.column_twice", f"ensemble.file: {name}")
-                spec = self._spec(name, f"ensemble.file: {name}")
-                columns.append(_in_si(column, unit, spec, f"ensemble.file: {name}", self.ambient))
-        if not table.names:
-            raise InputError("ensemble.no_columns", "ensemble.file", path=read["file"])
-        if len(columns) == len(table.names):
-            self.table = tuple(table.names), np.column_stack(columns)
 
 
 def varied_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:

@@ -97,7 +97,9 @@ class Metric:
                 aim = rows[self.target][:, -1]
             else:
                 aim = y[:, -1] if np.isnan(self.target) else np.full(len(y), self.target)
-            return np.asarray(self.in_unit(METRIC_KINDS[self.kind].compute(t, y, aim, self)), dtype=np.float64)
+            # Without a step or a crossing, the result is NaN or infinite.
+            with np.errstate(divide="ignore", invalid="ignore"):
+                return np.asarray(self.in_unit(METRIC_KINDS[self.kind].compute(t, y, aim, self)), dtype=np.float64)
         for k in range(len(y)):
             arguments = [t, *(rows[address][k] for address in self.of)]
             for view in arguments:
@@ -146,8 +148,7 @@ def _mean(t: Array, y: Array) -> Array:
 
 def _relative_step(y: Array, aim: Array) -> Array:
     """Return values as fractions of the step from the first value to the target `aim`."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        return np.asarray((y - y[:, :1]) / (aim[:, np.newaxis] - y[:, :1]))
+    return np.asarray((y - y[:, :1]) / (aim[:, np.newaxis] - y[:, :1]))
 
 
 def _first_crossing(t: Array, y: Array, level: float) -> Array:
@@ -158,16 +159,9 @@ def _first_crossing(t: Array, y: Array, level: float) -> Array:
     runs = np.arange(len(y))
     previous = np.maximum(k - 1, 0)
     low, high = y[runs, previous], y[runs, k]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        fraction = np.where(k > 0, (level - low) / (high - low), 0.0)
-        times = t[previous] + fraction * (t[k] - t[previous])
+    fraction = np.where(k > 0, (level - low) / (high - low), 0.0)
+    times = t[previous] + fraction * (t[k] - t[previous])
     return np.where(passed[runs, k], times, np.inf)
-
-
-def _rise_time(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
-    share = _relative_step(y, aim)
-    with np.errstate(invalid="ignore"):
-        return np.asarray(_first_crossing(t, share, 0.9) - _first_crossing(t, share, 0.1))
 
 
 def _settling_time(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
@@ -176,9 +170,8 @@ def _settling_time(t: Array, y: Array, aim: Array, metric: Metric) -> Array:
     # Interpolate from the last row outside the band.
     k = t.size - 1 - is_outside[:, ::-1].argmax(axis=1)
     runs, following = np.arange(len(y)), np.minimum(k + 1, t.size - 1)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        fraction = (error[runs, k] - metric.band) / (error[runs, k] - error[runs, following])
-        times = t[k] + fraction * (t[following] - t[k]) - t[0]
+    fraction = (error[runs, k] - metric.band) / (error[runs, k] - error[runs, following])
+    times = t[k] + fraction * (t[following] - t[k]) - t[0]
     times = np.where(k == t.size - 1, np.inf, times)
     times = np.where(is_outside.any(axis=1), times, 0.0)
     # Without a step there is no band.
@@ -215,7 +208,11 @@ METRIC_KINDS = {
         lambda unit: "s", _LEVEL, lambda t, y, aim, metric: np.asarray(_first_crossing(t, y, metric.value) - t[0]),
         "time to the first crossing of a level",
     ),
-    "rise_time": MetricKind(lambda unit: "s", _TARGET, _rise_time, "time from 10 to 90 % of the step"),
+    "rise_time": MetricKind(
+        lambda unit: "s", _TARGET,
+        lambda t, y, aim, metric: np.subtract(*(_first_crossing(t, _relative_step(y, aim), u) for u in (0.9, 0.1))),
+        "time from 10 to 90 % of the step",
+    ),
     "settling_time": MetricKind(lambda unit: "s", _SETTLING, _settling_time, "time until the output stays in the band"),
     "overshoot": MetricKind(lambda unit: "1", _TARGET, _overshoot, "maximum beyond the target, relative to the step"),
     "steady_error": MetricKind(_same, _TARGET, lambda t, y, aim, metric: y[:, -1] - aim, "last value minus target"),

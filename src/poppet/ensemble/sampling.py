@@ -44,11 +44,20 @@ def points(method: str, seed: int, total: int, dimension: int, first: int, last:
         # Rounding can give 1 in the last stratum.
         return np.minimum((strata + jitter) / total, 1.0 - 2.0**-53)
     if method == "sobol":
-        return _sobol(seed, dimension, total, first, last)
+        # In base two the sequence is linear: point n is the exclusive or of the points of the powers of two in n.
+        # Each block of points is therefore the first block shifted by one point. The order is that of SciPy.
+        block, powers = _sobol_basis(seed, dimension, max(_BLOCK_BITS, (total - 1).bit_length()))
+        indices = np.arange(first, last)
+        blocks = np.arange(first >> _BLOCK_BITS, ((last - 1) >> _BLOCK_BITS) + 1)
+        moves = np.zeros((blocks.size, dimension), dtype=np.uint64)
+        for k, power in enumerate(powers):
+            moves ^= np.where((blocks >> k & 1)[:, np.newaxis] == 1, power, np.uint64(0))
+        digits = block[indices & (len(block) - 1)] ^ moves[(indices >> _BLOCK_BITS) - blocks[0]]
+        return np.asarray((digits.astype(np.float64) + 0.5) * 2.0**-_BITS)
     if method == "grid":
-        indices = np.unravel_index(np.arange(first, last), levels)
+        cells = np.unravel_index(np.arange(first, last), levels)
         # Midpoints of cells with equal probability.
-        return np.stack([(p + 0.5) / n for p, n in zip(indices, levels, strict=True)], axis=1)
+        return np.stack([(p + 0.5) / n for p, n in zip(cells, levels, strict=True)], axis=1)
     return uniform(seed, "random", dimension, first, last)
 
 
@@ -101,20 +110,6 @@ def permute(indices: Whole, total: int, keys: Whole) -> Whole:
 
 
 # --- Sobol sequence ---
-
-
-def _sobol(seed: int, dimension: int, total: int, first: int, last: int) -> Array:
-    """Return the points of a scrambled Sobol sequence, in the same order as SciPy."""
-    # In base two the sequence is linear: point n is the exclusive or of the points of the powers of two in n.
-    # Each block of points is therefore the first block shifted by one point.
-    block, powers = _sobol_basis(seed, dimension, max(_BLOCK_BITS, (total - 1).bit_length()))
-    runs = np.arange(first, last)
-    blocks = np.arange(first >> _BLOCK_BITS, ((last - 1) >> _BLOCK_BITS) + 1)
-    moves = np.zeros((blocks.size, dimension), dtype=np.uint64)
-    for k, power in enumerate(powers):
-        moves ^= np.where((blocks >> k & 1)[:, np.newaxis] == 1, power, np.uint64(0))
-    digits = block[runs & (len(block) - 1)] ^ moves[(runs >> _BLOCK_BITS) - blocks[0]]
-    return np.asarray((digits.astype(np.float64) + 0.5) * 2.0**-_BITS)
 
 
 @lru_cache(maxsize=8)

@@ -1,4 +1,4 @@
-"""Numbers changed by address: several of one member at once, and what a member does not decide."""
+"""Changes of parameters by address: several of one member, and inherited fields."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_changes_of_one_member_are_checked_together(turn):
 
 
 @pytest.mark.parametrize("field", ["electronics.preset", "electronics.data", "main_stage.mode", "pilot.supply"])
-def test_what_the_whole_decides_is_not_changed_in_a_member(field):
+def test_inherited_field_of_a_member_is_rejected(field):
     member = field.partition(".")[0]
     with pytest.raises(InputError) as caught:
         circuit().with_values({f"valve.{field}": "fast"})
@@ -51,27 +51,27 @@ def test_what_the_whole_decides_is_not_changed_in_a_member(field):
         ("valve.main_stage.upper_spring", "valve.main_stage.upper_spring.preload", {"rate": 2e3, "preload": 1e-3}),
     ],
 )
-def test_a_table_and_one_of_its_numbers_exclude_each_other(whole, part, value):
+def test_table_and_one_of_its_parameters_are_rejected_together(whole, part, value):
     with pytest.raises(InputError) as caught:
         circuit().with_values({whole: value, part: 1e-3})
     assert (caught.value.code, caught.value.address) == ("address.whole_and_part", whole)
 
 
 @pytest.mark.parametrize("name", ["setpoint", "power"])
-def test_an_input_that_is_no_number_wants_a_signal(name):
+def test_input_without_a_parameter_is_rejected(name):
     with pytest.raises(InputError) as caught:
         circuit().with_values({f"valve.{name}": 1.0})
     assert (caught.value.code, caught.value.address) == ("address.is_input", f"valve.{name}")
 
 
-def test_a_scaling_that_falls_is_the_mistake_and_not_the_setpoint():
+def test_falling_scaling_is_one_error():
     driven = dataclasses.replace(circuit(), signals={"valve.setpoint": Constant(3e5)})
     with pytest.raises(InputError) as caught:
         driven.with_values({"valve.electronics.scaling.high": "0.5 bar"}).simulate(0.1)
     assert caught.value.address == "valve.electronics.scaling.high"
 
 
-def test_all_mistakes_within_a_member_are_told():
+def test_all_errors_of_a_member_are_reported():
     with pytest.raises(InputErrors) as caught:
         circuit().with_values({"valve.pilot.volum": 1.0, "valve.pilot.fill.frequenzy": 1.0, "valve.pilot.volume": 1e-6})
     assert [each.address for each in caught.value.problems] == [

@@ -1,4 +1,4 @@
-"""Mistakes of bodies and actuators: all at once, by their codes."""
+"""Errors of bodies and actuators, by their codes."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_a_closed_cylinder_is_a_circuit():
     assert circuit().simulate(0.1).time[-1] == pytest.approx(0.1)
 
 
-def test_a_number_stands_once_with_the_whole():
+def test_inherited_parameter_of_a_member_is_rejected():
     names = set(cylinder().numbers())
     assert {"bore", "stroke_length", "leakage.sonic_conductance", "end_stop.stiffness", "cap.dead_volume"} <= names
     assert not {name for name in names if name.startswith("piston.")} - {
@@ -37,7 +37,7 @@ def test_a_number_stands_once_with_the_whole():
     assert "cap.outer_diameter" not in names
 
 
-def test_names_of_bodies():
+def test_invalid_bodies_are_rejected():
     with refused("fields.not_an_option", "parts.other.body", value="slid"):
         circuit(other=cylinder(body="slid"))
     with refused("wiring.no_body", "parts.other.body", body="cylinder"):
@@ -50,7 +50,7 @@ def test_names_of_bodies():
         cylinder(body=None)
 
 
-def test_names_of_chambers():
+def test_invalid_chambers_are_rejected():
     leak = {"sonic_conductance": 1e-9, "critical_ratio": 0.3}
     with refused("wiring.several_stores", "parts.leak.to", stores=["cylinder.cap", "cylinder.rod"]):
         circuit(leak=Orifice(from_="ambient", to="cylinder", **leak))
@@ -63,7 +63,7 @@ def test_names_of_chambers():
         circuit(tank=Chamber(volume="1 l"))
 
 
-def test_numbers_that_contradict_each_other():
+def test_contradicting_parameters_are_rejected():
     with refused("cylinder.rod_too_thick", "rod_diameter"):
         cylinder(rod_diameter="30 mm")
     with refused("bodies.direction", "direction", value=0.5):
@@ -83,7 +83,7 @@ def test_numbers_that_contradict_each_other():
 
 
 @pytest.mark.parametrize("start", [0.17, -0.01])
-def test_a_piston_begins_within_its_stroke(start):
+def test_initial_position_outside_the_stroke_is_rejected(start):
     with refused("cylinder.beyond_cover", "cylinder.stroke_length", stroke=0.16):
         circuit(Mass(mass=1.0, initial_position=start))
     with refused("cylinder.beyond_cover", "cylinder.stroke_length"):
@@ -93,7 +93,7 @@ def test_a_piston_begins_within_its_stroke(start):
         circuit(Joint(inertia=1.0, pulley_radius=0.1, initial_position=10.0 * start), turned=turned)
 
 
-def test_a_guide_follows_signals_alone_and_never_jumps():
+def test_guide_accepts_only_signals_without_jumps():
     with refused("signals.jumps", "signals.slide.position", time=1.0):
         circuit(Guide(), {"slide.position": Steps([0.0, 1.0], [0.0, 0.1])}).simulate(2.0)
     with refused("signals.swept", "signals.slide.position"):
@@ -106,12 +106,12 @@ def test_a_guide_follows_signals_alone_and_never_jumps():
         Circuit(parts, connections={"slide.position": "free.position"})
 
 
-def test_the_speed_of_a_guide_is_the_slope_of_its_signal():
+def test_velocity_of_a_guide_is_the_slope_of_its_signal():
     moving = circuit(Guide(), {"slide.position": Points([0.0, 1.0, 2.0], [0.0, 0.1, 0.05])}).simulate(2.0, 0.5)
     assert moving["slide.velocity"].tolist() == pytest.approx([0.1, 0.1, -0.05, -0.05, -0.05])
 
 
-def test_a_file_tells_all_at_once_with_the_units():
+def test_all_errors_of_a_file_are_reported_with_units():
     text = """
 [parts.slide]
 kind = "mass"

@@ -1,4 +1,4 @@
-"""The circuit: wiring, variations, structure and compiled models, going on where a run ended."""
+"""Circuits: wiring, variants, structure, compiled models, and restart from a recording."""
 
 from __future__ import annotations
 
@@ -57,14 +57,14 @@ def valve_circuit(signal: Any = None, **valve: Any) -> Circuit:
 
 
 def mistakes_of(*arguments: Any) -> list[tuple[str, str | None]]:
-    """Codes and addresses."""
+    """Return the codes and addresses of the errors."""
     with pytest.raises(InputError) as caught:
         Circuit(*arguments)
     return [(problem.code, problem.address) for problem in caught.value.problems]
 
 
 class TestWiring:
-    def test_all_mistakes_at_once(self):
+    def test_all_errors_are_reported_together(self):
         found = mistakes_of(
             {
                 "supply": Reservoir(pressure="7 bar"),
@@ -91,20 +91,20 @@ class TestWiring:
         ]
 
     @pytest.mark.parametrize("other", ["supply", "exhaust"])
-    def test_a_valve_whose_outlet_leads_back(self, other):
+    def test_valve_with_its_outlet_at_its_supply_is_rejected(self, other):
         ports = {"supply": "supply", "outlet": "tank", "exhaust": "ambient"}
         valve = DirectionalValve(**{**ports, other: "tank"}, **SIZE)
         found = mistakes_of({**filling().parts, "valve": valve})
         assert found == [("wiring.joined_twice", "parts.valve")]
 
-    def test_supply_and_exhaust_may_be_one(self):
+    def test_supply_and_exhaust_can_be_the_same_node(self):
         valve = DirectionalValve(supply="ambient", outlet="tank", exhaust="ambient", **SIZE)
         assert Circuit({**filling().parts, "valve": valve}).simulate("1 s").ending.code == "run.done"
 
-    def test_nothing_in_it(self):
+    def test_empty_circuit_is_rejected(self):
         assert mistakes_of({}) == [("wiring.empty", "parts")]
 
-    def test_a_signal_is_a_signal(self):
+    def test_signals_of_another_type_are_rejected(self):
         assert mistakes_of(filling().parts, {"supply.pressure": 5.0}) == [
             ("wiring.no_signal", "signals.supply.pressure")
         ]
@@ -115,7 +115,7 @@ class TestWiring:
         assert caught.value.code == "wiring.signal_outside"
         assert [caught.value.facts[name] for name in ("value", "low", "high")] == pytest.approx([-0.1, 0.0, 1.0])
 
-    def test_ambient_needs_no_part(self):
+    def test_ambient_is_a_valid_gas_node_without_a_part(self):
         vent = Circuit(
             {
                 "tank": Chamber(volume="1 l", initial_pressure="3 bar"),
@@ -159,7 +159,7 @@ class TestWithValues:
         assert changed.parameters["valve.lower_spring.preload"] == 2e-4
         assert changed.parameters["valve.upper_spring.rate"] == valve_circuit().parameters["valve.upper_spring.rate"]
 
-    def test_a_group_that_was_left_out(self):
+    def test_omitted_group_is_created(self):
         assert (
             valve_circuit().with_values({"valve.friction.coulomb": "5 N"}).parameters["valve.friction.coulomb"] == 5.0
         )
@@ -181,7 +181,7 @@ class TestWithValues:
         assert low["b.pressure"][-1] != circuit.simulate(1.0)["b.pressure"][-1]
 
     @pytest.mark.parametrize("size", [{"effective_area": "16 mm^2"}, {"nominal_flow": "380 l/min ANR"}])
-    def test_other_ways_of_sizing(self, size):
+    def test_sizes_of_an_orifice_replace_each_other(self, size):
         ((name, _),) = size.items()
         circuit = Circuit(
             {"a": Reservoir(pressure="7 bar"), "o": Orifice(from_="a", to="b", **size), "b": Chamber(volume="1 l")}
@@ -197,11 +197,11 @@ class TestWithValues:
             2.0 * circuit.parameters["o.sonic_conductance"], rel=1e-12
         )
 
-    def test_mode_brings_its_numbers(self):
+    def test_mode_selects_its_parameters(self):
         changed = valve_circuit().with_values({"valve.mode": "regulator"})
         assert changed.parameters == valve_circuit(mode="regulator").parameters
 
-    def test_all_unknown_addresses_at_once(self):
+    def test_all_unknown_addresses_are_reported_together(self):
         with pytest.raises(InputErrors) as caught:
             valve_circuit().with_values(
                 {
@@ -238,12 +238,12 @@ class TestWithValues:
             ("ambient.pressure", "1 bar g", "options.gauge_ambient"),
         ],
     )
-    def test_impossible_values(self, address, value, code):
+    def test_invalid_values_are_rejected(self, address, value, code):
         with pytest.raises(InputError) as caught:
             valve_circuit().with_values({address: value})
         assert (caught.value.code, caught.value.address) == (code, address)
 
-    def test_a_port_is_checked_with_the_whole_circuit(self):
+    def test_changed_port_is_checked_in_the_circuit(self):
         with pytest.raises(InputError) as caught:
             valve_circuit().with_values({"valve.outlet": "tnk"})
         assert {problem.code for problem in caught.value.problems} >= {"fields.not_an_option"}
@@ -253,7 +253,7 @@ class TestWithValues:
             filling(initial_pressure="-0.95 bar g").with_values({"ambient.pressure": "0.9 bar"})
         assert (caught.value.code, caught.value.address) == ("numbers.below_vacuum", "tank.initial_pressure")
 
-    def test_a_limit_of_an_input_is_a_number_that_may_change(self):
+    def test_limit_of_an_input_can_be_a_parameter(self):
         valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l")
         parts = {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="1 l")}
         circuit = Circuit(parts, {"valve.setpoint": Constant(6e5)})
@@ -261,7 +261,7 @@ class TestWithValues:
             circuit.with_values({"valve.electronics.scaling.high": "4 bar"})
         assert (caught.value.code, caught.value.address) == ("wiring.signal_outside", "signals.valve.setpoint")
 
-    def test_only_what_has_changed_is_asked_again(self, monkeypatch):
+    def test_only_changed_parts_are_evaluated_again(self, monkeypatch):
         circuit, asked = valve_circuit(Constant(3e5)), []
         monkeypatch.setattr(Part, "numbers", lambda part: asked.append(type(part)) or {})
         changed = circuit.with_values({"tank.volume": "1 l"})
@@ -276,7 +276,7 @@ class TestStructure:
         monkeypatch.setattr("poppet.engine.kernel.KERNELS", kernels)
         return kernels
 
-    def test_numbers_never_compile_again(self, compiled):
+    def test_changed_parameters_are_not_compiled_again(self, compiled):
         circuit = valve_circuit()
         kernel = circuit.kernel
         numbers: dict[str, Any] = {
@@ -295,7 +295,7 @@ class TestStructure:
             assert circuit.with_values({address: value}).kernel is kernel, address
         assert len(compiled) == 1
 
-    def test_signals_never_compile_again(self, compiled):
+    def test_changed_signals_are_not_compiled_again(self, compiled):
         for signal in (None, Constant(3e5), Steps([0.0, 1.0], [1e5, 2e5]), Sine(2e5, 1e4, 3.0)):
             _ = valve_circuit(signal).kernel
         assert len(compiled) == 1
@@ -308,18 +308,18 @@ class TestStructure:
             {"fill.to": "ambient", "fill.from": "tank"},
         ],
     )
-    def test_options_and_wiring_compile_again(self, compiled, changes):
+    def test_changed_options_and_wiring_are_compiled_again(self, compiled, changes):
         circuit = Circuit({**filling().parts, "bleed": Orifice(from_="tank", to="supply", **SIZE)})
         before = circuit.kernel
         assert circuit.with_values(changes).kernel is not before
         assert len(compiled) == 2
 
-    def test_mode_and_friction_compile_again(self, compiled):
+    def test_changed_mode_and_friction_are_compiled_again(self, compiled):
         for circuit in (valve_circuit(), valve_circuit(mode="regulator"), valve_circuit(friction={"coulomb": "1 N"})):
             _ = circuit.kernel
         assert len(compiled) == 3
 
-    def test_a_changed_number_gives_another_result(self):
+    def test_changed_parameter_changes_the_result(self):
         one, two = filling(), filling().with_values({"tank.volume": "20 l"})
         assert one.structure == two.structure
         assert two.simulate()["tank.pressure"][20] < one.simulate()["tank.pressure"][20]
@@ -341,7 +341,7 @@ class TestResumed:
             {"thermal": "isentrope"},
         ],
     )
-    def test_split_run_is_one_run(self, tank):
+    def test_split_run_equals_one_run(self, tank):
         circuit = filling(**tank)
         whole = circuit.simulate("6 s")
         first = circuit.simulate("2 s")
@@ -350,7 +350,7 @@ class TestResumed:
             assert second[name][-1] == pytest.approx(whole[name][-1], rel=2e-6)
             assert second[name][0] == pytest.approx(first[name][-1], rel=1e-12)
 
-    def test_valve_goes_on_moving(self):
+    def test_valve_continues_its_motion(self):
         circuit = valve_circuit(Constant(4e5))
         whole, first = circuit.simulate(4e-3), circuit.simulate(1e-3)
         assert abs(first["valve.velocity"][-1]) > 1e-2
@@ -358,7 +358,7 @@ class TestResumed:
         assert second["valve.stroke"][-1] == pytest.approx(whole["valve.stroke"][-1], rel=1e-4)
         assert second["valve.velocity"][0] == first["valve.velocity"][-1]
 
-    def test_spool_at_its_end(self):
+    def test_spool_at_its_end_stop(self):
         valve = DirectionalValve(supply="supply", outlet="tank", **SIZE)
         circuit = Circuit(
             {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="1 l")},
@@ -376,7 +376,7 @@ class TestResumed:
         shown = first.converted(["bar g", "degC", "g"])
         assert circuit.resumed(shown).parameters == pytest.approx(circuit.resumed(first).parameters, rel=1e-12)
 
-    def test_missing_series_are_named(self):
+    def test_missing_series_are_reported(self):
         circuit = filling()
         partial = circuit.simulate("2 s").select("tank.pressure")
         with pytest.raises(InputError) as caught:
@@ -385,13 +385,13 @@ class TestResumed:
         assert "tank.temperature" in caught.value.facts["missing"]
         assert caught.value.facts["names"] == ("tank.pressure",)
 
-    def test_a_foreign_recording(self):
+    def test_recording_of_another_circuit_is_rejected(self):
         with pytest.raises(InputError) as caught:
             filling().resumed(Recording.from_series([0.0], {"p [Pa]": [1e5]}))
         assert caught.value.code == "circuit.no_series"
 
 
-def test_numbers_carry_unit_and_source():
+def test_numbers_have_unit_and_source():
     numbers = filling().numbers()
     assert list(numbers)[:2] == ["supply.pressure", "supply.temperature"]
     assert numbers["ambient.pressure"].source.kind == "standard"
@@ -407,13 +407,13 @@ def test_parameters_are_absolute():
     assert circuit.parameters["a.pressure"] == pytest.approx(6.9e5)
 
 
-def test_every_number_can_be_set_by_its_address():
+def test_all_parameters_can_be_set_by_address():
     circuit = valve_circuit(friction={"coulomb": "1 N"})
     assert circuit.with_values(circuit.numbers()).parameters == circuit.parameters
 
 
 def test_conductances_from_air_scale_with_choked_nozzle_flow():
-    """Choked flux goes as sqrt(kappa/R) (2/(kappa+1))^((kappa+1)/(2(kappa-1)))."""
+    """Choked flux is proportional to sqrt(kappa/R) (2/(kappa+1))^((kappa+1)/(2(kappa-1)))."""
     circuits = [
         Circuit(filling().parts, gas=GasChoice(name="helium", conductances=text)) for text in ("as given", "from air")
     ]
@@ -448,7 +448,7 @@ class TestKinds:
             ((filling().parts, [Constant(1.0)]), ("wiring.no_mapping", "signals")),
         ],
     )
-    def test_what_is_of_another_kind_is_refused(self, arguments, known):
+    def test_arguments_of_wrong_type_are_rejected(self, arguments, known):
         assert known in mistakes_of(*arguments)
 
     def test_values_are_a_mapping(self):
@@ -464,7 +464,7 @@ class TestKinds:
 
 class TestCopies:
     @pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda c: pickle.loads(pickle.dumps(c))])
-    def test_a_circuit_that_has_run_may_be_copied_and_sent(self, copied):
+    def test_circuit_can_be_copied_and_pickled_after_a_run(self, copied):
         circuit = valve_circuit(Steps([0.0, 1.0], [2e5, 3e5]))
         recording = circuit.simulate()
         assert np.array_equal(copied(circuit).simulate().values, recording.values)
@@ -486,27 +486,27 @@ class TestNearestAddress:
             ("tank", "tank.volume"),
         ],
     )
-    def test_cures_name_whole_addresses(self, given, near):
+    def test_suggestions_are_complete_addresses(self, given, near):
         with pytest.raises(InputError) as caught:
             filling().with_values({given: 1.0})
         assert caught.value.code == "address.meant"
         assert near in caught.value.facts["names"]
 
-    def test_of_a_known_part(self):
+    def test_suggestion_for_a_valid_part(self):
         with pytest.raises(InputError) as caught:
             filling().with_values({"tank.volmue": 1.0})
         assert caught.value.code == "names.unknown"
         assert caught.value.facts["near"].names == ["tank.volume"]
 
-    def test_of_nothing_that_is_known(self):
+    def test_no_suggestion_without_a_similar_address(self):
         with pytest.raises(InputError) as caught:
             filling().with_values({"qqq": 1.0})
         assert caught.value.code == "address.no_owner"
         assert caught.value.facts["owners"] == ["supply", "fill", "tank", "ambient", "gas", "run"]
 
 
-def test_a_circuit_stays_as_it_was_made():
-    """A part that is put into its mapping would not be simulated, nor one put into what it was made of."""
+def test_circuit_is_immutable():
+    """A part that is added to a mapping of a circuit would not be simulated."""
     parts = {
         "tank": Chamber(volume="10 l", initial_pressure="3 bar"),
         "hole": Orifice(from_="tank", to="ambient", sonic_conductance=1e-8, critical_ratio=0.3),
@@ -524,7 +524,7 @@ def test_a_circuit_stays_as_it_was_made():
     assert again.simulate("2 s").last() == circuit.simulate("2 s").last()
 
 
-def test_addresses_that_are_no_text_are_refused():
+def test_addresses_of_wrong_type_are_rejected():
     circuit = Circuit(
         {"tank": Chamber(volume="10 l"), "hole": Orifice(from_="tank", to="ambient", effective_area=1e-6)}
     )

@@ -1,4 +1,4 @@
-"""The circuit file: the contract as published, every field, every mistake with its line and all at once."""
+"""Circuit files: the published contract, all fields, and all errors with their lines."""
 
 from __future__ import annotations
 
@@ -111,7 +111,7 @@ def recording(tmp_path_factory):
 
 
 class TestContract:
-    def test_runs_to_its_end_without_a_note(self, recording):
+    def test_run_is_complete_without_notes(self, recording):
         assert recording.ending.code == "run.done"
         assert recording.notes == ()
         assert recording.title == "VPPM-6L main stage fills a 0.2 m3 tank"
@@ -177,7 +177,7 @@ def test_gauge_refers_to_the_ambient():
         'sonic_conductance = "1 dm^3/(s bar)"',
     ],
 )
-def test_ways_of_sizing_an_orifice(size):
+def test_sizes_of_an_orifice(size):
     text = SMALL.replace("sonic_conductance = 1e-8\ncritical_ratio = 0.3", size)
     signal = '[signals."fill.stroke"]\nkind = "constant"\nvalue = "0.5 mm"\n' if "characteristic" in size else ""
     assert loads(text + signal).simulate().last()["tank.pressure"] > 1.5e5
@@ -238,7 +238,7 @@ def test_kinds_of_signals(table, kind):
     assert np.ptp(circuit.simulate()["supply.pressure"]) > 0.0 or kind is Constant
 
 
-def test_signal_of_a_file_beside_the_circuit(tmp_path):
+def test_signal_of_a_file(tmp_path):
     (tmp_path / "p.csv").write_text("t [ms],p [bar]\n0,3\n1000,5\n", encoding="utf-8")
     table = 'kind = "file"\npath = "p.csv"\ncolumn = "p"\nunit = "bar g"\ntime = { column = "t", unit = "ms" }\n'
     (tmp_path / "c.toml").write_text(f"{SMALL}{PRESSURE}{table}", encoding="utf-8")
@@ -247,14 +247,14 @@ def test_signal_of_a_file_beside_the_circuit(tmp_path):
     assert circuit.signals["supply.pressure"].evaluate([0.0, 0.5, 1.0]).tolist() == pytest.approx([4e5, 5e5, 6e5])
 
 
-def test_a_bare_value_is_a_constant_signal_and_quotes_are_optional():
+def test_value_is_a_constant_signal_and_quotes_are_optional():
     text = f'{SMALL}[signals]\nfill.opening = 0.5\n"supply.pressure" = "5 bar g"\n'
     assert loads(text).simulate().last()["supply.pressure"] == 6e5
     nested = f'{SMALL}[signals.supply.pressure]\nkind = "constant"\nvalue = "5 bar"\n'
     assert loads(nested).simulate().last()["supply.pressure"] == 5e5
 
 
-def test_numbers_may_carry_their_source():
+def test_numbers_can_have_a_source():
     text = SMALL.replace('"10 l"', '{ value = "10 l", source = "measured", locator = "bench 3" }')
     assert str(loads(text).numbers()["tank.volume"].source) == "measured: bench 3"
 
@@ -269,7 +269,7 @@ def test_windows_line_ends_and_byte_order_mark(tmp_path):
     assert list(load(path).parts) == ["supply", "fill", "tank"]
 
 
-def test_every_kind_has_a_summary_and_fields():
+def test_all_kinds_have_a_summary_and_fields():
     for name, kind in KINDS.items():
         assert kind.kind == name
         assert kind.summary
@@ -364,7 +364,7 @@ MISTAKES = [
 @pytest.mark.parametrize(
     ("text", "piece", "hint"), [mistake[1:] for mistake in MISTAKES], ids=[mistake[0] for mistake in MISTAKES]
 )
-def test_one_mistake_is_one_message_with_line_and_cure(text, piece, hint):
+def test_one_error_is_one_message_with_line_and_hint(text, piece, hint):
     (problem,) = problems_of(text)
     line = line_of(text, piece) if piece else len(text.splitlines()) - 1
     assert str(problem).startswith(f"circuit.toml:{line}: ")
@@ -373,7 +373,7 @@ def test_one_mistake_is_one_message_with_line_and_cure(text, piece, hint):
     assert problem.reason
 
 
-def test_all_mistakes_at_once_in_the_order_of_the_file():
+def test_all_errors_are_reported_in_file_order():
     text = CONTRACT
     for old, new in (
         ('"0.2 m^3"', '"-0.2 m^3"'),
@@ -400,7 +400,7 @@ def test_all_mistakes_at_once_in_the_order_of_the_file():
     ]
 
 
-def test_a_misspelt_required_field_is_one_mistake():
+def test_misspelt_required_field_is_one_error():
     (problem,) = problems_of(replaced("volume = ", "volum = "))
     assert "missing" not in str(problem)
 
@@ -414,7 +414,7 @@ class TestFiles:
         assert caught.value.facts["near"].names == ["circuit.toml"]
         assert not caught.value.facts["new"]
 
-    def test_missing_names_files_of_its_own_kind(self, tmp_path):
+    def test_missing_file_suggests_circuit_files(self, tmp_path):
         (tmp_path / "tank.toml").write_text(SMALL, encoding="utf-8")
         (tmp_path / "tank_2.toml").write_text("[recordings.one]\n", encoding="utf-8")
         for table, near in (("parts", ["tank.toml"]), ("recordings", ["tank_2.toml"])):
@@ -422,7 +422,7 @@ class TestFiles:
                 TomlFile.read(tmp_path / "tank_1.toml", table)
             assert caught.value.facts["near"].names == near
 
-    def test_missing_without_a_circuit_of_a_like_name(self, tmp_path):
+    def test_missing_file_without_a_suggestion(self, tmp_path):
         (tmp_path / "pyproject.toml").write_text("[project]\n", encoding="utf-8")
         (tmp_path / "latin.toml").write_bytes(b"\xff")
         (tmp_path / "circuit.toml").write_text(SMALL, encoding="utf-8")
@@ -473,12 +473,12 @@ class TestFiles:
         ("run = 3\n" + SMALL.replace('[run]\nduration = "2 s"', ""), "circuit.no_table", "run"),
     ],
 )
-def test_what_should_be_a_table(text, code, address):
+def test_values_in_place_of_tables_are_rejected(text, code, address):
     assert (code, address) in [(problem.code, problem.address) for problem in problems_of(text)]
 
 
 class TestTwice:
-    """What stands twice is found by its line, whatever the reader of TOML calls it."""
+    """Duplicate keys and tables are reported with their line."""
 
     def test_a_table(self):
         (problem,) = problems_of(SMALL + '[parts.tank]\nkind = "chamber"\n')
@@ -488,14 +488,14 @@ class TestTwice:
         (problem,) = problems_of(SMALL.replace('"10 l"', '"10 l"\nvolume = "1 l"'))
         assert (problem.code, problem.address, problem.line) == ("toml.key_twice", "parts.tank.volume", 15)
 
-    def test_a_key_of_two_tables_of_a_list_is_none(self):
+    def test_equal_keys_in_two_tables_of_a_list_are_valid(self):
         file = TomlFile("[[tests]]\na = 1\n[[tests]]\na = 2\nb = \n", "list")
         with pytest.raises(InputError) as caught:
             _ = file.content
         assert (caught.value.code, caught.value.line) == ("toml.invalid", 5)
 
 
-def test_dotted_keys_are_found():
+def test_dotted_keys_have_lines():
     found = problems_of('parts.a.kind = "reservoir"\nparts.a.pressure = "-1 bar"\n')
     assert {problem.line for problem in found} == {1, 2}
 
@@ -509,7 +509,7 @@ def test_lines_of_tables_keys_and_long_values():
     assert not any(name.startswith("not") for name in lines)
 
 
-def test_no_word_of_a_traceback_reaches_the_user():
+def test_errors_contain_no_traceback():
     for _, text, _, _ in MISTAKES:
         for problem in problems_of(text):
             assert not re.search(r"Traceback|Error\(|object at 0x", str(problem))

@@ -1,4 +1,4 @@
-"""Notes on bare numbers that look as if their unit had been left out."""
+"""Notes on values whose unit is probably missing."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def notes(signals: dict[str, Signal] | None = None, **changed: Any) -> tuple[Not
         ({"volume": {"value": 20, "source": "measured"}}, "tank.volume", "l"),
     ],
 )
-def test_a_bare_number_of_unusual_size_is_doubted(changed, address, meant):
+def test_unusual_value_without_unit_gives_a_note(changed, address, meant):
     (note,) = notes(**changed)
     assert (note.code, note.address, note.facts["meant"]) == ("doubt.bare_number", address, meant)
 
@@ -45,7 +45,7 @@ def test_a_bare_number_of_unusual_size_is_doubted(changed, address, meant):
     "changed",
     [{}, {"pressure": 0.0}, {"pressure": "6 Pa"}, {"temperature": "90 K"}, {"volume": "20 m^3"}, {"pressure": 2e3}],
 )
-def test_units_and_usual_sizes_are_not(changed):
+def test_units_and_usual_values_give_no_note(changed):
     assert notes(**changed) == ()
 
 
@@ -71,20 +71,20 @@ def machine(**values: Any) -> Circuit:
         ("inclination", 90, "slide.inclination", "deg"),
     ],
 )
-def test_sizes_of_machines_are_doubted_too(field, value, address, meant):
+def test_unusual_dimensions_without_unit_give_a_note(field, value, address, meant):
     assert not [note for note in machine().static_notes if note.code == "doubt.bare_number"]
     (note,) = [note for note in machine(**{field: value}).static_notes if note.code == "doubt.bare_number"]
     assert (note.address, note.facts["meant"]) == (address, meant)
 
 
-def test_signals_that_stay_near_vacuum_are_doubted():
+def test_signals_near_vacuum_give_a_note():
     (note,) = notes({"supply.pressure": Steps([0.0, 1.0], [2.0, 3.0])})
     assert (note.code, note.address) == ("doubt.low_signal", "supply.pressure")
     assert note.facts == {"highest": 3.0, "unit": "Pa", "meant": "bar"}
     assert notes({"supply.pressure": Steps([0.0, 1.0], [0.0, 3e5]), "fill.opening": Steps([0.0], [1.0])}) == ()
 
 
-def test_coefficients_of_the_library_are_not_doubted():
+def test_coefficients_of_the_library_give_no_note():
     parts = {
         "supply": Reservoir(pressure="7 bar"),
         "valve": MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012"),

@@ -1,4 +1,4 @@
-"""Figures of a run with loads: closed forms, the second law, independence of tolerance and rows."""
+"""Load metrics: closed forms, the second law, independence of tolerance and output times."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ SIZE = {"sonic_conductance": 1e-9, "critical_ratio": 0.3}
 
 
 def lift(conductance: float = 1e4, signals=None, **more) -> Circuit:
-    """A single-acting cylinder lifts a mass without friction but for a little that is viscous, nearly isothermal."""
+    """Return a circuit in which a single-acting cylinder lifts a mass, nearly isothermal, with low viscous friction."""
     side = {"dead_volume": DEAD, "wall_conductance": conductance}
     slide = Mass(mass=MASS, inclination="90 deg", friction={"viscous_coefficient": 300.0}, **more)
     parts = {
@@ -63,7 +63,7 @@ def test_work_and_air_of_an_isothermal_lift():
     assert figures.efficiency == work.done / figures.exergy
 
 
-def test_an_actuator_that_lifts_and_lowers_does_work_and_gets_it_back():
+def test_work_of_lifting_is_returned_by_lowering():
     weight = MASS * 9.80665
     circuit = lift(
         signals={"supply.pressure": Points([0.0, 0.5, 5.0, 10.0], [1e5, 3e5, 3e5, 1e5])}, initial_position=0.1
@@ -91,7 +91,7 @@ def test_stroke_time_of_a_motion_at_constant_acceleration():
 
 
 @pytest.mark.parametrize("step", [1e-3, 7e-3])
-def test_the_speed_at_a_stop_does_not_depend_on_the_rows(step):
+def test_impact_speed_does_not_depend_on_the_rows(step):
     side = {"dead_volume": "1 m^3"}
     hollow = Cylinder(body="slide", bore="1 mm", stroke_length="10 m", offset="5 m", cap=side, rod=side)
     stop = {"position": -0.5, "stiffness": 1e7, "dissipation": 2.0}
@@ -105,7 +105,7 @@ def test_the_speed_at_a_stop_does_not_depend_on_the_rows(step):
 
 
 @pytest.mark.parametrize("name", ["cylinder_meter_out", "vertical_load", "muscle_lift"])
-def test_half_the_tolerance_moves_no_figure_by_half_a_percent(name):
+def test_metrics_do_not_depend_on_the_tolerance(name):
     circuit = poppet.load(EXAMPLES / f"{name}.toml")
     usual, tight = (circuit.simulate(relative_tolerance=tolerance).figures for tolerance in (1e-6, 5e-7))
     assert len(usual.strokes) == len(tight.strokes) == 2
@@ -124,7 +124,7 @@ def test_half_the_tolerance_moves_no_figure_by_half_a_percent(name):
         assert getattr(usual, field) == pytest.approx(getattr(tight, field), rel=5e-3), field
 
 
-def test_no_machine_does_more_work_than_its_air_could():
+def test_work_does_not_exceed_the_exergy():
     generator = np.random.default_rng(77)
     for number in range(8):
         recording = random_machine(generator).simulate(1.0, 2e-3)
@@ -135,7 +135,7 @@ def test_no_machine_does_more_work_than_its_air_could():
         assert all(work.lost >= -1e-3 * scale for work in figures.works), number
 
 
-def test_turning_points_leave_out_what_comes_back_little():
+def test_turning_points_omit_small_reversals():
     back = 1.0 - 0.15 * np.sin(np.linspace(0.0, np.pi, 20))
     creeping = np.concatenate((np.linspace(0.0, 1.0, 50), back, np.linspace(1.0, 0.0, 50)))
     turns = turning_points(creeping)
@@ -143,7 +143,7 @@ def test_turning_points_leave_out_what_comes_back_little():
     assert turning_points(np.zeros(5)) == []
 
 
-def test_joints_have_torques_and_angles():
+def test_joints_have_metrics_of_torque_and_angle():
     side = {"dead_volume": DEAD, "initial_pressure": 3e5}
     made = Cylinder(body="arm", bore=BORE, stroke_length=STROKE, offset=STROKE / 2, cap=side, rod={"dead_volume": 1.0})
     circuit = Circuit({"arm": Joint(inertia=0.05, pulley_radius=0.05), "cylinder": made})
@@ -156,7 +156,7 @@ def test_joints_have_torques_and_angles():
     assert figures.air == {}
 
 
-def test_runs_without_loads_have_none_and_others_keep_theirs():
+def test_only_runs_with_bodies_have_load_metrics():
     tank = Circuit({"tank": Chamber(volume="1 l"), "vent": Orifice(from_="tank", to="ambient", **SIZE)})
     assert tank.simulate(1.0).figures is None
     guide = Circuit({

@@ -1,4 +1,4 @@
-"""Notes on stores whose gas is not ideal."""
+"""Notes on gas nodes whose gas is not ideal."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def said(notes) -> list[tuple[str, str]]:
 
 
 def test_a_bottle_of_nitrogen():
-    """Z = 1.052, flow -5.7 % by its equation of state."""
+    """The equation of state gives Z = 1.052 and a flow error of -5.7 %."""
     (note,) = circuit(name="nitrogen").static_notes
     assert (note.code, note.address, note.facts["gas"]) == ("gas.not_ideal", "bottle", "nitrogen")
     assert (note.facts["pressure_bar"], note.facts["temperature"]) == (200.0, 293.15)
@@ -39,7 +39,7 @@ def test_a_bottle_of_nitrogen():
     assert note.facts["flow_percent"] == pytest.approx(-5.7, abs=1.2)
 
 
-def test_a_circuit_takes_what_the_library_returns():
+def test_circuit_accepts_a_gas_object():
     by_name = circuit(name="nitrogen")
     parts = by_name.parts
     by_gas = Circuit(parts, gas=library.gas("nitrogen"))
@@ -49,15 +49,15 @@ def test_a_circuit_takes_what_the_library_returns():
     assert Circuit(parts, gas=own).gas.values() == GasChoice(name="helium").values()
 
 
-def test_a_run_says_what_was_reached():
-    """Each store once: the tank only after a run that has filled it."""
+def test_note_contains_the_largest_deviation_of_the_run():
+    """Each gas node has one note, the tank only after a run that fills it."""
     filled = circuit(name="nitrogen").simulate("20 s").remarks
     assert said(filled) == [("gas.not_ideal", "bottle"), ("gas.not_ideal", "tank")]
     assert filled[1].facts["pressure_bar"] == pytest.approx(200.0, rel=1e-3)
     assert said(circuit(name="nitrogen").simulate("10 ms").remarks) == [("gas.not_ideal", "bottle")]
 
 
-def test_a_signal_may_lead_there():
+def test_signal_to_a_real_gas_state_gives_a_note():
     raised = circuit("7 bar", {"bottle.pressure": Points([0.0, 1.0, 2.0], [7e5, 9e6, 7e5])})
     assert raised.static_notes == ()
     (note,) = (note for note in raised.simulate("2 s").remarks if note.address == "bottle")
@@ -65,20 +65,20 @@ def test_a_signal_may_lead_there():
 
 
 @pytest.mark.parametrize("gas", [{}, {"name": "nitrogen"}, {"name": "oxygen"}, {"name": "argon"}, {"name": "hydrogen"}])
-def test_everyday_pressures_need_no_note(gas):
+def test_usual_pressures_give_no_note(gas):
     assert circuit("10 bar", **gas).simulate("1 s").remarks == ()
 
 
-def test_carbon_dioxide_is_off_at_six_bar_and_liquid_at_seventy():
+def test_carbon_dioxide_gives_notes_at_6_and_70_bar():
     assert said(circuit("6 bar", name="carbon dioxide").static_notes) == [("gas.not_ideal", "bottle")]
     assert said(circuit("70 bar", name="carbon dioxide").static_notes) == [("gas.no_gas", "bottle")]
 
 
-def test_of_bare_numbers_nothing_is_known():
+def test_gas_without_a_name_is_unknown():
     assert said(circuit(gas_constant=296.8).simulate("1 s").remarks) == [("gas.unknown", "gas")]
 
 
-def test_own_numbers_of_a_named_gas_leave_its_name():
+def test_changed_values_of_a_named_gas_give_a_note():
     plain = circuit(name="nitrogen").static_notes
     own = dataclasses.replace(circuit(), gas=GasChoice(name="nitrogen", isentropic_exponent=1.5)).static_notes
     assert said(own) == [("options.own_gas_numbers", "gas"), ("gas.not_ideal", "bottle")]
@@ -86,7 +86,7 @@ def test_own_numbers_of_a_named_gas_leave_its_name():
 
 
 @pytest.mark.parametrize(("text", "is_volume"), [("10 l/min ANR", True), ("10 l/min (N)", True), ("10 g/s", False)])
-def test_a_volume_of_air_is_not_one_of_helium(text, is_volume):
+def test_volume_flow_of_air_in_helium_gives_a_note(text, is_volume):
     parts = {"source": FlowSource(to="tank", mass_flow_rate=text), "tank": Chamber(volume="1 l")}
     found = said(Circuit(parts, gas=GasChoice(name="helium")).static_notes)
     assert found == ([("gas.volume_of_air", "source.mass_flow_rate")] if is_volume else [])
@@ -103,7 +103,7 @@ def test_a_volume_of_air_is_not_one_of_helium(text, is_volume):
         ("air", "natural", "energy", False),
     ],
 )
-def test_correlations_of_air_are_not_those_of_helium(gas, law, thermal, is_said):
+def test_heat_transfer_law_of_air_in_helium_gives_a_note(gas, law, thermal, is_said):
     sizes = {"wall_area": 0.05, "height": 0.2} if law == "natural" else {}
     tank = Chamber(volume="1 l", heat_transfer=law, thermal=thermal, **sizes)
     source = FlowSource(to="tank", mass_flow_rate="1 g/s")
@@ -112,8 +112,8 @@ def test_correlations_of_air_are_not_those_of_helium(gas, law, thermal, is_said)
 
 
 @pytest.mark.parametrize("name", MAX_PRESSURES)
-def test_everyday_states_are_close_to_ideal(name):
-    """Where nothing is reckoned, nothing would be said."""
+def test_usual_states_are_close_to_ideal(name):
+    """No real-gas computation is needed for usual states."""
     gas = GASES[name]
     for pressure in np.geomspace(1e4, MAX_PRESSURES[name], 12):
         for temperature in np.linspace(*TEMPERATURES, 7):

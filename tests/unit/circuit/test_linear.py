@@ -1,4 +1,4 @@
-"""States at rest and linear models: exact derivatives, known rests, conserved gas, files, python-control."""
+"""Steady states and linear models: exact derivatives, closed forms, conserved gas, files, python-control."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def stage(mode: str, tank: Chamber, *, load: float = 0.0, pilot: float | None = 
 
 
 def through_flow(thermal: str = "energy", **tank) -> Circuit:
-    """A tank between two orifices: it rests with gas flowing through it."""
+    """Return a tank between two orifices, whose steady state has a flow."""
     parts = {
         "supply": SUPPLY,
         "inlet": Orifice(from_="supply", to="tank", **SIZE),
@@ -51,12 +51,12 @@ def two_tanks() -> Circuit:
 
 
 def hunting() -> Circuit:
-    """A regulator whose small tank makes it hunt."""
+    """Return a regulator that hunts because its tank is small."""
     return stage("regulator", Chamber(volume="0.1 l", wall_conductance=1.0), load=6e-9, pilot=4e5)
 
 
 def directional() -> Circuit:
-    """On its way from exhaust to supply."""
+    """Return a circuit that moves from exhaust to supply."""
     valve = DirectionalValve(supply="supply", outlet="tank", exhaust="room", command=1.0, initial_position=0.2, **SIZE)
     tank = Chamber(volume="1 l", initial_pressure="3 bar")
     return Circuit({"supply": SUPPLY, "room": ROOM, "valve": valve, "tank": tank})
@@ -73,7 +73,7 @@ class TestSteadyState:
         assert rest.residual < 1e-9
         assert [note.code for note in rest.found] == ["rest.settled"]
 
-    def test_of_the_paper_s_valve_ends_at_the_supply_pressure(self):
+    def test_paper_valve_ends_at_the_supply_pressure(self):
         rest = stage("paper", Chamber(volume="0.2 m^3", wall_conductance="45 W/K")).steady_state(
             {"valve.pilot_pressure": "2 bar g"}
         )
@@ -81,7 +81,7 @@ class TestSteadyState:
         assert rest.y["tank.temperature"] == pytest.approx(293.15, rel=1e-9)
         assert rest.y["valve.stroke"] == pytest.approx(0.310e-3, abs=0.5e-6)
 
-    def test_of_a_flow_that_goes_through_is_the_series_connection(self):
+    def test_flow_path_in_series_has_the_series_conductance(self):
         from poppet.iso6358 import mass_flow_rate
 
         rest = through_flow(wall_conductance=1.0).steady_state()
@@ -100,7 +100,7 @@ class TestSteadyState:
         assert rest.y["full.pressure"] == pytest.approx(energy / 7e-3, rel=1e-10)
         assert rest.y["warm.pressure"] == pytest.approx(energy / 7e-3, rel=1e-10)
 
-    def test_from_a_state_that_is_nearly_one_of_rest(self):
+    def test_search_from_a_nearly_steady_state(self):
         tank = Chamber(volume="0.2 m^3", thermal="polytropic", polytropic_exponent=1.04)
         circuit = stage("regulator", tank, pilot=5.4e5)
         resumed = circuit.resumed(circuit.simulate("1000 s"))
@@ -108,7 +108,7 @@ class TestSteadyState:
             circuit.steady_state().y["tank.pressure"], rel=1e-6
         )
 
-    def test_is_the_initial_state_where_nothing_moves(self):
+    def test_steady_initial_state_is_the_result(self):
         circuit = Circuit({"tank": Chamber(volume="1 l"), "feed": FlowSource(to="tank")})
         rest = circuit.steady_state()
         assert rest.y["tank.pressure"] == 1e5
@@ -121,7 +121,7 @@ class TestSteadyState:
         assert rest.y["leak.mass_flow_rate"] == pytest.approx(1e-8 * 1.185 * 7e5, rel=1e-12)
         assert circuit.linearise().eigenvalues().size == 0
 
-    def test_of_a_valve_that_hunts_is_found_and_said_to_be_doubtful(self, monkeypatch):
+    def test_steady_state_of_a_hunting_valve_has_a_note(self, monkeypatch):
         circuit = hunting()
         rest = circuit.steady_state()
         monkeypatch.setattr(linear, "steady_state", lambda *_: rest)  # found once: it takes seconds
@@ -130,19 +130,19 @@ class TestSteadyState:
         assert rest.y["valve.supply_mass_flow_rate"] == pytest.approx(rest.y["load.mass_flow_rate"], rel=1e-9)
         assert np.max(model.eigenvalues().real) > 100.0
 
-    def test_of_stores_alone_is_not_sought_with_slower_gas(self, monkeypatch):
+    def test_circuit_without_mechanics_does_not_use_slow_gas(self, monkeypatch):
         monkeypatch.setattr(linear, "TRANSIENT_STEPS", 3)
         monkeypatch.setattr(linear, "_run_slow_gas", lambda _: pytest.fail("slow gas without mechanics"))
         assert through_flow().steady_state().residual < 1e-6
 
-    def test_of_a_tank_that_is_fed_for_ever_does_not_exist(self):
+    def test_tank_with_constant_inflow_has_no_steady_state(self):
         fed = Circuit({"tank": Chamber(volume="1 l"), "feed": FlowSource(to="tank", mass_flow_rate="1 g/s")})
         with pytest.raises(SimulationError) as caught:
             fed.steady_state()
         assert (caught.value.note.code, caught.value.note.address) == ("rest.endless", "tank.pressure")
         assert caught.value.note.facts["rate"] > 0.0
 
-    def test_of_a_tank_that_is_drawn_empty_does_not_exist(self):
+    def test_emptied_tank_has_no_steady_state(self):
         drawn = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate="-1 g/s")})
         with pytest.raises(SimulationError) as caught:
             drawn.steady_state()
@@ -150,14 +150,14 @@ class TestSteadyState:
 
 
 class TestInputs:
-    def test_default_to_the_signal_at_the_start_and_to_the_number_without_one(self):
+    def test_default_input_is_the_signal_at_the_start_or_the_parameter(self):
         circuit = replace(through_flow(), signals={"supply.pressure": Steps([0.0, 1.0], [5e5, 9e5])})
         rest = circuit.steady_state()
         assert rest.u == {
             "supply.pressure": 5e5, "supply.temperature": 293.15, "inlet.opening": 1.0, "outlet.opening": 1.0,
         }  # fmt: skip
 
-    def test_of_a_chirp_that_would_sweep_over_the_run(self):
+    def test_chirp_has_its_value_at_the_start(self):
         circuit = replace(through_flow(), signals={"supply.pressure": Chirp(5e5, 1e5, 1.0, 9.0, phase=np.pi / 2)})
         assert circuit.steady_state().u["supply.pressure"] == pytest.approx(6e5, rel=1e-12)
 
@@ -165,7 +165,7 @@ class TestInputs:
         circuit = replace(through_flow(), ambient=replace(through_flow().ambient, pressure="0.9 bar"))
         assert circuit.steady_state({"supply.pressure": "6 bar g"}).u["supply.pressure"] == pytest.approx(6.9e5)
 
-    def test_all_mistakes_come_at_once(self):
+    def test_all_errors_are_reported_together(self):
         with pytest.raises(InputErrors) as caught:
             through_flow().steady_state({"suply.pressure": 1e5, "inlet.opening": 2.0, "supply.temperature": "1 bar"})
         assert {problem.code: problem.address for problem in caught.value.problems} == {
@@ -177,7 +177,7 @@ class TestInputs:
 
 @cache
 def moving(name: str):
-    """A circuit somewhere on its way, its recording, and the linear model there."""
+    """Return a circuit, its recording, and the linear model at the end of the recording."""
     circuit, duration = {
         "stage": (stage("paper", Chamber(volume="1 l", wall_conductance=1.0), load=3e-9, pilot=3e5), 5e-4),
         "regulator": (stage("regulator", Chamber(volume="1 l"), load=3e-9, pilot=4e5), 8e-3),
@@ -190,7 +190,7 @@ def moving(name: str):
 
 
 def central_differences(circuit: Circuit, model, name: str, count: int):
-    """Derivatives of a compiled function with respect to x and u."""
+    """Return the derivatives of a compiled function with respect to x and u."""
     kernel = circuit.kernel
     p = np.array(list(circuit.parameters.values()))
     padding = np.zeros(kernel.model.n_quadratures)
@@ -216,7 +216,7 @@ NAMES = ("stage", "regulator", "two tanks", "directional", "through flow")
 
 @pytest.mark.parametrize("name", NAMES)
 class TestDerivatives:
-    def test_are_those_of_the_compiled_functions(self, name):
+    def test_derivatives_equal_those_of_compiled_functions(self, name):
         circuit, _, model = moving(name)
         by_x, by_u = central_differences(circuit, model, "rates", len(model.states))
         for exact, difference in ((model.A, by_x), (model.B, by_u)):
@@ -226,7 +226,7 @@ class TestDerivatives:
             scale = np.max(np.abs(exact), axis=1, keepdims=True)
             assert np.all(np.abs(exact - difference) <= 1e-5 * scale + 1e-9)
 
-    def test_hold_where_the_recording_ends(self, name):
+    def test_operating_point_is_the_end_of_the_recording(self, name):
         circuit, recording, model = moving(name)
         last = recording.last()
         for state, value in zip(model.states, model.x, strict=True):
@@ -238,7 +238,7 @@ class TestDerivatives:
 
 
 class TestAt:
-    def test_inputs_are_those_of_the_recording_unless_given(self):
+    def test_given_inputs_replace_those_of_the_recording(self):
         circuit = replace(through_flow(), signals={"supply.pressure": Steps([0.0, 0.5], [5e5, 6e5])})
         recording = circuit.simulate("1 s")
         assert circuit.linearise(at=recording).u[0] == 6e5
@@ -275,7 +275,7 @@ class TestLinearModel:
         assert 0.0 < gain[0].real < 1.0
         assert gain[0].imag == 0.0
 
-    def test_static_gain_is_the_slope_of_the_rest(self):
+    def test_static_gain_is_the_slope_of_the_steady_state(self):
         circuit = through_flow(wall_conductance=1.0)
         gain = circuit.linearise().frequency_response(0.0, "supply.pressure", "tank.pressure")[0]
         ends = [circuit.steady_state({"supply.pressure": 7e5 + step}).y["tank.pressure"] for step in (-500.0, 500.0)]
@@ -292,7 +292,7 @@ class TestLinearModel:
             assert caught.value.facts["near"].names
 
     @pytest.mark.parametrize("suffix", [".json", ".mat", ".npz"])
-    def test_saved_files_hold_matrices_and_names(self, tmp_path, suffix):
+    def test_saved_files_contain_matrices_and_names(self, tmp_path, suffix):
         model = through_flow().linearise()
         path = model.save(tmp_path / f"linear{suffix}")
         if suffix == ".json":
@@ -317,7 +317,7 @@ class TestLinearModel:
 
 
 class TestPythonControl:
-    def test_step_response_is_the_nonlinear_one_for_a_small_step(self):
+    def test_small_step_response_equals_the_nonlinear_one(self):
         control = pytest.importorskip("control", reason="python-control is not installed")
         circuit = through_flow(wall_conductance=1.0)
         rest = circuit.steady_state()

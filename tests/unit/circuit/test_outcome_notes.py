@@ -1,4 +1,4 @@
-"""What a recording says about itself: nothing that a reader has to know stays silent."""
+"""Notes of recordings: on the outcome, held signals, domains and balances."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ def notes(circuit: Circuit, *arguments: Any, **options: Any) -> tuple[Note, ...]
     return circuit.simulate(*arguments, **options).remarks
 
 
-def test_nothing_to_say():
+def test_usual_run_has_no_notes():
     assert notes(filling({"fill.opening": Constant(0.5)}), "1 s") == ()
 
 
-def test_assumed_ratio():
+def test_assumed_ratio_gives_a_note():
     said = Note("parts.assumed_ratio", "fill.critical_ratio", size="nominal_flow")
     assert notes(filling(nominal_flow="380 l/min ANR"), "1 s") == (said,)
     again = filling(nominal_flow="380 l/min ANR").with_values({"fill.laminar_ratio": 0.99})
@@ -51,8 +51,8 @@ def test_assumed_ratio():
 
 
 @pytest.mark.parametrize("thermal", ["isothermal", "isentrope"])
-def test_one_word_exchanges_the_thermal_law(thermal):
-    """The wall's numbers stay where they are, and the run says that they did nothing."""
+def test_unused_wall_parameters_give_a_note(thermal):
+    """The parameters of the wall have no effect, and the run has a note on them."""
     circuit = filling()
     walled = circuit.with_values({"tank.wall_conductance": "45 W/K", "tank.wall_temperature": "30 degC"})
     bare, run = (c.with_values({"tank.thermal": thermal}).simulate("1 s") for c in (circuit, walled))
@@ -63,7 +63,7 @@ def test_one_word_exchanges_the_thermal_law(thermal):
     assert run["tank.pressure"].tolist() == bare["tank.pressure"].tolist()
 
 
-def test_gas():
+def test_gas_gives_a_note():
     circuit = filling()
     (given,) = notes(dataclasses.replace(circuit, gas=GasChoice(name="helium")), "0.1 s")
     assert given.code == "options.conductances_as_given"
@@ -71,21 +71,21 @@ def test_gas():
     assert (scaled.code, scaled.facts["factor"]) == ("options.conductances_from_air", pytest.approx(0.39, abs=0.01))
 
 
-def test_domain_left():
+def test_stroke_outside_the_domain_gives_a_note():
     beyond = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.5e-3])}, characteristic="varga2012")
     (note,) = notes(beyond, "1 s")
     assert (note.code, note.address) == ("curves.left_domain", "fill.stroke")
     assert (note.facts["strokes_mm"], note.facts["beyond_mm"]) == (pytest.approx((1.5,)), pytest.approx(0.5))
 
 
-def test_domain_kept_but_for_the_play_of_a_stop():
+def test_small_overtravel_at_a_stop_gives_no_note():
     inside = filling({"fill.stroke": Points([0.0, 1.0], [0.0, 1.005e-3])}, characteristic="varga2012")
     assert notes(inside, "1 s") == ()
 
 
 @pytest.mark.parametrize("volume", ["5 l", "50 l"])
-def test_a_plate_that_strikes_its_stop_has_not_left_the_domain(volume):
-    """The example's plate goes 10 to 14 um into its stop, more than the play of a driven stroke."""
+def test_impact_on_a_stop_is_inside_the_domain(volume):
+    """The plate moves 10 to 14 um into its stop, which is more than the tolerance of a driven stroke."""
     circuit = load(EXAMPLES / "regulator_parts.toml").with_values({"tank.volume": volume})
     recording = circuit.simulate()
     assert recording.remarks == ()
@@ -96,8 +96,8 @@ def test_a_plate_that_strikes_its_stop_has_not_left_the_domain(volume):
     assert len(note.facts["strokes_mm"]) == 1  # below zero the passage is closed: nothing was left there
 
 
-def test_domain_left_between_two_rows():
-    """The plate of a valve is watched at every step, not only at the rows."""
+def test_excursion_between_two_rows_gives_a_note():
+    """The position of a valve is checked at all steps of the solver, not only at the output times."""
     parts = {
         "supply": Reservoir(pressure="7 bar"),
         "tank": Chamber(volume="1 m^3"),
@@ -125,25 +125,25 @@ def test_measured_signal_held_at_both_ends():
     )
 
 
-def test_steps_that_come_too_late():
+def test_steps_after_the_end_give_a_note():
     circuit = filling({"fill.opening": Steps([0.0, 2.0, 9.0], [1.0, 0.5, 0.0])})
     assert notes(circuit, "5 s") == (Note("signals.steps_unused", "fill.opening", unused=1, total=3, end=5.0),)
 
 
-def test_notes_of_a_delayed_signal_count_the_delay():
+def test_notes_of_a_delayed_signal_include_the_delay():
     valve = DirectionalValve(supply="supply", outlet="tank", **SIZE, delay="0.5 s")
     parts = {"supply": Reservoir(pressure="7 bar"), "valve": valve, "tank": Chamber(volume="10 l")}
     circuit = Circuit(parts, {"valve.command": Points([0.0, 1.0], [0.0, 1.0])})
     assert notes(circuit, "5 s") == (Note("signals.held_after", "valve.command", source="", value=1.0, time=1.5),)
 
 
-def test_notes_of_a_run_that_stopped_early_speak_of_its_own_end():
+def test_notes_of_a_stopped_run_refer_to_its_end():
     circuit = filling({"supply.pressure": Points([0.0, 4.0], [7e5, 6e5])})
     assert notes(circuit, "20 s", stop_when="tank.pressure > 2 bar") == ()
 
 
-def test_hand_over(monkeypatch):
-    """A stall of the Rosenbrock method is taken over by another one, and said."""
+def test_stalled_run_is_repeated_with_a_note(monkeypatch):
+    """If the Rosenbrock method stalls, another method continues, and the run has a note."""
     own = simulate.run_kernel
 
     def stalled(problem: Any, progress: Any) -> Any:
@@ -158,7 +158,7 @@ def test_hand_over(monkeypatch):
     assert recording["tank.pressure"] == pytest.approx(known["tank.pressure"], rel=1e-5)
 
 
-def test_a_balance_that_is_not_kept_is_said(monkeypatch):
+def test_violated_balance_gives_a_note(monkeypatch):
     from poppet.circuit import notes as outcome
 
     monkeypatch.setattr(outcome, "residuals", lambda *_: (Residual("tank", "mass", "kg", 1e-3, 1.0, 1.0),))
@@ -168,7 +168,7 @@ def test_a_balance_that_is_not_kept_is_said(monkeypatch):
     assert note.facts["allowed"] == pytest.approx(1e-9, rel=0.01)
 
 
-def test_endings():
+def test_termination_reasons():
     assert filling().simulate("1 s").ending == Note("run.done")
     assert filling().simulate("20 s", stop_when="tank.pressure > 2 bar").ending.code == "run.condition_met"
     failed = Circuit({"tank": Chamber(volume="1 l"), "pull": FlowSource(to="tank", mass_flow_rate=-1e-3)}).simulate(
@@ -179,7 +179,7 @@ def test_endings():
     assert [note.code for note in failed.remarks] == ["gas.no_gas", "run.no_way_on"]
 
 
-def test_a_condition_that_holds_at_the_start_is_said():
+def test_condition_met_at_the_start_gives_a_note():
     recording = filling().simulate("20 s", stop_when="tank.pressure > 5")
     assert recording.time.tolist() == [0.0]
     assert recording.remarks == (Note("run.nothing_ran", condition="tank.pressure > 5"),)

@@ -28,7 +28,7 @@ def test_ambient_defaults_to_anr():
         ({"temperature": "-280 degC"}, "quantity.temperature_below_zero"),
     ],
 )
-def test_impossible_ambients(fields, code):
+def test_invalid_ambient_is_rejected(fields, code):
     with pytest.raises(InputError) as caught:
         Ambient(**fields)
     assert (caught.value.code, caught.value.address) == (code, next(iter(fields)))
@@ -46,17 +46,17 @@ class TestGas:
         assert gas.values()[:2] == (float(known.gas_constant), float(known.isentropic_exponent))
         assert gas.numbers()["gas_constant"].source == known.gas_constant.source
 
-    def test_given_numbers_override_the_library(self):
+    def test_given_values_override_the_library(self):
         assert GasChoice(name="helium", isentropic_exponent=1.6).values()[1] == 1.6
 
-    def test_another_name_brings_other_numbers(self):
+    def test_other_name_selects_other_values(self):
         helium = dataclasses.replace(GasChoice(), name="helium")
         assert helium.values() == GasChoice(name="helium").values()
         assert dataclasses.replace(helium, name="argon").values() == GasChoice(name="argon").values()
         given = dataclasses.replace(GasChoice(name="helium", isentropic_exponent=1.6), name="argon")
         assert given.values()[1] == 1.6
 
-    def test_the_meaning_of_conductances_is_said(self):
+    def test_meaning_of_conductances_gives_a_note(self):
         assert GasChoice(name="helium").notes() == (Note("options.conductances_as_given", "gas"),)
         (scaled,) = GasChoice(name="helium", conductances="from air").notes()
         assert (scaled.code, scaled.address) == ("options.conductances_from_air", "gas")
@@ -71,30 +71,30 @@ class TestGas:
             ({"conductances": "of air"}, "fields.not_an_option"),
         ],
     )
-    def test_impossible_gases(self, fields, code):
+    def test_invalid_gases_are_rejected(self, fields, code):
         with pytest.raises(InputError) as caught:
             GasChoice(**fields)
         assert (caught.value.code, caught.value.address) == (code, next(iter(fields)))
 
 
 class TestGrid:
-    def test_rows_are_the_decimals_that_were_meant(self):
+    def test_output_times_are_rounded_decimals(self):
         assert Run(duration="120 s", output_step="0.1 s").grid().tolist() == [k / 10 for k in range(1201)]
 
     @pytest.mark.parametrize(
         ("duration", "step", "decimals"), [(30.0, 1e-4, 4), (1.0, 0.0025, 4), (0.3, 1e-3, 3), (7.0, 0.7, 1)]
     )
-    def test_fine_rows_too(self, duration, step, decimals):
+    def test_fine_output_times_are_rounded_decimals(self, duration, step, decimals):
         grid = Run(duration=duration, output_step=step).grid()
         assert grid.tolist() == [round(k * step, decimals) for k in range(grid.size)]
 
-    def test_the_duration_is_the_last_row_always(self):
+    def test_duration_is_the_last_output_time(self):
         assert Run(duration=1.0, output_step=0.3).grid().tolist() == [0.0, 0.3, 0.6, 0.9, 1.0]
         assert Run(duration=1.0, output_step=5.0).grid().tolist() == [0.0, 1.0]
         third = Run(duration=1.0, output_step=1.0 / 3.0).grid()
         assert (third.size, third[-1]) == (4, 1.0)
 
-    def test_a_thousand_rows_unless_said(self):
+    def test_default_is_a_thousand_rows(self):
         grid = Run(duration="2 s").grid()
         assert (grid.size, grid[1], grid[-1]) == (1001, 0.002, 2.0)
 
@@ -104,7 +104,7 @@ class TestGrid:
             assert np.all(np.diff(grid) > 0.0)
             assert grid[-1] == duration
 
-    def test_nobody_can_change_it(self):
+    def test_output_times_are_read_only(self):
         with pytest.raises(ValueError, match="read-only"):
             Run(duration=1.0).grid()[0] = 5.0
 
@@ -113,7 +113,7 @@ class TestGrid:
             Run().grid()
         assert (caught.value.code, caught.value.address) == ("fields.missing", "run.duration")
 
-    def test_more_rows_than_memory_holds(self):
+    def test_too_many_rows_are_rejected(self):
         with pytest.raises(OutOfRangeError) as caught:
             Run(duration=1.0, output_step=0.5 / MOST_ROWS).grid()
         assert (caught.value.code, caught.value.facts["rows"]) == (
@@ -122,7 +122,7 @@ class TestGrid:
         )
 
 
-def test_changed_keeps_what_is_not_given():
+def test_changed_keeps_omitted_options():
     run = Run(duration="5 s", stop_when="tank.pressure > 5 bar", solver="lsoda")
     changed = run.changed(duration="2 s", output_step=None, relative_tolerance=1e-8)
     assert (float(changed.duration), changed.tolerance, changed.stop_texts, changed.solver) == (
@@ -140,7 +140,7 @@ def test_longest_step():
     assert Run(maximum_step="10 ms").longest_step == 0.01
 
 
-def test_all_mistakes_at_once():
+def test_all_errors_are_reported_together():
     with pytest.raises(InputErrors) as caught:
         Run(duration=-1.0, output_step="1 m", relative_tolerance=0.5, maximum_step=0.0, solver="rosenbrok")
     assert [problem.address for problem in caught.value.problems] == [
@@ -159,7 +159,7 @@ def test_stop_conditions_are_texts(given):
     assert (caught.value.code, caught.value.address) == ("options.no_condition", "stop_when")
 
 
-def test_numbers_that_prevail_over_a_named_gas_are_said():
+def test_values_that_override_a_named_gas_give_a_note():
     (note,) = GasChoice(name="nitrogen", gas_constant=287.05).notes()
     assert (note.code, note.address) == ("options.own_gas_numbers", "gas")
     assert (note.facts["numbers"], note.facts["name"]) == (("gas_constant",), "nitrogen")

@@ -1,4 +1,4 @@
-"""Circuits with sampled memory: clocks, rests, kinks, the discrete linear model and its ways out."""
+"""Sampled circuits: clocks, steady states, kinks, and the discrete linear model with its files."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LEAK = {"valve.pilot.exhaust_leak.sonic_conductance": 2e-11}
 
 
 def whole(load: float = 2e-9, setpoint: float = 4e5, **fields) -> Circuit:
-    """A valve as it comes, feeding a consumer."""
+    """Return a regulator valve with default parameters that feeds a consumer."""
     parts = {
         "supply": Reservoir(pressure="7 bar"),
         "valve": ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", **fields),
@@ -43,7 +43,7 @@ def smooth(**changes) -> Circuit:
 
 @cache
 def smooth_rest() -> SteadyState:
-    """Found once: nobody changes it."""
+    """Return the steady state, which tests must not change."""
     return smooth().steady_state()
 
 
@@ -56,7 +56,7 @@ OUTER, INNER = "valve.electronics.outer.sample_time", "valve.electronics.inner.s
 
 
 def bends(note: Note) -> list[str]:
-    """What has a kink."""
+    """Return the variables with a kink."""
     return [each.address for each in note.facts["what"]]
 
 
@@ -64,29 +64,29 @@ class TestClocks:
     def point(self, circuit: Circuit) -> SampledPoint:
         return SampledPoint(circuit.instance, np.array([7e5, 293.15, 4e5, 1.0, 1.0, 1.0])[: len(circuit.model.inputs)])
 
-    def test_timers_and_counters_are_clocks_and_nothing_else_is(self):
+    def test_only_timers_and_counters_are_clocks(self):
         model = smooth().model
         clocks = {name for (name, _), is_clock in zip(model.memory, model.counting, strict=True) if is_clock}
         assert clocks == {f"valve.electronics.{name}" for name in ("outer", "inner", "outer_count", "inner_count")}
 
-    def test_of_two_sample_times_come_together_after_their_least_common_multiple(self):
+    def test_period_of_two_clocks_is_the_least_common_multiple(self):
         clock = self.point(smooth(**{OUTER: 3e-3, INNER: 2e-3})).clock
         assert clock.sample_time == pytest.approx(6e-3, rel=1e-12)
         assert clock.times == pytest.approx([0.0, 2e-3, 3e-3, 4e-3], abs=1e-15)
         assert clock.fired.tolist() == [[1, 1, 0], [0, 1, 0], [1, 0, 0], [0, 1, 0]]
 
-    def test_of_one_sample_time_are_one_instant(self):
+    def test_equal_sample_times_have_common_instants(self):
         clock = self.point(smooth()).clock
         assert (clock.sample_time, clock.times.tolist(), clock.fired.tolist()) == (1e-3, [0.0], [[1, 1, 0]])
 
-    def test_without_a_common_period_are_refused(self):
+    def test_sample_times_without_a_common_period_are_rejected(self):
         with pytest.raises(SimulationError) as caught:
             smooth(**{OUTER: np.sqrt(2.0) * 1e-3}).linearise()
         assert caught.value.note.code == "sampled.no_common_period"
 
 
 class TestRest:
-    def test_holds_for_states_and_memory(self):
+    def test_steady_state_includes_states_and_discrete_states(self):
         rest = smooth_rest()
         assert rest.is_stable
         assert [note.code for note in rest.found] == ["rest.settled"]
@@ -100,7 +100,7 @@ class TestRest:
         # The supply fills what the consumer takes.
         assert rest.y["valve.supply_mass_flow_rate"] == pytest.approx(rest.y["load.mass_flow_rate"], rel=1e-9)
 
-    def test_kinks_say_how_far_the_model_holds(self):
+    def test_kinks_limit_the_validity_of_the_model(self):
         circuit = without_bands(whole()).with_values(PLAIN)
         rest = circuit.steady_state()
         (duty,) = [note for note in rest.notes if "valve.fill_duty" in bends(note)]
@@ -111,11 +111,11 @@ class TestRest:
         error = rest.y["valve.pilot_setpoint"] - rest.y["valve.pilot_sensor_pressure"]
         assert duty.facts["size"] == pytest.approx(error, rel=0.02)
 
-    def test_wider_leak_moves_the_kink_away(self):
+    def test_larger_leak_increases_the_distance_of_the_kink(self):
         assert not any("duty" in name for note in smooth(**PLAIN).steady_state().notes for name in bends(note))
 
     @pytest.mark.parametrize("longest", [20.0, pytest.param(1000.0, marks=pytest.mark.slow)])
-    def test_of_bands_does_not_exist_and_the_message_has_amplitude_and_period(self, longest, monkeypatch):
+    def test_oscillation_is_reported_with_amplitude_and_period(self, longest, monkeypatch):
         monkeypatch.setattr(rest_module, "TRANSIENTS", (10.0, longest))
         with pytest.raises(SimulationError) as caught:
             whole().with_values(LEAK).steady_state()
@@ -125,27 +125,27 @@ class TestRest:
         assert all(swing.facts["amplitude"] > 0.0 and swing.facts["period"] > 0.0 for swing in swings)
 
     @pytest.mark.slow  # the bands below are the brother of every day
-    def test_of_switched_solenoids_does_not_exist(self):
+    def test_switched_solenoids_have_no_steady_state(self):
         with pytest.raises(SimulationError) as caught:
             without_bands(whole()).with_values(LEAK | {"valve.pilot.drive": "switched"}).steady_state()
         assert caught.value.note.code == "rest.switched"
         assert "valve.pilot.fill_release" in caught.value.note.facts["timers"]
 
-    def test_within_a_hold_band_is_where_the_run_arrives(self):
-        """A tight pilot and an outlet without consumer: both solenoids closed, nothing leaks."""
+    def test_steady_state_in_a_hold_band_is_the_end_of_the_run(self):
+        """With a tight pilot and no consumer, both solenoids are closed and nothing leaks."""
         tight = {"valve.pilot.exhaust_leak.sonic_conductance": 0.0, "load.sonic_conductance": 0.0}
         rest = whole().with_values(tight).steady_state()
         assert (rest.y["valve.fill_duty"], rest.y["valve.vent_duty"]) == (0.0, 0.0)
         assert rest.y["tank.pressure"] == pytest.approx(4e5, abs=3e3)
 
-    def test_near_a_guess_needs_no_run(self):
+    def test_steady_state_near_a_guess_needs_no_run(self):
         circuit, rest = smooth(), smooth_rest()
         point = SampledPoint(circuit.instance, np.array(list(rest.u.values())))
         v = point.v(rest.x, np.array(list(rest.memory.values())))
         found = rest_near(point, v * (1.0 + 1e-4))
         assert found == pytest.approx(v, rel=1e-6, abs=1e-9)
 
-    def test_oscillation_of_something_slow_with_ripple(self):
+    def test_ripple_does_not_change_the_period(self):
         t = np.linspace(0.0, 20.0, 20_001)
         y = np.sin(2.0 * np.pi * t / 4.0) + 0.1 * np.sin(2.0 * np.pi * t / 0.03)
         amplitude, period = oscillation(t, y)
@@ -155,7 +155,7 @@ class TestRest:
 
 
 class TestModel:
-    def test_has_states_and_memory_without_clocks(self):
+    def test_model_has_states_and_discrete_states_without_clocks(self):
         model = smooth_model()
         assert model.sample_time == 1e-3
         assert model.states[:2] == ("valve.stroke", "valve.velocity")
@@ -165,7 +165,7 @@ class TestModel:
         assert np.max(np.abs(model.rates)) < 1e-4
 
     def test_steady_gain_follows_from_the_map(self):
-        """The integral holds the outlet at the setpoint."""
+        """The integral action keeps the outlet at the setpoint."""
         model = smooth_model()
         row, column = model.outputs.index("tank.pressure"), model.inputs.index("valve.setpoint")
         scaled = model.A * model.sizes[None, :] / model.sizes[:, None]
@@ -174,7 +174,7 @@ class TestModel:
         assert gain == pytest.approx(1.0, rel=1e-6)
         assert abs(model.frequency_response(1e-4, "valve.setpoint", "tank.pressure")[0]) == pytest.approx(1.0, rel=1e-4)
 
-    def test_poles_are_logarithms_of_what_is_not_forgotten(self):
+    def test_poles_are_logarithms_of_eigenvalues(self):
         model = smooth_model()
         values = model.eigenvalues()
         assert np.all(np.diff(np.abs(values)) <= 1e-12)
@@ -187,7 +187,7 @@ class TestModel:
         assert eigenvalues_of(chain).tolist() == [0.0, 0.0, 0.0]
         assert eigenvalues_of(np.diag([0.5, 0.0])).tolist() == [0.5, 0.0]
 
-    def test_state_response_is_that_of_the_outputs_that_are_states(self):
+    def test_state_response_equals_that_of_state_outputs(self):
         model = smooth_model()
         place = model.states.index("tank.pressure")
         every = model.state_response(20.0, "valve.setpoint")
@@ -209,7 +209,7 @@ class TestModel:
         assert system.dt == 1e-3
         assert np.sort(np.abs(system.poles())) == pytest.approx(np.sort(np.abs(model.eigenvalues())), abs=1e-6)
 
-    def test_at_a_recording_is_refused(self):
+    def test_linearisation_at_a_recording_is_rejected(self):
         circuit = smooth()
         with pytest.raises(InputError) as caught:
             circuit.linearise(at=circuit.simulate("10 ms"))
@@ -222,14 +222,14 @@ class TestModel:
 
 
 class TestAgreement:
-    def test_amplitudes_must_rise(self):
+    def test_amplitudes_that_do_not_increase_are_rejected(self):
         circuit = smooth()
         rig = SineRig(circuit.instance, "valve.setpoint", "tank.pressure", settling=0.1)
         with refused("limits.amplitudes"):
             agreement(rig, smooth_model(), 5.0, (10.0, 1.0))
 
-    def test_nowhere(self):
-        """A linear model of another circuit."""
+    def test_missing_steady_state_is_reported(self):
+        """Return a linear model of another circuit."""
         rig = SineRig(smooth().instance, "valve.setpoint", "tank.pressure", settling=0.5)
         other = smooth(**{"tank.volume": "20 l"}).linearise()
         found = agreement(rig, other, 30.0, (20.0, 40.0))

@@ -1,4 +1,4 @@
-"""Signals as a circuit file writes them."""
+"""Signals of circuit files."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def test_square():
     assert problems_of(table | {"high": "1 bar g"})[0].code == "signals.order"
 
 
-def test_pwm_with_a_duty_and_with_a_signal_for_it():
+def test_pwm_with_constant_and_variable_duty():
     table = {"kind": "pwm", "frequency": "0.1 kHz", "duty": 0.3}
     assert read(table, OPENING) == Pwm(100.0, 0.3)
     signal = read(table | {"duty": {"kind": "points", "times": ["0 s", "2 s"], "values": [0.0, "50 %"]}}, OPENING)
@@ -90,7 +90,7 @@ def test_pwm_with_a_duty_and_with_a_signal_for_it():
     assert read(table | {"low": "1 bar", "high": "2 bar"}) == Pwm(100.0, 0.3, 1e5, 2e5)
 
 
-def test_pwm_is_refused_where_its_pulses_mean_nothing():
+def test_pwm_without_levels_is_rejected():
     table = {"kind": "pwm", "frequency": "100 Hz", "duty": 0.3}
     found = [(problem.code, problem.address) for problem in problems_of(table)]
     assert found == [("fields.missing", "low"), ("fields.missing", "high")]
@@ -169,14 +169,14 @@ class TestFile:
             ({"unit": 5}, "quantity.unreadable_unit"),
         ],
     )
-    def test_mistakes(self, folder, fields, code):
+    def test_invalid_arguments_are_rejected(self, folder, fields, code):
         with pytest.raises(InputError) as caught:
             self.signal(folder, **fields)
         assert caught.value.code == code
 
 
 @pytest.mark.parametrize("kind", KINDS)
-def test_missing_and_unknown_fields_at_once(kind):
+def test_missing_and_unknown_fields_are_reported_together(kind):
     required, optional = fields_of(kind)
     found = problems_of({"kind": kind, "qqq": "red", "zzz": 3})
     assert [problem.address for problem in found] == [*required, "qqq", "zzz"]
@@ -206,13 +206,13 @@ def test_missing_and_unknown_fields_at_once(kind):
         ({"kind": "constant", "value": [1.0]}, "quantity.not_a_number", "value"),
     ],
 )
-def test_mistakes(table, code, address):
+def test_invalid_arguments_are_rejected(table, code, address):
     with pytest.raises(InputError) as caught:
         read(table)
     assert (caught.value.code, caught.value.address) == (code, address)
 
 
-def test_every_bad_entry_of_a_list():
+def test_all_invalid_elements_of_a_list_are_reported():
     with pytest.raises(InputErrors) as caught:
         read({"kind": "steps", "times": ["0 s", "1 s", "2 s"], "values": ["1 mm", "1 bar", "x bar"]})
     assert [problem.address for problem in caught.value.problems] == ["values[0]", "values[2]"]

@@ -1,4 +1,4 @@
-"""Conditions that end a run: how they are written and when they are met."""
+"""Stop conditions: their texts, and the time at which they end a run."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def filling(**options: Any) -> Circuit:
 
 
 def holds(text: str, **values: float) -> bool:
-    """Whether the condition holds for outputs `tank.pressure` etc., given with _ for the dot."""
+    """Return True if the condition is met by outputs such as `tank.pressure`, with _ for the dot."""
     condition = parse_stop_condition(text, OUTPUTS, 0.95e5)
     y = [values.get(name.replace(".", "_"), 0.0) for name in OUTPUTS]
     total = condition.weights[2] + sum(
@@ -80,14 +80,14 @@ def test_another_output():
         ("tank.pressure > tank.temperature", "stop.other_unit"),
     ],
 )
-def test_mistakes(text, code):
+def test_invalid_arguments_are_rejected(text, code):
     with pytest.raises(InputError) as caught:
         parse_stop_condition(text, OUTPUTS, 1e5)
     assert (caught.value.code, caught.value.address, caught.value.facts["text"]) == (code, "run.stop_when", text)
 
 
 @pytest.mark.parametrize("name", ["tank.presure", "supply.presure"])
-def test_a_misspelt_output_is_corrected(name):
+def test_misspelt_output_has_a_suggestion(name):
     with pytest.raises(InputError) as caught:
         parse_stop_condition(f"tank.pressure > {name}", OUTPUTS, 1e5)
     assert name.replace("presure", "pressure") in caught.value.facts["near"].names
@@ -104,20 +104,20 @@ def test_a_misspelt_output_is_corrected(name):
         ("5,0 bar", "quantity.decimal_comma"),
     ],
 )
-def test_mistakes_of_a_threshold_are_those_of_its_quantity(threshold, code):
+def test_invalid_thresholds_are_rejected(threshold, code):
     with pytest.raises(InputError) as caught:
         parse_stop_condition(f"tank.pressure > {threshold}", OUTPUTS, 1e5)
     assert (caught.value.code, caught.value.facts["mistake"].code) == ("stop.no_threshold", code)
     assert caught.value.hint == caught.value.facts["mistake"].hint
 
 
-def test_a_volume_flow_as_threshold_needs_its_state():
+def test_volume_flow_without_reference_state_is_rejected():
     with pytest.raises(InputError) as caught:
         parse_stop_condition("fill.mass_flow_rate > 60 l/min", OUTPUTS, 1e5)
     assert caught.value.facts["mistake"].code == "quantity.flow_without_state"
 
 
-def test_run_ends_where_the_condition_begins_to_hold():
+def test_run_ends_when_the_condition_is_met():
     """Isothermal and choked: p = p0 + C rho0 R T ps t / V."""
     recording = filling().simulate("20 s", stop_when="tank.pressure > 2 bar")
     instant = 1e5 * 10e-3 / (1e-8 * 1.185 * 287.05 * 293.15 * 7e5)
@@ -133,7 +133,7 @@ def test_the_first_of_several_ends_the_run():
     assert recording.ending.facts["condition"] == "tank.pressure > 2 bar"
 
 
-def test_a_condition_that_holds_at_the_start():
+def test_condition_met_at_the_start():
     recording = filling().simulate("20 s", stop_when="tank.pressure < 2 bar")
     assert recording.time.tolist() == [0.0]
     assert recording.ending.facts["time"] == 0.0
@@ -150,7 +150,7 @@ def test_a_condition_never_met():
     assert filling().simulate("2 s", stop_when="tank.pressure > 9 bar").ending.code == "run.done"
 
 
-def test_every_solver_stops_at_the_same_instant():
+def test_all_solvers_stop_at_the_same_time():
     instants = [
         filling().simulate("5 s", "0.01 s", stop_when="tank.pressure > 2 bar", solver=s).time[-1]
         for s in ("rosenbrock", "lsoda", "radau", "cvodes")
@@ -167,12 +167,12 @@ class TestDomain:
         "edge": "error",
     }
 
-    def test_both_ends_unless_closed(self):
+    def test_closed_flow_path_has_no_lower_limit(self):
         outputs = {"o.stroke": "m"}
         assert len(domain_conditions("o.stroke", library.characteristic("varga2012").limits(), outputs)) == 2
         assert len(domain_conditions("o.stroke", library.characteristic("varga2012.closed").limits(), outputs)) == 1
 
-    def test_leaving_it_ends_the_run(self):
+    def test_stroke_outside_the_domain_ends_the_run(self):
         parts = {**filling().parts, "fill": Orifice(from_="supply", to="tank", characteristic=self.table)}
         circuit = Circuit(parts, {"fill.stroke": Points([0.0, 2.0], [0.0, 2e-3])})
         recording = circuit.simulate("2 s", throw=False)

@@ -1,4 +1,4 @@
-"""Distributions: quantiles against SciPy's, cut ends, impossible values with their probability."""
+"""Distributions: quantiles compared with SciPy, truncation, probability of invalid values."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from poppet.ensemble.ensemble_plan import read_plan
 from poppet.ensemble.sampling import uniform
 from refusals import refused
 
-KNOWN = {
+REFERENCES = {
     "normal": (Distribution("normal", {"mean": 3.0, "sigma": 0.5}), stats.norm(3.0, 0.5)),
     "lognormal": (Distribution("lognormal", {"median": 3.0, "log_sigma": 0.5}), stats.lognorm(0.5, scale=3.0)),
     "uniform": (Distribution("uniform", {"low": 1.0, "high": 3.0}), stats.uniform(1.0, 2.0)),
@@ -32,19 +32,19 @@ KNOWN = {
 }
 
 
-@pytest.mark.parametrize("name", KNOWN)
-def test_quantiles_are_those_of_scipy(name):
-    own, known = KNOWN[name]
+@pytest.mark.parametrize("name", REFERENCES)
+def test_quantiles_equal_those_of_scipy(name):
+    distribution, reference = REFERENCES[name]
     u = np.linspace(1e-6, 1.0 - 1e-6, 501)
-    np.testing.assert_allclose(own.quantile(u), known.ppf(u), rtol=1e-9)
-    assert [own.below(x) for x in (1.3, 2.6, 2.9)] == pytest.approx(known.cdf([1.3, 2.6, 2.9]), rel=1e-9)
+    np.testing.assert_allclose(distribution.quantile(u), reference.ppf(u), rtol=1e-9)
+    assert [distribution.below(x) for x in (1.3, 2.6, 2.9)] == pytest.approx(reference.cdf([1.3, 2.6, 2.9]), rel=1e-9)
 
 
-@pytest.mark.parametrize("name", KNOWN)
-def test_draws_pass_a_chi_square(name):
-    own, known = KNOWN[name]
-    drawn = own.quantile(uniform(17, "random", 1, 0, 20_000)[:, 0])
-    counts = np.histogram(drawn, bins=known.ppf(np.linspace(0.0, 1.0, 41)))[0]
+@pytest.mark.parametrize("name", REFERENCES)
+def test_samples_pass_a_chi_square_test(name):
+    distribution, reference = REFERENCES[name]
+    sample = distribution.quantile(uniform(17, "random", 1, 0, 20_000)[:, 0])
+    counts = np.histogram(sample, bins=reference.ppf(np.linspace(0.0, 1.0, 41)))[0]
     assert counts.sum() == 20_000
     assert 1e-3 < stats.chisquare(counts).pvalue < 1.0 - 1e-3
 
@@ -56,7 +56,7 @@ def read(numbers, **fields):
     )
 
 
-def test_values_that_are_impossible_are_refused_with_their_probability():
+def test_probable_invalid_values_are_rejected_with_their_probability():
     with refused("ensemble.impossible", "ensemble.parameters.tank.volume", kind=OutOfRangeError) as caught:
         read({"tank.volume": {"distribution": "normal", "relative_sigma": 0.25}})
     assert caught.value.facts["probability"] == pytest.approx(stats.norm.cdf(-4.0), rel=1e-6)
@@ -64,8 +64,8 @@ def test_values_that_are_impossible_are_refused_with_their_probability():
     assert plan.alone["tank.volume"].quantile(np.array([1e-9])) == pytest.approx(1e-3, rel=1e-6)
 
 
-def test_what_is_relative_is_a_part_of_the_mean_that_is_given():
-    """And not of what the circuit has; of a gauge pressure the gauge value."""
+def test_relative_spread_refers_to_the_given_mean():
+    """The mean replaces the value in the circuit; for a gauge pressure, the gauge value counts."""
     plan = read({"tank.volume": {"distribution": "normal", "mean": "20 l", "relative_sigma": 0.02}})
     assert plan.alone["tank.volume"].numbers == pytest.approx({"mean": 20e-3, "sigma": 0.4e-3})
     plan = read({"tank.initial_pressure": {"distribution": "normal", "mean": "4 bar g", "relative_sigma": 0.02}})
@@ -73,25 +73,25 @@ def test_what_is_relative_is_a_part_of_the_mean_that_is_given():
     assert numbers == pytest.approx({"mean": 4e5 + plan.circuit.surroundings.pressure, "sigma": 0.08e5})
 
 
-def test_a_ratio_must_stay_below_one():
+def test_ratio_above_one_is_rejected():
     with refused("ensemble.impossible", "ensemble.parameters.hole.critical_ratio") as caught:
         read({"hole.critical_ratio": {"distribution": "uniform", "low": 0.2, "high": 1.2}})
     assert caught.value.facts["probability"] == pytest.approx(0.2, rel=1e-3)
 
 
-def test_spreads_of_gauge_pressures_are_parts_of_what_was_written():
+def test_relative_spread_of_a_gauge_pressure_refers_to_the_gauge_value():
     circuit = tank("").with_values({"tank.initial_pressure": "2 bar g"})
     fields = {"runs": 1, "metrics": METRICS}
-    given = {"tank.initial_pressure": {"distribution": "uniform", "relative_range": 0.1}}
-    plan = read_plan(circuit, {**fields, "parameters": given}, {}, circuit.origin.folder)
+    parameters = {"tank.initial_pressure": {"distribution": "uniform", "relative_range": 0.1}}
+    plan = read_plan(circuit, {**fields, "parameters": parameters}, {}, circuit.origin.folder)
     assert plan.alone["tank.initial_pressure"].numbers == {"low": pytest.approx(2.8e5), "high": pytest.approx(3.2e5)}
-    given = {"tank.initial_pressure": {"distribution": "normal", "mean": "2.5 bar g", "sigma": "0.1 bar"}}
-    plan = read_plan(circuit, {**fields, "parameters": given}, {}, circuit.origin.folder)
+    parameters = {"tank.initial_pressure": {"distribution": "normal", "mean": "2.5 bar g", "sigma": "0.1 bar"}}
+    plan = read_plan(circuit, {**fields, "parameters": parameters}, {}, circuit.origin.folder)
     assert plan.alone["tank.initial_pressure"].numbers == {"mean": pytest.approx(3.5e5), "sigma": pytest.approx(1e4)}
 
 
 @pytest.mark.parametrize(
-    ("code", "given"),
+    ("code", "fields"),
     [
         ("fields.not_an_option", {"distribution": "gauss"}),
         ("fields.missing", {"distribution": "normal"}),
@@ -103,6 +103,6 @@ def test_spreads_of_gauge_pressures_are_parts_of_what_was_written():
         ("fields.no_table", 0.2),
     ],
 )
-def test_what_is_no_distribution(code, given):
+def test_invalid_distributions_are_rejected(code, fields):
     with refused(code):
-        read({"tank.volume": given})
+        read({"tank.volume": fields})

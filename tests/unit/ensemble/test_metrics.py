@@ -1,4 +1,4 @@
-"""Metrics of closed forms, in any slice, with their units; and requirements on them."""
+"""Metrics of closed forms, independence of batches, units, and requirements."""
 
 from __future__ import annotations
 
@@ -15,18 +15,18 @@ OUTPUTS = {"tank.pressure": "Pa", "hole.mass_flow_rate": "kg/s", "valve.opening"
 TIME = np.linspace(0.0, 10.0, 10_001)
 
 
-def metric(name="m", ambient=1e5, **given):
-    return read_metric(name, {"of": "tank.pressure", **given}, OUTPUTS, ambient, f"ensemble.metrics.{name}", ".")
+def metric(name="m", ambient=1e5, **fields):
+    return read_metric(name, {"of": "tank.pressure", **fields}, OUTPUTS, ambient, f"ensemble.metrics.{name}", ".")
 
 
-def value(rows, **given):
-    own = metric(**given)
-    return float(own.values(TIME, {own.of[0]: rows[np.newaxis]})[0])
+def value(rows, **fields):
+    read = metric(**fields)
+    return float(read.values(TIME, {read.of[0]: rows[np.newaxis]})[0])
 
 
 FIRST_ORDER = 1e5 + 4e5 * (1.0 - np.exp(-TIME / 2.0))
 SWING = 1.0 - np.exp(-TIME) * np.cos(4.0 * TIME)
-"""It first passes its end at pi/8; its overshoot is the first peak, where tan(4 t) = -1/4 behind that."""
+"""The final value is first crossed at pi/8. The overshoot is the next peak, where tan(4 t) = -1/4."""
 
 
 def test_times_of_a_first_order_step():
@@ -39,7 +39,7 @@ def test_times_of_a_first_order_step():
     settled = value(FIRST_ORDER, metric="settling_time", target="5 bar", band=0.05)
     assert settled == pytest.approx(2.0 * math.log(20.0), abs=1e-5)
     assert value(FIRST_ORDER, metric="settling_time", target="5 bar", band=0.001) == math.inf
-    # What does not move makes no step, and of none no part is a band.
+    # A constant output has no step and no settling band.
     for metric in ("settling_time", "rise_time", "overshoot"):
         assert math.isnan(value(np.full(TIME.size, 3e5), metric=metric))
     assert value(FIRST_ORDER, metric="steady_error", target="5 bar") == pytest.approx(-4e5 * math.exp(-5.0))
@@ -47,8 +47,8 @@ def test_times_of_a_first_order_step():
 
 def test_overshoot_of_a_swing():
     peak = (math.pi - math.atan(0.25)) / 4.0
-    wanted = -math.exp(-peak) * math.cos(4.0 * peak)
-    assert value(SWING, of="valve.opening", metric="overshoot", target=1.0) == pytest.approx(100 * wanted, abs=1e-4)
+    expected = -math.exp(-peak) * math.cos(4.0 * peak)
+    assert value(SWING, of="valve.opening", metric="overshoot", target=1.0) == pytest.approx(100 * expected, abs=1e-4)
     assert value(FIRST_ORDER, metric="overshoot") == 0.0
 
 
@@ -69,36 +69,36 @@ def test_means_and_integrals():
 
 
 @pytest.mark.parametrize("kind", METRIC_KINDS)
-def test_bits_do_not_depend_on_the_neighbours(kind):
-    own = metric(metric=kind, **({"value": "2 bar"} if kind == "time_to" else {}))
+def test_metrics_do_not_depend_on_the_batch(kind):
+    read = metric(metric=kind, **({"value": "2 bar"} if kind == "time_to" else {}))
     rows = np.random.default_rng(1).uniform(1e5, 5e5, (37, 501))
     time = np.linspace(0.0, 10.0, 501)
-    whole = own.values(time, {"tank.pressure": rows})
-    # As in the engine: an output of many, whose rows lie apart.
-    apart = np.random.default_rng(1).uniform(1e5, 5e5, (37, 3, 501))
-    apart[:, 1] = rows
+    expected = read.values(time, {"tank.pressure": rows})
+    # As in the engine: rows of one output are not contiguous.
+    strided = np.random.default_rng(1).uniform(1e5, 5e5, (37, 3, 501))
+    strided[:, 1] = rows
     for first, last in ((0, 1), (5, 6), (3, 30), (36, 37)):
-        assert (own.values(time, {"tank.pressure": rows[first:last]}) == whole[first:last]).all()
-        assert (own.values(time, {"tank.pressure": apart[first:last, 1]}) == whole[first:last]).all()
+        assert (read.values(time, {"tank.pressure": rows[first:last]}) == expected[first:last]).all()
+        assert (read.values(time, {"tank.pressure": strided[first:last, 1]}) == expected[first:last]).all()
 
 
-def test_functions_of_a_user(tmp_path):
-    own = metric(metric=lambda time, rows: rows[-1] - rows[0])
-    assert own.values(TIME, {"tank.pressure": FIRST_ORDER[np.newaxis]})[0] == pytest.approx(4e5, rel=1e-2)
+def test_functions_of_the_user(tmp_path):
+    read = metric(metric=lambda time, rows: rows[-1] - rows[0])
+    assert read.values(TIME, {"tank.pressure": FIRST_ORDER[np.newaxis]})[0] == pytest.approx(4e5, rel=1e-2)
     (tmp_path / "ripple.py").write_text("def ripple(time, p, q):\n    return float((p * q).max())\n", encoding="utf-8")
-    given = {"of": ["tank.pressure", "valve.opening"], "metric": "ripple.py:ripple", "unit": "Pa"}
-    own = read_metric("m", given, OUTPUTS, 1e5, "m", str(tmp_path))
+    fields = {"of": ["tank.pressure", "valve.opening"], "metric": "ripple.py:ripple", "unit": "Pa"}
+    read = read_metric("m", fields, OUTPUTS, 1e5, "m", str(tmp_path))
     rows = {"tank.pressure": FIRST_ORDER[np.newaxis], "valve.opening": 0.0 * TIME[np.newaxis] + 0.5}
-    assert own.values(TIME, rows)[0] == 0.5 * FIRST_ORDER.max()
-    before = own.facts()["function"]
+    assert read.values(TIME, rows)[0] == 0.5 * FIRST_ORDER.max()
+    first_hash = read.facts()["function"]
     (tmp_path / "ripple.py").write_text("def ripple(time, p, q):\n    return 1.0\n", encoding="utf-8")
-    assert own.facts()["function"] != before
+    assert read.facts()["function"] != first_hash
     with refused("ensemble.no_function", "other.py:f"):
         metric(metric="other.py:f").facts()
 
 
 @pytest.mark.parametrize(
-    ("code", "given"),
+    ("code", "fields"),
     [
         ("fields.not_an_option", {"metric": "maximum"}),
         ("fields.not_an_option", {"metric": "max", "of": "tank.presure"}),
@@ -112,9 +112,9 @@ def test_functions_of_a_user(tmp_path):
         ("quantity.other_quantity", {"metric": "time_to", "value": "2 s"}),
     ],
 )
-def test_what_is_no_metric(code, given):
+def test_invalid_metrics_are_rejected(code, fields):
     with refused(code):
-        metric(**given)
+        metric(**fields)
 
 
 @pytest.mark.parametrize(
@@ -127,12 +127,12 @@ def test_what_is_no_metric(code, given):
         "def f(t, p:",
     ],
 )
-def test_a_function_that_fails_is_told_from_a_mistake_of_the_house(tmp_path, body):
-    """One that writes into its rows would change what other metrics see."""
+def test_failing_function_of_the_user_is_an_input_error(tmp_path, body):
+    """The arguments are read-only, because other metrics use the same rows."""
     (tmp_path / "own.py").write_text(body, encoding="utf-8")
-    given = {"of": "tank.pressure", "metric": "own.py:f"}
+    fields = {"of": "tank.pressure", "metric": "own.py:f"}
     with refused("ensemble.function_failed"):
-        tank(folder=tmp_path).ensemble(runs=4, metrics={"own": given}, requirements={})
+        tank(folder=tmp_path).ensemble(runs=4, metrics={"own": fields}, requirements={})
 
 
 METRICS = {
@@ -160,11 +160,11 @@ def test_requirements_are_read_in_any_unit():
     assert bounds == pytest.approx((7.0, 1.0))
 
 
-def test_what_meets_a_requirement():
-    own = requirement("1 bar < peak <= 6 bar g")
+def test_requirement_met_and_margin():
+    read = requirement("1 bar < peak <= 6 bar g")
     values = np.array([1.0, 1.1, 7.0, 7.1, np.nan, np.inf])
-    assert own.met(values).tolist() == [False, True, True, False, False, False]
-    assert own.margin(values[:4]) == pytest.approx([0.0, 0.1, 0.0, -0.1], abs=1e-12)
+    assert read.met(values).tolist() == [False, True, True, False, False, False]
+    assert read.margin(values[:4]) == pytest.approx([0.0, 0.1, 0.0, -0.1], abs=1e-12)
 
 
 @pytest.mark.parametrize(
@@ -180,17 +180,17 @@ def test_what_meets_a_requirement():
         ("ensemble.bound", "t < twelve"),
     ],
 )
-def test_what_is_no_requirement(code, text):
+def test_invalid_requirements_are_rejected(code, text):
     with refused(code, "requirements.r"):
         requirement(text)
 
 
-def test_metrics_of_runs_are_those_of_single_runs():
+def test_metrics_equal_those_of_single_runs():
     circuit = tank()
-    found = circuit.ensemble(runs=4, sampling="latin")
-    rows = found.dataset.columns("runs")
+    ensemble = circuit.ensemble(runs=4, sampling="latin")
+    rows = ensemble.dataset.columns("runs")
     for k in range(4):
-        numbers = {address: float(rows[address][k]) for address in found.plan.addresses}
+        numbers = {address: float(rows[address][k]) for address in ensemble.plan.addresses}
         recording = circuit.with_values(numbers).simulate()
         assert rows["end"][k] == pytest.approx(recording["tank.pressure"][-1] / 1e5, rel=1e-9)
         p, t = recording["tank.pressure"], recording.time

@@ -1,4 +1,4 @@
-"""Tables of an ensemble: what they may say, every mistake at once, and in which line."""
+"""Tables of an ensemble: valid fields, and all errors with their addresses."""
 
 from __future__ import annotations
 
@@ -20,19 +20,19 @@ def plan(**fields):
 
 
 def test_tables_of_a_file_are_read():
-    found = plan_of(tank())
-    assert (found.runs, found.seed, found.sampling, found.keep) == (300, 1, "random", "metrics")
-    assert found.addresses == ("tank.volume", "hole.sonic_conductance")
-    assert [metric.name for metric in found.metrics] == ["end", "empty", "air"]
-    assert [each.metric for each in found.requirements] == ["empty", "end"]
+    read = plan_of(tank())
+    assert (read.runs, read.seed, read.sampling, read.keep) == (300, 1, "random", "metrics")
+    assert read.addresses == ("tank.volume", "hole.sonic_conductance")
+    assert [metric.name for metric in read.metrics] == ["end", "empty", "air"]
+    assert [item.metric for item in read.requirements] == ["empty", "end"]
     assert plan_of(tank(), runs=20, sampling="sobol").runs == 20
 
 
-def test_a_circuit_with_these_tables_runs_as_without():
+def test_tables_do_not_change_single_runs():
     assert (tank().simulate()["tank.pressure"] == tank("").simulate()["tank.pressure"]).all()
 
 
-def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
+def test_all_errors_are_reported_together(tmp_path):
     text = TANK + TABLES.replace("runs = 300", "runs = 0").replace('"tank.volume"', '"tank.volum"').replace(
         'metric = "final"', 'metric = "finale"').replace("empty < 0.5 s", "empti < 0.5 s").replace(
         'value = "0.5 bar g"', 'value = "0.5 kg"')  # fmt: skip
@@ -40,7 +40,7 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InputErrors) as caught:
         plan_of(load(path))
-    assert [(each.code, each.address) for each in caught.value.problems] == [
+    assert [(item.code, item.address) for item in caught.value.problems] == [
         ("fields.out_of_range", "ensemble.runs"),
         ("names.unknown", "ensemble.parameters.tank.volum"),
         ("fields.not_an_option", "ensemble.metrics.end.metric"),
@@ -78,26 +78,26 @@ def test_every_mistake_is_told_at_once_with_its_line(tmp_path):
         ("ensemble.no_fit", {"parameters": {"from_fit": 3}}),
     ],
 )
-def test_what_is_refused(code, fields):
+def test_invalid_fields_are_rejected(code, fields):
     with refused(code):
         plan(**fields)
 
 
-def test_numbers_without_a_say_are_refused():
+def test_driven_parameter_is_rejected():
     driven = tank('[signals."hole.opening"]\nkind = "constant"\nvalue = 0.5\n')
     with refused("ensemble.driven", "ensemble.parameters.hole.opening"):
         plan_of(driven, runs=3, metrics=METRICS, parameters={"hole.opening": {"distribution": "uniform", "low": 0.1,
                 "high": 0.9}})  # fmt: skip
 
 
-def test_no_runs_are_given():
+def test_missing_number_of_runs_is_rejected():
     with refused("ensemble.no_runs", "ensemble.runs"):
         plan_of(tank(""), parameters=NUMBERS, metrics=METRICS)
 
 
 def test_a_grid_has_all_combinations():
-    found = plan(runs=9, sampling="grid", levels=3)
-    assert len({tuple(row) for row in found.sample(0, 9)}) == 9
+    read = plan(runs=9, sampling="grid", levels=3)
+    assert len({tuple(row) for row in read.sample(0, 9)}) == 9
     assert plan_of(tank(""), parameters=NUMBERS, metrics=METRICS, sampling="grid").runs == 25
 
 
@@ -106,10 +106,10 @@ def table(folder: Path, text: str):
     return plan_of(tank("", folder), metrics=METRICS, sampling="file", file="numbers.csv")
 
 
-def test_numbers_of_a_file(tmp_path):
-    found = table(tmp_path, "tank.volume [l],tank.initial_pressure [bar g]\n1,2\n2,3\n3,4.5\n")
-    assert found.runs == 3
-    assert found.sample(0, 3) == pytest.approx(np.array([[1e-3, 3e5], [2e-3, 4e5], [3e-3, 5.5e5]]))
+def test_parameters_of_a_file(tmp_path):
+    read = table(tmp_path, "tank.volume [l],tank.initial_pressure [bar g]\n1,2\n2,3\n3,4.5\n")
+    assert read.runs == 3
+    assert read.sample(0, 3) == pytest.approx(np.array([[1e-3, 3e5], [2e-3, 4e5], [3e-3, 5.5e5]]))
     with refused("ensemble.impossible_rows", "ensemble.file: tank.volume", row=2, count=1):
         table(tmp_path, "tank.volume [l]\n1\n-2\n")
     with refused("names.unknown", "ensemble.file: tank.volum"):
@@ -122,15 +122,15 @@ def test_numbers_of_a_file(tmp_path):
             plan_of(tank("", tmp_path), metrics=METRICS, sampling="file", file="numbers.csv", **fields)
     with refused("quantity.other_quantity") as caught:
         table(tmp_path, "tank.volume [bar]\n1\n2\n")
-    assert [each.code for each in caught.value.problems] == ["quantity.other_quantity"]
+    assert [item.code for item in caught.value.problems] == ["quantity.other_quantity"]
 
 
-def test_another_way_wants_no_table(tmp_path):
+def test_other_sampling_method_ignores_the_file(tmp_path):
     circuit = tank('[ensemble]\nsampling = "file"\nfile = "numbers.csv"\n', tmp_path)
-    given = {"runs": 8, "parameters": {"tank.volume": {"distribution": "uniform", "relative_range": 0.1}}}
-    assert plan_of(circuit, sampling="latin", metrics=METRICS, **given).table is None
+    fields = {"runs": 8, "parameters": {"tank.volume": {"distribution": "uniform", "relative_range": 0.1}}}
+    assert plan_of(circuit, sampling="latin", metrics=METRICS, **fields).table is None
     with refused("ensemble.not_of_file"):
-        plan_of(tank("", tmp_path), sampling="latin", file="numbers.csv", metrics=METRICS, **given)
+        plan_of(tank("", tmp_path), sampling="latin", file="numbers.csv", metrics=METRICS, **fields)
 
 
 def fit(**changes):
@@ -144,20 +144,20 @@ def fit(**changes):
 
 def test_the_joint_distribution_of_a_fit(tmp_path):
     fit().save(tmp_path / "result.toml")
-    found = plan_of(tank("", tmp_path), runs=20_000, parameters={"from_fit": "result.toml"}, metrics=METRICS, seed=2)
-    drawn = found.sample(0, 20_000)
-    assert drawn.mean(axis=0) == pytest.approx([2e-3, 2e-8], rel=1e-3)
-    assert drawn.std(axis=0) == pytest.approx([2e-5, 4e-10], rel=0.02)
-    assert np.corrcoef(drawn.T)[0, 1] == pytest.approx(0.8, abs=0.01)
-    assert (found.sample(777, 801) == drawn[777:801]).all()
+    read = plan_of(tank("", tmp_path), runs=20_000, parameters={"from_fit": "result.toml"}, metrics=METRICS, seed=2)
+    sample = read.sample(0, 20_000)
+    assert sample.mean(axis=0) == pytest.approx([2e-3, 2e-8], rel=1e-3)
+    assert sample.std(axis=0) == pytest.approx([2e-5, 4e-10], rel=0.02)
+    assert np.corrcoef(sample.T)[0, 1] == pytest.approx(0.8, abs=0.01)
+    assert (read.sample(777, 801) == sample[777:801]).all()
 
 
-def test_numbers_of_a_fit_that_say_nothing_are_refused_or_given():
+def test_undetermined_parameters_of_a_fit_are_rejected():
     doubtful = fit(**{"tank.volume": Estimate(2e-3, "m^3", np.inf, 0.0, 1.0, "not determined")})
     with refused("ensemble.undetermined", "ensemble.parameters.from_fit", name="tank.volume"):
         plan(parameters={"from_fit": doubtful})
-    found = plan(parameters={"from_fit": doubtful, "tank.volume": NUMBERS["tank.volume"]})
-    assert (tuple(found.alone), found.joint) == (("tank.volume",), ("hole.sonic_conductance",))
+    read = plan(parameters={"from_fit": doubtful, "tank.volume": NUMBERS["tank.volume"]})
+    assert (tuple(read.alone), read.joint) == (("tank.volume",), ("hole.sonic_conductance",))
     wide = fit(**{"tank.volume": Estimate(2e-3, "m^3", 1e-3, 0.0, 1.0, "weak")})
     with refused("ensemble.impossible", "ensemble.parameters.from_fit", name="tank.volume"):
         plan(parameters={"from_fit": wide})
@@ -176,9 +176,9 @@ def test_the_old_names_of_parameters_work():
 
 
 def test_old_and_new_names_together_are_an_error():
-    both = TABLES.replace("[ensemble.parameters]", '[ensemble.numbers]\nfrom_fit = "a.toml"\n[ensemble.parameters]')
+    text = TABLES.replace("[ensemble.parameters]", '[ensemble.numbers]\nfrom_fit = "a.toml"\n[ensemble.parameters]')
     with refused("ensemble.numbers_and_parameters", "ensemble.numbers"):
-        plan_of(tank(both))
+        plan_of(tank(text))
     with refused("ensemble.numbers_and_parameters"):
         plan_of(tank(), numbers=NUMBERS, parameters=NUMBERS)
 

@@ -1,4 +1,4 @@
-"""The JSON schema of the tables of an ensemble: it takes what the reader takes, and refuses what that refuses."""
+"""JSON schema of the tables of an ensemble: it accepts and rejects the same files as the reader."""
 
 from __future__ import annotations
 
@@ -54,17 +54,19 @@ TEXTS = {  # text of the example to invalid replacements
 }
 
 
-@pytest.mark.parametrize(("good", "bad"), [(good, bad) for good, every in TEXTS.items() for bad in every])
-def test_what_the_reader_refuses(validator, good, bad):
-    assert good in EXAMPLE
-    text = EXAMPLE.replace(good, bad, 1)
+@pytest.mark.parametrize(
+    ("valid", "invalid"), [(valid, invalid) for valid, replacements in TEXTS.items() for invalid in replacements]
+)
+def test_schema_and_reader_reject_the_same_files(validator, valid, invalid):
+    assert valid in EXAMPLE
+    text = EXAMPLE.replace(valid, invalid, 1)
     assert not validator.is_valid(tomllib.loads(text))
     with pytest.raises(InputError):
         plan_of(loads(text))
 
 
 @pytest.mark.parametrize(
-    ("good", "other"),
+    ("valid", "replacement"),
     [
         ("relative_sigma = 0.03", 'relative_sigma = "3 %"'),
         ('"normal", relative_sigma = 0.03', '"lognormal", log_sigma = 0.03'),
@@ -79,26 +81,26 @@ def test_what_the_reader_refuses(validator, good, bad):
         ("indices = 64", "curves = ['tank.pressure']"),
     ],
 )
-def test_what_the_reader_takes(validator, good, other):
-    assert good in EXAMPLE
-    text = EXAMPLE.replace(good, other, 1).replace('fast = "rise < 450 ms"', "")
+def test_schema_and_reader_accept_the_same_files(validator, valid, replacement):
+    assert valid in EXAMPLE
+    text = EXAMPLE.replace(valid, replacement, 1).replace('fast = "rise < 450 ms"', "")
     assert [error.message for error in validator.iter_errors(tomllib.loads(text))] == []
-    if "relative_range = 0.1, low" in other:  # which no schema of fields can know
+    if "relative_range = 0.1, low" in replacement:  # a schema cannot express this
         with pytest.raises(InputError):
             plan_of(loads(text))
     else:
         assert plan_of(loads(text)).runs == 500
 
 
-def test_every_distribution_and_metric_is_known_with_what_it_means():
-    known = file_schema()["$defs"]
-    assert known["distribution"]["properties"]["distribution"]["enum"] == list(FORMS)
-    assert known["metric"]["properties"]["metric"]["anyOf"][0]["enum"] == list(METRIC_KINDS)
-    for name, way in METRIC_KINDS.items():
-        own = known[f"metric_{name}"]["properties"]
-        assert set(own) == {"metric", "of", "unit", "from", "until", *way.fields}
-        assert own["metric"]["description"] == way.meaning
-        assert all(field["description"] for field in own.values())
+def test_schema_contains_all_distributions_and_metrics_with_descriptions():
+    definitions = file_schema()["$defs"]
+    assert definitions["distribution"]["properties"]["distribution"]["enum"] == list(FORMS)
+    assert definitions["metric"]["properties"]["metric"]["anyOf"][0]["enum"] == list(METRIC_KINDS)
+    for name, metric_kind in METRIC_KINDS.items():
+        properties = definitions[f"metric_{name}"]["properties"]
+        assert set(properties) == {"metric", "of", "unit", "from", "until", *metric_kind.fields}
+        assert properties["metric"]["description"] == metric_kind.meaning
+        assert all(field["description"] for field in properties.values())
 
 
 def test_the_old_name_of_parameters_is_valid(validator):

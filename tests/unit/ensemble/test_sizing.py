@@ -1,4 +1,4 @@
-"""`poppet size`: closed forms of charging, a share of many, requirements that are not monotonic, what is refused."""
+"""`poppet size`: closed forms of charging, yields, requirements that are not monotonic, rejected arguments."""
 
 from __future__ import annotations
 
@@ -48,58 +48,58 @@ Z = 1.6448536269514722
 @pytest.mark.parametrize(("thermal", "exponent"), [("isothermal", 1.0), ("energy", 1.4)])
 def test_closed_forms_of_charging(thermal: str, exponent: float) -> None:
     circuit = loads(CHARGE.replace("THERMAL", thermal))
-    found = size(circuit, C)
-    assert found.value == pytest.approx(EXACT / exponent, rel=1e-4)
-    assert found.resolution < 1e-5
-    assert (found.limiting, found.remarks) == ("fast", ())
-    assert found.holding[0][0] == found.value
+    sizing = size(circuit, C)
+    assert sizing.value == pytest.approx(EXACT / exponent, rel=1e-4)
+    assert sizing.resolution < 1e-5
+    assert (sizing.limiting, sizing.remarks) == ("fast", ())
+    assert sizing.holding[0][0] == sizing.value
     largest = size(circuit, "tank.volume", largest=True)
     assert largest.value == pytest.approx(10e-3 * 1e-8 / (EXACT / exponent), rel=1e-4)
-    assert 0.0 < found.margins["fast"] < 1e-3
+    assert 0.0 < sizing.margins["fast"] < 1e-3
 
 
-def test_a_share_of_many_tanks() -> None:
-    """C goes with the volume: 95 % of a normal distribution lie below 1 + 1.645 sigma."""
+def test_value_for_a_yield_has_the_margin_of_the_spread() -> None:
+    """C is proportional to the volume: 95 % of a normal distribution are below 1 + 1.645 sigma."""
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
-    found = size(circuit, C, share=0.95, runs=200, between=(EXACT / 2.0, EXACT * 2.0))
-    assert found.value == pytest.approx(EXACT * (1.0 + 0.02 * Z), rel=2e-3)
-    assert found.interval[0] < 0.95 < found.interval[1]
-    assert found.margins["fast"] > 0.0
-    # What is sought may be uncertain itself: then its spread goes with it.
-    found = size(circuit, "tank.volume", share=0.95, largest=True, runs=200, between=("20 l", "60 l"))
-    assert found.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
+    sizing = size(circuit, C, share=0.95, runs=200, between=(EXACT / 2.0, EXACT * 2.0))
+    assert sizing.value == pytest.approx(EXACT * (1.0 + 0.02 * Z), rel=2e-3)
+    assert sizing.interval[0] < 0.95 < sizing.interval[1]
+    assert sizing.margins["fast"] > 0.0
+    # If the free parameter is uncertain, its relative spread is constant.
+    sizing = size(circuit, "tank.volume", share=0.95, largest=True, runs=200, between=("20 l", "60 l"))
+    assert sizing.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
 
 
-def test_what_is_sought_is_the_median_of_its_draws() -> None:
-    """Whatever the circuit says: of 20 l with 2 % a share needs the same margin as of 10 l with 2 %."""
+def test_value_is_the_median_of_an_uncertain_parameter() -> None:
+    """The value in the circuit has no effect: the margin depends only on the relative spread."""
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
     numbers = {"tank.volume": {"distribution": "normal", "mean": "20 l", "relative_sigma": 0.02}}
-    given = {"share": 0.95, "largest": True, "runs": 200, "between": ("20 l", "60 l"), "parameters": numbers}
-    found = size(circuit, "tank.volume", **given)
-    assert found.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
+    fields = {"share": 0.95, "largest": True, "runs": 200, "between": ("20 l", "60 l"), "parameters": numbers}
+    sizing = size(circuit, "tank.volume", **fields)
+    assert sizing.value == pytest.approx(10e-3 * 1e-8 / EXACT / (1.0 + 0.02 * Z), rel=2e-3)
 
 
-def test_a_share_that_the_runs_cannot_tell() -> None:
-    found = size(loads(CHARGE.replace("THERMAL", "isothermal")), C, share=0.95, runs=1)
-    assert found.interval == pytest.approx((0.2065, 1.0), abs=1e-4)
-    assert [(note.code, note.facts["wanted"]) for note in found.remarks] == [("size.few", 20)]
-    found = size(loads(CHARGE.replace("THERMAL", "isothermal")), C, share=0.9999, runs=1)
-    assert [(note.code, note.facts["wanted"]) for note in found.remarks] == [("size.few", 10_000)]
+def test_too_few_runs_for_the_yield_give_a_remark() -> None:
+    sizing = size(loads(CHARGE.replace("THERMAL", "isothermal")), C, share=0.95, runs=1)
+    assert sizing.interval == pytest.approx((0.2065, 1.0), abs=1e-4)
+    assert [(note.code, note.facts["wanted"]) for note in sizing.remarks] == [("size.few", 20)]
+    sizing = size(loads(CHARGE.replace("THERMAL", "isothermal")), C, share=0.9999, runs=1)
+    assert [(note.code, note.facts["wanted"]) for note in sizing.remarks] == [("size.few", 10_000)]
 
 
-def test_the_next_of_some_sizes() -> None:
+def test_next_standard_size() -> None:
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
     sizes = ["0.2 dm^3/(s bar)", "0.5 dm^3/(s bar)", "0.3 dm^3/(s bar)"]
     assert size(circuit, C, sizes=sizes).size == pytest.approx(0.3e-8)
     with refused("fields.out_of_range", value=-1e-9):
         size(circuit, C, sizes=["-0.1 dm^3/(s bar)"])
-    below = size(circuit, C, sizes=["0.2 dm^3/(s bar)"])
-    assert math.isnan(below.size)
-    assert [note.code for note in below.remarks] == ["size.no_standard"]
+    without_size = size(circuit, C, sizes=["0.2 dm^3/(s bar)"])
+    assert math.isnan(without_size.size)
+    assert [note.code for note in without_size.remarks] == ["size.no_standard"]
 
 
-def test_a_requirement_that_holds_in_between() -> None:
-    """Fast needs a large valve, and a peak in flow a small one: both hold on a stretch only."""
+def test_two_requirements_met_in_an_interval() -> None:
+    """The filling time needs a large valve, the peak flow a small one: both are met in an interval only."""
     text = CHARGE.replace("THERMAL", "isothermal").replace(
         "[requirements]", 'peak = { of = "fill.mass_flow_rate", metric = "max", unit = "g/s" }\n[requirements]'
     )
@@ -110,57 +110,57 @@ def test_a_requirement_that_holds_in_between() -> None:
     assert large.value == pytest.approx(exact, rel=1e-4)
     assert (small.limiting, large.limiting) == ("fast", "quiet")
     assert size(circuit, C, meet=["quiet"]).remarks[0].code == "size.end"
-    # Not at once: the slowest tank that is quiet is too slow.
+    # Both requirements together cannot be met.
     none = size(loads(text + 'quiet = "peak < 1 g/s"\n'), C)
     assert not none.is_met
     assert [note.code for note in none.remarks] == ["size.none_inside"]
 
 
 @pytest.mark.parametrize("width", [1e-2, 1e-4])
-def test_a_stretch_between_two_values_is_found(width: float) -> None:
-    """The first look goes by steps of 15 %; a filling time of 5 s, less a little, is met on a far narrower stretch."""
+def test_narrow_interval_between_two_values_is_found(width: float) -> None:
+    """The first values differ by 15 %; the required filling time is met in a much narrower interval."""
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
-    given = {"requirements": {"just": f"{5.0 * (1.0 - width)} s < fill < 5 s"}}
-    small, large = size(circuit, C, **given), size(circuit, C, largest=True, **given)
+    fields = {"requirements": {"just": f"{5.0 * (1.0 - width)} s < fill < 5 s"}}
+    small, large = size(circuit, C, **fields), size(circuit, C, largest=True, **fields)
     assert small.value == pytest.approx(EXACT, rel=1e-5)
     assert large.value == pytest.approx(EXACT / (1.0 - width), rel=1e-5)
     assert small.remarks == large.remarks == ()
-    many = size(circuit, C, share=0.2, runs=64, **given)
-    assert many.is_met == (width > 5e-3)  # 64 tanks of 2 % spread over 8 % of time
+    uncertain = size(circuit, C, share=0.2, runs=64, **fields)
+    assert uncertain.is_met == (width > 5e-3)  # 64 tanks of 2 % spread over 8 % of time
     none = size(circuit, C, requirements={"no": "5 s < fill < 5 s"})
     assert [note.code for note in none.remarks] == ["size.none_inside"]
     assert none.remarks[0].facts["value"] == pytest.approx(EXACT, rel=1e-5)
 
 
-def test_a_file_of_numbers_does_not_stand_in_the_way(tmp_path) -> None:
+def test_parameter_file_of_the_circuit_is_used_for_yields_only(tmp_path) -> None:
     (tmp_path / "numbers.csv").write_text("tank.volume [l]\n9.9\n10.1\n", encoding="utf-8")
     text = CHARGE.replace("THERMAL", "isothermal").partition("[ensemble]")[0]
     table = '[ensemble]\nsampling = "file"\nfile = "numbers.csv"\n[ensemble.metrics]'
     circuit = loads(text + table + CHARGE.partition("[ensemble.metrics]")[2], folder=tmp_path)
     assert size(circuit, C).value == pytest.approx(EXACT, rel=1e-4)
-    # Of two tanks both have to be fast, the larger one too.
+    # Both tanks must meet the requirement, also the larger one.
     assert size(circuit, C, share=0.9).value == pytest.approx(1.01 * EXACT, rel=1e-4)
 
 
-def wave(time: np.ndarray, pressure: np.ndarray) -> float:
-    """Comes and goes with the pressure at the end."""
+def wave_metric(time: np.ndarray, pressure: np.ndarray) -> float:
+    """Return a metric that oscillates with the final pressure."""
     return math.cos(math.pi * float(pressure[-1]) / 1e5)
 
 
-def test_two_stretches_are_said() -> None:
+def test_two_intervals_give_a_remark() -> None:
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
-    metrics = {"wave": {"of": "tank.pressure", "metric": wave}}
-    given = {"metrics": metrics, "requirements": {"high": "wave > 0.5"}}
-    found = size(circuit, C, between=("0.01 dm^3/(s bar)", "0.3 dm^3/(s bar)"), **given)
+    metrics = {"wave": {"of": "tank.pressure", "metric": wave_metric}}
+    fields = {"metrics": metrics, "requirements": {"high": "wave > 0.5"}}
+    sizing = size(circuit, C, between=("0.01 dm^3/(s bar)", "0.3 dm^3/(s bar)"), **fields)
     # The pressure ends at 2 bar a fourth of the time later; waves are high from 5/3 to 7/3 bar and from 11/3.
     rate = EXACT * 5.0 / 20.0
     expected = [(2.0 / 3.0 * rate, 4.0 / 3.0 * rate)]
-    assert found.value == pytest.approx(expected[0][0], rel=1e-4)
-    assert found.holding[0][1] == pytest.approx(expected[0][1], rel=0.05)
-    assert [note.code for note in found.remarks] == ["size.several"]
+    assert sizing.value == pytest.approx(expected[0][0], rel=1e-4)
+    assert sizing.holding[0][1] == pytest.approx(expected[0][1], rel=0.05)
+    assert [note.code for note in sizing.remarks] == ["size.several"]
 
 
-def test_what_no_value_does() -> None:
+def test_requirements_that_no_value_meets() -> None:
     circuit = loads(CHARGE.replace("THERMAL", "isothermal"))
     low = size(circuit, C, between=("0.01 dm^3/(s bar)", "0.1 dm^3/(s bar)"))
     assert [note.code for note in low.remarks] == ["size.none_upper"]
@@ -184,7 +184,7 @@ def test_what_no_value_does() -> None:
         ({"share": 0.9, "runs": 2**20}, "size.too_many"),
     ],
 )
-def test_what_is_refused(change: dict, code: str) -> None:
+def test_invalid_arguments_are_rejected(change: dict, code: str) -> None:
     circuit = loads(CHARGE.replace("THERMAL", "energy"))
     with refused(code):
         size(circuit, **{"free": C, **change})
@@ -228,29 +228,29 @@ lifts = "way > 50 mm"
 """
 
 
-def test_what_is_drawn_about_zero_has_no_relative_spread() -> None:
+def test_median_of_zero_is_rejected() -> None:
     numbers = {"slide.load_force": {"distribution": "normal", "mean": "0 N", "sigma": "1 N"}}
     with refused("size.about_zero", "slide.load_force"):
         size(loads(LIFT), "slide.load_force", share=0.5, between=("1 N", "50 N"), parameters=numbers)
 
 
-def test_the_bore_of_a_cylinder_is_found() -> None:
-    """What a part tells its members is a number like others: p A carries the weight and the spring at 50 mm."""
-    found = size(loads(LIFT), "cylinder.bore", between=("15 mm", "40 mm"))
+def test_bore_of_a_cylinder() -> None:
+    """A parameter of a compound part is a valid address: p A balances the weight and the spring at 50 mm."""
+    sizing = size(loads(LIFT), "cylinder.bore", between=("15 mm", "40 mm"))
     force = 10.0 * 9.80665 + 2e3 * 0.05
-    assert found.value == pytest.approx(2.0 * math.sqrt(force / (6e5 * math.pi)), rel=1e-3)
+    assert sizing.value == pytest.approx(2.0 * math.sqrt(force / (6e5 * math.pi)), rel=1e-3)
 
 
-def test_runs_with_such_numbers_are_those_of_circuits_with_them(tmp_path) -> None:
+def test_runs_with_compound_parameters_equal_single_runs(tmp_path) -> None:
     circuit = loads(LIFT)
     rows = circuit.ensemble(tmp_path / "lift").to_pandas()
-    alone = [circuit.with_values({"cylinder.bore": bore}).simulate() for bore in rows["cylinder.bore"]]
-    assert rows["way"].tolist() == pytest.approx([run["slide.position"][-1] for run in alone], rel=1e-6)
+    single_runs = [circuit.with_values({"cylinder.bore": bore}).simulate() for bore in rows["cylinder.bore"]]
+    assert rows["way"].tolist() == pytest.approx([run["slide.position"][-1] for run in single_runs], rel=1e-6)
     assert rows["way"].std() > 1e-3
 
 
-def test_a_number_that_a_part_tells_its_members_is_not_theirs() -> None:
-    """The piston alone with another bore than its chambers would make force of nothing."""
+def test_inherited_parameter_of_a_member_is_rejected() -> None:
+    """A piston with a bore different from that of its chambers would violate energy conservation."""
     with refused("names.unknown", "cylinder.piston.bore"):
         size(loads(LIFT), "cylinder.piston.bore", between=("15 mm", "40 mm"))
     with refused("names.unknown", "free.cylinder.piston.bore"):

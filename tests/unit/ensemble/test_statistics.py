@@ -1,4 +1,4 @@
-"""What runs tell: intervals that cover, indices of known functions, worst cases that are what they say."""
+"""Statistics of runs: coverage of intervals, Sobol indices of known functions, files of worst cases."""
 
 from __future__ import annotations
 
@@ -18,25 +18,28 @@ from poppet.timeseries.tables.reading import arrow
 from refusals import refused
 
 
-def covered(way: str, share: float, runs: int, repetitions: int, seed: int) -> float:
-    """How often the interval of a yield holds the truth: metric is the sum of two numbers, its share a triangle's."""
+def coverage(method: str, share: float, runs: int, repetitions: int, seed: int) -> float:
+    """Return the coverage of the interval of a yield.
+
+    The metric is the sum of two uniform parameters, so its distribution is triangular.
+    """
     limit = math.sqrt(2.0 * share) if share <= 0.5 else 2.0 - math.sqrt(2.0 * (1.0 - share))
     hits = 0
     for k in range(repetitions):
-        u = points(way, seed + k, runs, 2, 0, runs, ())
+        u = points(method, seed + k, runs, 2, 0, runs, ())
         low, high = wilson(int(np.count_nonzero(u.sum(axis=1) < limit)), runs)
         hits += low <= share <= high
     return hits / repetitions
 
 
 @pytest.mark.parametrize(("share", "runs"), [(0.5, 300), (0.9, 500), (0.98, 2000)])
-def test_intervals_of_a_yield_cover(share, runs):
-    assert 0.93 <= covered("random", share, runs, 1000, seed=100) <= 0.97
+def test_yield_interval_has_nominal_coverage(share, runs):
+    assert 0.93 <= coverage("random", share, runs, 1000, seed=100) <= 0.97
 
 
-@pytest.mark.parametrize("way", ["latin", "sobol"])
-def test_intervals_of_even_samples_cover_more(way):
-    assert covered(way, 0.9, 256, 200, seed=5) >= 0.97
+@pytest.mark.parametrize("method", ["latin", "sobol"])
+def test_yield_interval_of_even_samples_has_larger_coverage(method):
+    assert coverage(method, 0.9, 256, 200, seed=5) >= 0.97
 
 
 def ishigami(u):
@@ -45,15 +48,15 @@ def ishigami(u):
 
 
 def saltelli(function, dimension, base, seed):
-    """Values of A, of B and of A with each column from B."""
-    both = points("sobol", seed, base, 2 * dimension, 0, base, ())
-    a, b = both[:, :dimension], both[:, dimension:]
-    mixed = []
+    """Return the values of A, of B, and of A with each column from B."""
+    points_ab = points("sobol", seed, base, 2 * dimension, 0, base, ())
+    a, b = points_ab[:, :dimension], points_ab[:, dimension:]
+    points_mixed = []
     for k in range(dimension):
-        own = a.copy()
-        own[:, k] = b[:, k]
-        mixed.append(own)
-    return np.stack([function(each) for each in (a, b, *mixed)])
+        mixed = a.copy()
+        mixed[:, k] = b[:, k]
+        points_mixed.append(mixed)
+    return np.stack([function(item) for item in (a, b, *points_mixed)])
 
 
 # Ishigami and Homma 1990, with a = 7 and b = 0.1.
@@ -64,30 +67,30 @@ TOTAL = [FIRST[0] + _BOTH, FIRST[1], _BOTH]
 
 
 def test_sobol_indices_of_ishigami():
-    found = sobol_indices(saltelli(ishigami, 3, 2048, seed=3), "abc")
-    for own, first, total in zip(found, FIRST, TOTAL, strict=True):
-        assert own.first_low <= first <= own.first_high
-        assert own.total_low <= total <= own.total_high
-        assert own.first_high - own.first_low < 0.15
-        assert own.first == pytest.approx(first, abs=0.02)
+    indices = sobol_indices(saltelli(ishigami, 3, 2048, seed=3), "abc")
+    for index, first, total in zip(indices, FIRST, TOTAL, strict=True):
+        assert index.first_low <= first <= index.first_high
+        assert index.total_low <= total <= index.total_high
+        assert index.first_high - index.first_low < 0.15
+        assert index.first == pytest.approx(first, abs=0.02)
 
 
-def test_sobol_indices_are_those_of_scipy():
+def test_sobol_indices_equal_those_of_scipy():
     values = saltelli(ishigami, 3, 512, seed=1)
-    known = indices_of_scipy(func={"f_A": values[:1], "f_B": values[1:2], "f_AB": values[2:, np.newaxis, :]}, n=512)
-    found = sobol_indices(values, "abc")
-    assert [own.first for own in found] == pytest.approx(known.first_order, abs=1e-12)
-    assert [own.total for own in found] == pytest.approx(known.total_order, abs=1e-12)
+    reference = indices_of_scipy(func={"f_A": values[:1], "f_B": values[1:2], "f_AB": values[2:, np.newaxis, :]}, n=512)
+    indices = sobol_indices(values, "abc")
+    assert [index.first for index in indices] == pytest.approx(reference.first_order, abs=1e-12)
+    assert [index.total for index in indices] == pytest.approx(reference.total_order, abs=1e-12)
 
 
 @pytest.mark.slow
-def test_intervals_of_indices_cover():
-    """Of both kinds over 100 samples; intervals of independent rows are wide for those of a Sobol sequence."""
+def test_intervals_of_sobol_indices_have_nominal_coverage():
+    """Coverage over 100 samples: intervals for independent rows are wide for a Sobol sequence."""
     hits = np.zeros((2, 3))
     for seed in range(100):
-        for k, own in enumerate(sobol_indices(saltelli(ishigami, 3, 256, seed), "abc")):
-            hits[0, k] += own.first_low <= FIRST[k] <= own.first_high
-            hits[1, k] += own.total_low <= TOTAL[k] <= own.total_high
+        for k, index in enumerate(sobol_indices(saltelli(ishigami, 3, 256, seed), "abc")):
+            hits[0, k] += index.first_low <= FIRST[k] <= index.first_high
+            hits[1, k] += index.total_low <= TOTAL[k] <= index.total_high
     assert hits.min() >= 90
 
 
@@ -123,23 +126,23 @@ mass = { of = "tank.mass", metric = "final", until = "1 ms" }
 
 
 def test_sobol_indices_and_tornado_of_a_linear_circuit(tmp_path):
-    """The mass at the start is linear in each of two numbers, and does not know the third."""
+    """The initial mass is linear in two parameters and does not depend on the third."""
     path = tmp_path / "linear.toml"
     path.write_text(LINEAR, encoding="utf-8")
-    found = load(path).ensemble()
-    by_name = {own.factor: own for own in found.indices()["mass"]}
-    for name, wanted in (("tank.volume", 0.2), ("tank.initial_pressure", 0.8), ("hole.critical_ratio", 0.0)):
-        own = by_name[name]
-        assert own.first_low - 1e-4 <= wanted <= own.first_high + 1e-4
-        assert own.total_low - 1e-4 <= wanted <= own.total_high + 1e-4
-    ranges = found.tornado()["mass"]
-    assert [each.address for each in ranges] == ["tank.initial_pressure", "tank.volume", "hole.critical_ratio"]
+    ensemble = load(path).ensemble()
+    by_name = {index.factor: index for index in ensemble.indices()["mass"]}
+    for name, expected in (("tank.volume", 0.2), ("tank.initial_pressure", 0.8), ("hole.critical_ratio", 0.0)):
+        index = by_name[name]
+        assert index.first_low - 1e-4 <= expected <= index.first_high + 1e-4
+        assert index.total_low - 1e-4 <= expected <= index.total_high + 1e-4
+    ranges = ensemble.tornado()["mass"]
+    assert [item.address for item in ranges] == ["tank.initial_pressure", "tank.volume", "hole.critical_ratio"]
     mass = 1e5 * 2e-3 / (287.05 * 293.15)
-    # From the 5 to the 95 % quantile: 0.9 of the range of a uniform number.
-    assert [each.high - each.low for each in ranges] == pytest.approx([0.036 * mass, 0.018 * mass, 0.0], abs=1e-12)
+    # From the 5 to the 95 % quantile: 0.9 of the range of a uniform parameter.
+    assert [item.high - item.low for item in ranges] == pytest.approx([0.036 * mass, 0.018 * mass, 0.0], abs=1e-12)
 
 
-def test_joint_numbers_are_one_factor(tmp_path):
+def test_parameters_of_a_fit_are_one_factor(tmp_path):
     from poppet.identify.result import Estimate, Result
 
     estimates = {
@@ -158,32 +161,32 @@ def test_joint_numbers_are_one_factor(tmp_path):
 
 
 def test_summaries_are_moments_and_quantiles():
-    found = tank().ensemble(runs=300)
-    rows = found.dataset.columns("runs")
-    for own in found.summaries():
-        values = rows[own.name]
-        assert (own.count, own.never, own.failed) == (300, 0, 0)
-        assert (own.least, own.greatest) == (values.min(), values.max())
-        assert (own.mean, own.sd) == pytest.approx((values.mean(), values.std(ddof=1)), rel=1e-12)
-        assert own.quantiles[0.95] == pytest.approx(np.quantile(values, 0.95), rel=1e-12)
+    ensemble = tank().ensemble(runs=300)
+    rows = ensemble.dataset.columns("runs")
+    for index in ensemble.summaries():
+        values = rows[index.name]
+        assert (index.count, index.never, index.failed) == (300, 0, 0)
+        assert (index.least, index.greatest) == (values.min(), values.max())
+        assert (index.mean, index.sd) == pytest.approx((values.mean(), values.std(ddof=1)), rel=1e-12)
+        assert index.quantiles[0.95] == pytest.approx(np.quantile(values, 0.95), rel=1e-12)
 
 
-def test_a_yield_counts_runs_that_meet_all():
-    found = tank().ensemble()
-    rows = found.dataset.columns("runs")
+def test_last_yield_counts_runs_that_meet_all_requirements():
+    ensemble = tank().ensemble()
+    rows = ensemble.dataset.columns("runs")
     fast, low = rows["empty"] < 0.5, (rows["end"] >= 1.0) & (rows["end"] < 1.5)
-    assert [each.good for each in found.yields()] == [fast.sum(), low.sum(), (fast & low).sum()]
+    assert [item.good for item in ensemble.yields()] == [fast.sum(), low.sum(), (fast & low).sum()]
 
 
 def test_worst_cases_are_circuit_files(tmp_path):
     path = tmp_path / "tank.toml"
     path.write_text(TANK + TABLES, encoding="utf-8")
-    found = load(path).ensemble(runs=200)
-    rows = found.dataset.columns("runs")
-    cases = found.worst(2)["fast"]
+    ensemble = load(path).ensemble(runs=200)
+    rows = ensemble.dataset.columns("runs")
+    cases = ensemble.worst(2)["fast"]
     order = np.argsort(-rows["empty"])[:2].tolist()
     assert [case.run for case in cases] == order
-    written = found.save_worst(tmp_path / "bad", 2)
+    written = ensemble.save_worst(tmp_path / "bad", 2)
     assert [file.name for file in written] == ["fast-1.toml", "fast-2.toml", "low-1.toml", "low-2.toml"]
     recording = load(written[0]).simulate()
     p, t = recording["tank.pressure"], recording.time
@@ -192,16 +195,16 @@ def test_worst_cases_are_circuit_files(tmp_path):
     assert p[-1] / 1e5 == pytest.approx(rows["end"][order[0]], rel=1e-12)
 
 
-def test_circuits_that_no_file_has_write_no_worst_cases(tmp_path):
+def test_worst_cases_of_circuits_without_a_file_are_rejected(tmp_path):
     with refused("ensemble.not_its_file"):
         tank().with_values({"tank.thermal": "isothermal"}).ensemble(runs=5).save_worst(tmp_path)
     with refused("ensemble.no_requirements"):
         tank().ensemble(runs=5, requirements={}).save_worst(tmp_path)
 
 
-def test_other_programs_read_the_dataset(tmp_path):
-    found = tank().ensemble(tmp_path / "set")
-    frame = found.to_pandas()
+def test_dataset_is_readable_by_other_programs(tmp_path):
+    ensemble = tank().ensemble(tmp_path / "set")
+    frame = ensemble.to_pandas()
     assert len(frame) == 300
     folder = tmp_path / "set" / "runs"
     duckdb = pytest.importorskip("duckdb")
@@ -216,8 +219,8 @@ def test_other_programs_read_the_dataset(tmp_path):
     assert arrow().parquet.read_table(folder).num_rows == 300
 
 
-def test_the_example_of_worst_cases_with_files_beside_it(tmp_path):
-    """Paths of a file that moves to another folder are mended."""
+def test_worst_case_files_have_adapted_paths(tmp_path):
+    """Relative paths are adapted to the new folder."""
     (tmp_path / "a").mkdir()
     text = TANK + '[signals."hole.opening"]\nkind = "file"\npath = "opening.csv"\ncolumn = "o"\n' + TABLES
     (tmp_path / "a" / "opening.csv").write_text("time [s],o [1]\n0,1\n1,0.5\n", encoding="utf-8")

@@ -1,4 +1,4 @@
-"""The `[recordings.NAME]` table: units, clocks, files, and every mistake with its address."""
+"""Table `[recordings.NAME]`: units, times, files, and errors with their addresses."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ COUNT = 40
 
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
-    """A discharge at 10 Hz, its flow, and a thermometer with a file of its own that starts later."""
+    """Return a folder with files of a discharge at 10 Hz, its flow, and a temperature that starts later."""
     time = 5.0 + 0.1 * np.arange(COUNT)
     rows = [f"{t:.1f},{6.0 - 0.1 * (k // 2):.2f},{60 + k}" for k, t in enumerate(time)]
     (tmp_path / "bench.csv").write_text("t_s,p,flow [g/min]\n" + "\n".join(rows))
@@ -42,7 +42,7 @@ def read(folder: Path, **changes: Any) -> Measurement:
     return read_measurement("empty", table(**changes), folder, ambient_pressure=AMBIENT)
 
 
-def test_a_table_as_it_is_written(folder: Path) -> None:
+def test_complete_table(folder: Path) -> None:
     text = """
     [recordings.empty]
     file = "bench.csv"
@@ -103,9 +103,7 @@ def test_a_volume_flow_of_air_is_a_mass_flow(folder: Path) -> None:
     ("unit", "density", "stated"),
     [("l/min", 1.185, "l/min ANR"), ("slpm", 1.185 * 293.15 / 273.15 * 1.01325, "l/min N")],
 )
-def test_a_volume_flow_that_leaves_its_state_open_is_noted(
-    folder: Path, unit: str, density: float, stated: str
-) -> None:
+def test_volume_flow_without_reference_state_gives_a_note(folder: Path, unit: str, density: float, stated: str) -> None:
     found = read(folder, inputs={"in.mass_flow_rate": {"column": 2, "unit": unit}})
     assert found.inputs[0].values[0] == pytest.approx(1e-3 * density)
     assert Note("doubt.read_as", "in.mass_flow_rate", unit=unit, read=stated) in found.notes
@@ -119,7 +117,7 @@ def test_time_counts_from_the_first_used_sample_of_all(folder: Path) -> None:
         assert found.channels[1].time[0] == pytest.approx(second, abs=1e-9)
 
 
-def test_a_recording_may_end_early(folder: Path) -> None:
+def test_until_ends_the_recording(folder: Path) -> None:
     found = read(folder, skip="1 s", until="2 s")
     assert found.channels[0].time == pytest.approx(0.1 * np.arange(11), abs=1e-9)
     assert found.duration == pytest.approx(1.0)
@@ -138,7 +136,7 @@ def test_repeated_stamps_are_merged_and_counted(folder: Path) -> None:
     assert Note("measured.repeated_stamps", "tank.pressure", count=10) in found.notes
 
 
-def test_empty_cells_are_left_out_and_counted(folder: Path) -> None:
+def test_empty_cells_are_omitted_and_counted(folder: Path) -> None:
     rows = "\n".join(f"{k},{'' if k in (3, 4) else k}" for k in range(20))
     found = read(folder, **bench(folder, rows))
     assert found.channels[0].time.size == 18
@@ -151,7 +149,7 @@ def test_a_constant_channel_is_a_finding(folder: Path) -> None:
     assert (constant.address, constant.facts["samples"]) == ("tank.pressure", 20)
 
 
-def test_what_a_file_says_keeps_its_name_within_a_recording(folder: Path) -> None:
+def test_notes_of_a_file_have_its_name(folder: Path) -> None:
     (guessed,) = [note for note in read(folder).notes if note.code == "table.guessed"]
     assert (guessed.address, guessed.within("sweep").address) == ("bench.csv", "sweep: bench.csv")
 
@@ -179,7 +177,7 @@ def test_a_heading_of_another_unit_is_a_finding(folder: Path) -> None:
         ("", "table.no_lines_of_numbers"),
     ],
 )
-def test_recordings_that_cannot_be_used(folder: Path, rows: str, code: str) -> None:
+def test_unusable_recordings_are_rejected(folder: Path, rows: str, code: str) -> None:
     with pytest.raises(InputError) as caught:
         read(folder, **bench(folder, rows))
     assert caught.value.code == code
@@ -237,7 +235,7 @@ PRESSURE = {"column": "p", "unit": "bar g"}
         ({"start": {"tank.initial_pressure": True}}, "start.tank.initial_pressure", "measured.no_start"),
     ],
 )
-def test_mistakes_have_an_address(folder: Path, changes: dict[str, Any], address: str, code: str) -> None:
+def test_errors_have_an_address(folder: Path, changes: dict[str, Any], address: str, code: str) -> None:
     with pytest.raises(InputError) as caught:
         read(folder, **changes)
     wanted = ".".join(filter(None, ("recordings.empty", address)))
@@ -245,7 +243,7 @@ def test_mistakes_have_an_address(folder: Path, changes: dict[str, Any], address
     assert wanted in str(caught.value)
 
 
-def test_a_mistake_of_the_shared_time_is_one_mistake(folder: Path) -> None:
+def test_error_of_the_shared_time_is_reported_once(folder: Path) -> None:
     flow = {"outlet.mass_flow_rate": 2}
     with pytest.raises(InputError) as caught:
         read(folder, time={"column": "t"}, inputs=flow, **{"other.pressure": {"column": "p", "unit": "bar"}})
@@ -253,7 +251,7 @@ def test_a_mistake_of_the_shared_time_is_one_mistake(folder: Path) -> None:
     assert caught.value.address == "recordings.empty.time.column"
 
 
-def test_a_file_of_its_own_may_share_the_name_of_the_time(folder: Path) -> None:
+def test_second_file_inherits_the_time_column(folder: Path) -> None:
     (folder / "wall.txt").write_text("t_s;T\n" + "\n".join(f"{5 + k},5;20,5" for k in range(9)))
     found = read(folder, separator=",", **{"wall.temperature": {"column": "T", "unit": "degC", "file": "wall.txt"}})
     assert found.channels[1].time == pytest.approx(0.5 + np.arange(9))
@@ -264,7 +262,7 @@ def test_a_file_of_its_own_may_share_the_name_of_the_time(folder: Path) -> None:
     assert caught.value.facts["names"] == ("t_ms", "T")
 
 
-def test_all_mistakes_come_at_once(folder: Path) -> None:
+def test_all_errors_are_reported_together(folder: Path) -> None:
     changes = {
         "skip": "1 bar",
         "tank.pressure": {"column": "q", "unit": "bar"},

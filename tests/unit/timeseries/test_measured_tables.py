@@ -1,4 +1,4 @@
-"""Tables of measured columns: every format, every way in which a text file can be laid out, and what is refused."""
+"""Tables of measured columns: all formats, layouts of text files, and rejected files."""
 
 from __future__ import annotations
 
@@ -48,14 +48,14 @@ def assert_bench(table: Table, names: tuple[str, ...] = ("t", "p"), units: tuple
 @pytest.mark.parametrize(
     ("separator", "decimal"), [(",", "."), (";", "."), (";", ","), ("\t", "."), ("\t", ","), (" ", "."), ("  ", ",")]
 )
-def test_the_layout_of_a_text_is_guessed_and_said(tmp_path: Path, separator: str, decimal: str) -> None:
+def test_guessed_layout_gives_a_note(tmp_path: Path, separator: str, decimal: str) -> None:
     head = separator.join(("t(s)", "p[bar]")) + "\n"
     table = read_table(written(tmp_path, head + body(separator, decimal)))
     assert_bench(table)
     assert (table.notes[0].code, table.notes[0].facts["decimal"]) == ("table.guessed", decimal)
 
 
-def test_a_stated_layout_is_taken_without_a_note(tmp_path: Path) -> None:
+def test_stated_layout_gives_no_note(tmp_path: Path) -> None:
     file = written(tmp_path, "t [s];p [bar]\n" + body(";", ","))
     table = read_table(file, separator=";", decimal=",", header_rows=1)
     assert_bench(table)
@@ -90,7 +90,7 @@ def test_without_headings_the_columns_are_counted(tmp_path: Path) -> None:
     assert Note("table.no_headings", last=1) in table.notes
 
 
-def test_comments_are_kept_as_notes_and_may_hold_the_headings(tmp_path: Path) -> None:
+def test_comments_are_notes_and_can_contain_headings(tmp_path: Path) -> None:
     table = read_table(written(tmp_path, "# bench 3, Monday, tank B\nt [s],p [bar]\n" + body(",", ".")))
     assert_bench(table)
     assert Note("table.comment", text="bench 3, Monday, tank B") in table.notes
@@ -110,7 +110,7 @@ def test_encodings_and_line_ends(tmp_path: Path, encoded: bytes) -> None:
     assert_bench(read_table(written(tmp_path, encoded)))
 
 
-def test_latin_1_is_the_last_resort_and_said(tmp_path: Path) -> None:
+def test_latin_1_gives_a_note(tmp_path: Path) -> None:
     table = read_table(written(tmp_path, "t [s];T [°C]\n0;20\n1;21\n".encode("latin-1")))
     assert table.units == ("s", "degC")
     assert table.notes[0].code == "table.latin_1"
@@ -122,19 +122,19 @@ def test_empty_cells_are_nan(tmp_path: Path) -> None:
     assert np.isnan(table.columns[2]).tolist() == [False, True, True, True]
 
 
-def test_a_separator_at_the_end_of_each_line_makes_no_column(tmp_path: Path) -> None:
+def test_separator_at_the_end_of_lines_adds_no_column(tmp_path: Path) -> None:
     table = read_table(written(tmp_path, "t;p;\n0;1;\n1;2;\n2;3;\n"))
     assert table.names == ("t", "p")
 
 
-def test_a_column_of_text_is_left_empty_and_said(tmp_path: Path) -> None:
+def test_column_of_text_is_empty_with_a_note(tmp_path: Path) -> None:
     table = read_table(written(tmp_path, "when;t;p\n2026-01-05;0;1,5\n2026-01-05;1;2,5\n"))
     assert np.isnan(table.columns[0]).all()
     assert table.columns[2].tolist() == [1.5, 2.5]
     assert Note("table.column_of_text", column="when", cell="2026-01-05") in table.notes
 
 
-def test_a_last_line_cut_off_is_left_out_and_said(tmp_path: Path) -> None:
+def test_incomplete_last_line_is_omitted_with_a_note(tmp_path: Path) -> None:
     table = read_table(written(tmp_path, "t,p,T\n0,1,20\n1,2,21\n2,3\n"))
     assert table.columns[0].tolist() == [0.0, 1.0]
     assert Note("table.cut_off", number=4) in table.notes
@@ -153,7 +153,7 @@ def test_a_last_line_cut_off_is_left_out_and_said(tmp_path: Path) -> None:
         (b"t,p\n\0\0", "binary", None, {}),
     ],
 )
-def test_bad_texts_are_refused_with_the_line(
+def test_invalid_texts_are_rejected_with_the_line(
     tmp_path: Path, text: str | bytes, code: str, line: int | None, facts: dict[str, Any]
 ) -> None:
     file = written(tmp_path, text)
@@ -172,7 +172,7 @@ def test_bad_texts_are_refused_with_the_line(
         ({"group": "fast"}, "no_such_option", "group"),
     ],
 )
-def test_bad_options_are_refused(tmp_path: Path, options: dict[str, Any], code: str, address: str | None) -> None:
+def test_invalid_options_are_rejected(tmp_path: Path, options: dict[str, Any], code: str, address: str | None) -> None:
     error = refused(written(tmp_path, "t,p\n" + body(",", ".")), **options)
     assert (error.code, error.address) == (f"table.{code}", address)
 
@@ -183,7 +183,7 @@ def test_files_that_cannot_be_opened(tmp_path: Path) -> None:
     assert refused(tmp_path / "bench.mat", separator=",").code == "table.no_such_option"
 
 
-def test_columns_are_found_by_name_heading_or_place(tmp_path: Path) -> None:
+def test_columns_by_name_heading_or_index(tmp_path: Path) -> None:
     table = read_table(written(tmp_path, "Time(s),P1(PSI),flow (raw),P1(bar)\n0,1,2,3\n1,2,3,4\n"))
     assert table.units == ("s", "psi", "", "bar")
     assert [table.index(wanted) for wanted in ("Time", "Time(s)", "flow (raw)", 3)] == [0, 0, 2, 3]
@@ -224,7 +224,7 @@ def test_headings_of_instruments(heading: str, expected: tuple[str, str]) -> Non
     layout=st.sampled_from([(",", "."), (";", ","), (";", "."), ("\t", ","), (" ", ".")]),
     heading=st.booleans(),
 )
-def test_what_is_written_is_read(
+def test_written_tables_are_read(
     tmp_path_factory: Any, rows: list[Any], layout: tuple[str, str], heading: bool
 ) -> None:
     separator, decimal = layout
@@ -238,7 +238,7 @@ def test_what_is_written_is_read(
 
 
 @pytest.mark.parametrize("suffix", ["csv", "parquet", "mat"])
-def test_recordings_of_the_house_are_tables(tmp_path: Path, suffix: str) -> None:
+def test_recordings_of_poppet_are_tables(tmp_path: Path, suffix: str) -> None:
     recording = Recording.from_series(TIME, {"tank.pressure [bar]": PRESSURE, "tank.wall [1]": [0, 1, 0, 1]})
     recording.save(tmp_path / f"run.{suffix}")
     table = read_table(tmp_path / f"run.{suffix}")
@@ -247,7 +247,7 @@ def test_recordings_of_the_house_are_tables(tmp_path: Path, suffix: str) -> None
     assert table.units[table.index("tank.pressure")] == "bar"
 
 
-def test_parquet_of_others(tmp_path: Path) -> None:
+def test_parquet_of_other_programs(tmp_path: Path) -> None:
     pa = pytest.importorskip("pyarrow")
     import pyarrow.parquet as pq
 
@@ -262,7 +262,7 @@ def test_parquet_of_others(tmp_path: Path) -> None:
     assert refused(written(tmp_path, "t,p\n", "text.parquet")).code == "table.unsound"
 
 
-def test_mat_of_others(tmp_path: Path) -> None:
+def test_mat_of_other_programs(tmp_path: Path) -> None:
     from scipy.io import savemat
 
     content = {"t": TIME, "test": {"p": PRESSURE}, "both": np.array([TIME, PRESSURE]).T, "fs": 10.0, "rig": "bench 3"}
@@ -275,7 +275,7 @@ def test_mat_of_others(tmp_path: Path) -> None:
 
 
 def mat_7_3(file: Path, h5py: Any) -> Path:
-    """As MATLAB writes it: HDF5 behind a header of 512 bytes that names the version."""
+    """Write a MAT file of version 7.3: HDF5 with a header of 512 bytes that contains the version."""
     with h5py.File(file, "w", userblock_size=512) as content:
         content["t"] = np.array([TIME])
         content["test/p"] = np.array([PRESSURE])
@@ -354,7 +354,7 @@ def test_mdf(tmp_path: Path) -> None:
         ("pyarrow", "bench.parquet", "data"),
     ],
 )
-def test_a_missing_package_is_named_with_its_extra(
+def test_missing_package_is_reported_with_its_extra(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, package: str, name: str, extra: str
 ) -> None:
     monkeypatch.setitem(sys.modules, package, None)
@@ -371,11 +371,11 @@ def test_mat_7_3_without_h5py(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     assert (error.package, error.extra) == ("h5py", "measured")
 
 
-def test_a_number_that_no_instrument_shows_is_refused_with_its_line(tmp_path):
+def test_implausible_number_is_rejected_with_its_line(tmp_path):
     error = refused(written(tmp_path, "t,p\n0,1\n1,-1e308\n"))
     assert (error.code, error.facts["column"], error.facts["value"], error.line) == ("table.huge", "p", -1e308, 3)
 
 
-def test_a_text_without_an_end_is_refused(tmp_path, monkeypatch):
+def test_too_large_file_is_rejected(tmp_path, monkeypatch):
     monkeypatch.setattr("poppet.timeseries.tables.text.LARGEST_TEXT", 100)
     assert refused(written(tmp_path, "t,p\n" + "0,1\n" * 100)).code == "table.too_large"

@@ -1,4 +1,4 @@
-"""Sanity verdicts: each is found where it is true, and a sound recording has none."""
+"""Plausibility findings: each is reported if it applies, and a valid recording has none."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def test_a_sound_recording_has_no_findings() -> None:
     assert judged(pressure(discharge()), gauge=True) == []
 
 
-def test_a_gauge_pressure_read_as_absolute() -> None:
+def test_gauge_pressure_read_as_absolute_is_a_finding() -> None:
     long = np.where(TIME > 80.0, 2e3, 6e5 * np.exp(-TIME / 20.0) + 2e3)
     note = only(judged(pressure(long + np.random.default_rng(1).normal(0.0, 200.0, TIME.size))))
     assert (note.code, note.address, note.facts["ambient"]) == ("suspicion.read_as_absolute", "tank.pressure", AMBIENT)
@@ -51,7 +51,7 @@ def test_a_gauge_pressure_read_as_absolute() -> None:
 
 
 @pytest.mark.parametrize(("begin", "end"), [(2e4, 6e5), (500.0, AMBIENT)])
-def test_a_tank_that_was_evacuated_is_no_gauge(begin: float, end: float) -> None:
+def test_evacuated_tank_is_no_finding(begin: float, end: float) -> None:
     rising = end + (begin - end) * np.exp(-TIME / 60.0) + np.random.default_rng(3).normal(0.0, 100.0, TIME.size)
     assert judged(pressure(rising)) == []
     from_zero = rising - begin + 4e5 * (end == AMBIENT) * (1.0 - np.exp(-TIME / 60.0))
@@ -87,7 +87,7 @@ def test_a_clipped_channel() -> None:
     assert ("suspicion.clipped", "highest") in {(n.code, n.facts.get("which")) for n in judged(pressure(peaks))}
 
 
-def test_rest_at_a_level_is_not_clipping() -> None:
+def test_constant_level_is_not_clipping() -> None:
     step = 700.0
     rounded = step * np.round(np.where(TIME < 20.0, 6e5, AMBIENT + 5e5 * np.exp((20.0 - TIME) / 20.0)) / step)
     assert "suspicion.clipped" not in {note.code for note in judged(pressure(rounded))}
@@ -116,7 +116,7 @@ def test_milliseconds_read_as_seconds() -> None:
 
 
 def filled(delay: float, sigma: float) -> tuple[InputChannel, Channel]:
-    """An isothermal tank: the pressure is the integral of the flow; the meter is late."""
+    """Return an isothermal tank: the pressure is the integral of the flow, which is recorded late."""
     flow = np.where((TIME > 20.0) & (TIME < 60.0), 6e-4 * (1.0 + 0.3 * np.sin(TIME)), 0.0)
     mass = np.concatenate([[0.0], np.cumsum(0.05 * (flow[1:] + flow[:-1]))])
     noise = np.random.default_rng(1).normal(0.0, sigma, TIME.size)
@@ -127,7 +127,7 @@ def filled(delay: float, sigma: float) -> tuple[InputChannel, Channel]:
 
 @pytest.mark.parametrize("sigma", [0.0, 300.0, 1500.0])
 @pytest.mark.parametrize("delay", [1.3, -0.8])
-def test_a_late_input_is_told_with_its_delay(sigma: float, delay: float) -> None:
+def test_late_input_is_reported_with_its_delay(sigma: float, delay: float) -> None:
     item, channel = filled(delay, sigma)
     note = only(judged(channel, inputs=(item,)))
     assert note.code == ("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early")
@@ -136,7 +136,7 @@ def test_a_late_input_is_told_with_its_delay(sigma: float, delay: float) -> None
 
 
 @pytest.mark.parametrize("sigma", [0.0, 300.0, 1500.0])
-def test_a_punctual_or_corrected_input_is_not_late(sigma: float) -> None:
+def test_input_without_delay_is_no_finding(sigma: float) -> None:
     item, channel = filled(0.0, sigma)
     assert judged(channel, inputs=(item,)) == []
     item, channel = filled(1.3, sigma)
@@ -144,7 +144,7 @@ def test_a_punctual_or_corrected_input_is_not_late(sigma: float) -> None:
     assert judged(channel, inputs=(corrected,)) == []
 
 
-def test_a_late_input_is_told_in_a_fast_recording() -> None:
+def test_late_input_is_reported_in_a_fast_recording() -> None:
     item, channel = filled(1.3, 0.0)
     fast = np.arange(0.0, TIME[-1], 0.002)
     level = np.interp(fast, TIME, channel.values) + np.random.default_rng(1).normal(0.0, 1e3, fast.size)
@@ -161,7 +161,7 @@ def test_an_input_that_ends_too_early() -> None:
     assert [note.facts[name] for name in ("start", "stop", "end")] == pytest.approx([0.0, 69.9, 89.9])
 
 
-def test_a_slow_thermometer() -> None:
+def test_slow_thermometer_is_a_finding() -> None:
     level = discharge(sigma=200.0)
     gas = 293.0 * (level / level[0]) ** (0.4 / 1.4)
     quick = temperature(gas)
@@ -184,7 +184,7 @@ def test_a_slow_thermometer() -> None:
     slope=st.floats(-5.0, 5.0),
     seed=st.integers(0, 1000),
 )
-def test_noise_is_found_whatever_the_trend(sigma: float, slope: float, seed: int) -> None:
+def test_noise_does_not_depend_on_the_trend(sigma: float, slope: float, seed: int) -> None:
     values = slope * np.arange(2000.0) + np.random.default_rng(seed).normal(0.0, sigma, 2000)
     assert abs(noise_of(values) / sigma - 1.0) < 0.12
 
@@ -212,12 +212,12 @@ def test_noise_is_at_least_that_of_rounding() -> None:
 
 @settings(derandomize=True, deadline=None, max_examples=40)
 @given(step=st.floats(1e-3, 1e4), offset=st.floats(-1e5, 1e5), seed=st.integers(0, 1000))
-def test_the_step_of_a_recording_is_found(step: float, offset: float, seed: int) -> None:
+def test_resolution_of_a_recording(step: float, offset: float, seed: int) -> None:
     counts = np.random.default_rng(seed).integers(0, 60, 400)
     assert quantum_of(offset + step * counts) == pytest.approx(step, rel=1e-3)
 
 
-def test_no_step_in_what_is_smooth_or_says_too_little() -> None:
+def test_smooth_or_short_recordings_have_no_resolution() -> None:
     assert quantum_of(np.random.default_rng(0).normal(0.0, 1.0, 600)) == 0.0
     assert quantum_of(np.array([1.0, 5.0, 1.0, 5.0])) == 0.0
     assert quantum_of(np.full(20, 3.0)) == 0.0

@@ -1,4 +1,4 @@
-"""Figures of recordings: what is drawn, in which unit, under which name, and files that are whole."""
+"""Figures of recordings: drawn series, units, labels, and files."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ SERIES = {
 @pytest.mark.parametrize(
     "title", ["bell \a", "escape \x1b[31m", "nul \0", "\ufffe", "压力试验", "a -- b --> c", "$\\frac{"]
 )
-def test_any_title_gives_a_sound_picture(title, tmp_path):
+def test_any_title_gives_a_valid_figure(title, tmp_path):
     drawn = Recording.from_series([0.0, 1.0], {"tank.pressure [Pa]": [1e5, 2e5]}, title=title)
     plot_recordings({title: drawn}, tmp_path / "title.svg")
     ElementTree.parse(tmp_path / "title.svg")
@@ -52,7 +52,7 @@ def recording(series=SERIES, **options) -> Recording:
 
 
 def panel(figure, quantity: str):
-    """The axes whose label begins with a quantity."""
+    """Return the axes whose label begins with a quantity."""
     (found,) = [axes for axes in figure.axes if axes.get_ylabel().partition("\n")[0] == quantity]
     return found
 
@@ -67,14 +67,14 @@ def notes(figure) -> str:
 
 @cache
 def run_figure():
-    """The figure of one run, drawn once: the tests look at it only."""
+    """Return the figure of one run, which tests must not change."""
     return plot_recordings({"run": recording()})
 
 
 # --- panels ---
 
 
-def test_quantities_have_panels_in_the_units_an_engineer_reads():
+def test_panels_have_usual_units():
     figure = run_figure()
     labels = [axes.get_ylabel() for axes in figure.axes if axes.get_ylabel()]
     assert labels == [
@@ -110,7 +110,7 @@ def test_units_can_be_chosen():
     assert "pressure\n[bar, absolute]" in labels
 
 
-def test_series_of_an_unknown_unit_have_a_panel_of_their_own():
+def test_series_of_an_unknown_unit_have_a_separate_panel():
     counts = recording({"sensor.raw [counts]": TIME, "sensor.pressure [bar]": TIME})
     labels = [axes.get_ylabel() for axes in plot_recordings({"bench": counts}).axes]
     assert labels == ["pressure\n[bar, absolute]", "raw\n[counts]"]
@@ -133,25 +133,25 @@ def test_mass_flow_of_another_gas_has_no_axis_of_air():
     assert panel(plot_recordings({"run": helium}), "mass flow rate").child_axes == []
 
 
-def test_constant_series_are_left_out_and_named():
+def test_constant_series_are_omitted_with_a_note():
     figure = run_figure()
     assert legend_texts(panel(figure, "pressure").get_legend()) == ["tank", "valve: pilot"]
     assert "Constant and therefore not drawn: supply.pressure 7 bar, bleed.opening 1." in notes(figure)
 
 
-def test_constant_series_are_drawn_when_they_are_selected_or_all_there_is():
+def test_constant_series_are_drawn_if_selected_or_alone():
     figure = plot_recordings({"run": recording()}, select=["supply.*", "tank.pressure"])
     assert legend_texts(figure.axes[0].get_legend()) == ["supply", "tank"]
     still = recording({"supply.pressure [Pa]": np.full(TIME.size, 7e5)})
     assert len(plot_recordings({"run": still}).axes[0].lines) == 1
 
 
-def test_series_that_jump_and_rest_are_steps():
+def test_staircase_series_are_drawn_as_steps():
     tank, pilot = panel(run_figure(), "pressure").lines
     assert (tank.get_drawstyle(), pilot.get_drawstyle()) == ("default", "steps-post")
 
 
-def test_names_are_shortened_where_they_stay_apart():
+def test_names_are_shortened_if_they_remain_distinct():
     names = ["tank.pressure", "valve.pilot_pressure", "a.b.pressure"]
     assert list(readable(names, "pressure").values()) == ["tank", "valve: pilot", "a: b"]
     twins = ["valve.flow", "valve.flow_pressure"]
@@ -193,7 +193,7 @@ def test_a_part_keeps_its_colour_and_parts_of_a_panel_differ():
     assert len(set(colours)) == len(PALETTE)
 
 
-def test_colours_begin_again_when_they_run_out():
+def test_colours_repeat_if_necessary():
     many = recording({f"tank_{k}.pressure [bar]": TIME + k for k in range(len(PALETTE) + 5)})
     assert len(plot_recordings({"run": many}).axes[0].lines) == len(PALETTE) + 5
     assert home_colours([]) == {}
@@ -221,8 +221,8 @@ def test_timeline_colours_are_explained_and_reversed_flow_is_hatched():
 
 
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-3])
-def test_the_timeline_does_not_flicker_at_rest(tolerance):
-    """About equal pressures a solver's noise changes sign at every step, and the regime with it."""
+def test_timeline_ignores_small_flows(tolerance):
+    """Near equal pressures, solver noise changes the flow direction at every step, and with it the regime."""
     tanks = {
         name: Chamber(volume=size, thermal="isothermal", initial_pressure=start)
         for name, size, start in (("one", "1 l", "3 bar"), ("two", "2 l", "1 bar"), ("three", "0.5 l", "1 bar"))
@@ -248,19 +248,19 @@ def test_constant_series_of_no_size_have_no_sign():
     assert "0 W" in note
 
 
-def test_timeline_says_which_recording():
+def test_timeline_labels_contain_the_recording():
     axes = plot_recordings({"a": recording(), "b": recording()}).axes[-1]
     labels = [text.get_text() for text in axes.texts][:2]
     assert labels == ["valve: supply (a)", "valve: supply (b)"]
 
 
-def test_selection_also_chooses_the_timeline():
+def test_selection_applies_to_the_timeline():
     figure = plot_recordings({"run": recording()}, select=["tank.pressure", "valve.contact"])
     assert [text.get_text() for text in figure.axes[-1].texts] == ["valve", "contact"]
     assert len(plot_recordings({"run": recording()}, select="tank.*").axes) == 2
 
 
-def test_series_that_only_look_like_codes_are_drawn_as_lines():
+def test_series_without_valid_codes_are_drawn_as_lines():
     voltage = recording({"switch.contact [V]": TIME, "x.regime [1]": 0.5 * TIME})
     figure = plot_recordings({"bench": voltage})
     assert len(figure.axes) == 2
@@ -281,7 +281,7 @@ def test_spans_cover_the_time_once_and_hold_the_codes(codes):
     assert shown == codes[:-1].tolist()
 
 
-def test_codes_faster_than_the_picture_become_their_most_frequent_one():
+def test_fast_codes_are_replaced_by_the_most_frequent_code():
     time = np.arange(10_000.0)
     codes = np.where(np.arange(time.size) % 3 == 0, 3.0, 2.0)
     spans, is_thinned = spans_of(time, codes, 500)
@@ -318,7 +318,7 @@ def test_thinning_keeps_gaps():
     assert np.isnan(values[thinned(np.arange(10_000.0), values, 50)]).any()
 
 
-def test_a_long_recording_is_drawn_with_few_points_and_no_lost_peak():
+def test_long_recording_is_thinned_without_lost_peaks():
     time = np.arange(100_000.0)
     values = np.random.default_rng(7).normal(size=time.size)
     values[54_321] = 50.0
@@ -365,7 +365,7 @@ def test_files_are_the_same_every_time(tmp_path, suffix, head):
     assert [file.name for file in (tmp_path / "one").iterdir()] == [f"run.{suffix}"]
 
 
-def test_an_unknown_format_is_refused_before_anything_is_drawn(tmp_path):
+def test_unknown_format_is_rejected_before_drawing(tmp_path):
     with pytest.raises(InputError) as caught:
         plot_recordings({}, tmp_path / "run.bmp")
     assert caught.value.code == "files.suffix"
@@ -377,13 +377,13 @@ def test_a_missing_folder_is_named(tmp_path):
     assert caught.value.code == "files.no_folder"
 
 
-def test_settings_of_the_drawing_package_are_left_alone(tmp_path):
+def test_settings_of_matplotlib_do_not_change(tmp_path):
     before = dict(mpl.rcParams)
     recording().plot(tmp_path / "run.svg")
     assert dict(mpl.rcParams) == before
 
 
-def test_no_window_system_is_touched():
+def test_no_window_system_is_used():
     program = (
         "import sys; from poppet.timeseries.recording import Recording\n"
         "Recording.from_series([0.0, 1.0], {'tank.pressure [bar]': [1.0, 2.0]}).plot()\n"
@@ -393,7 +393,7 @@ def test_no_window_system_is_touched():
     assert result.stdout == "False\n"
 
 
-def test_a_missing_package_is_named_with_what_to_install(monkeypatch):
+def test_missing_package_has_an_installation_hint(monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with pytest.raises(MissingDependencyError) as caught:
         plot_recordings({"run": recording()})
@@ -430,7 +430,7 @@ def test_a_missing_package_is_named_with_what_to_install(monkeypatch):
         ({str(k): recording() for k in range(MOST_RECORDINGS + 1)}, {}, OutOfRangeError, "drawing.too_many", None),
     ],
 )
-def test_mistakes(recordings, options, error, code, name):
+def test_invalid_arguments_are_rejected(recordings, options, error, code, name):
     with pytest.raises(error) as caught:
         plot_recordings(recordings, **options)
     assert (caught.value.code, caught.value.facts.get("name")) == (code, name)
@@ -439,7 +439,7 @@ def test_mistakes(recordings, options, error, code, name):
 # --- nothing is cut ---
 
 
-def test_long_names_make_the_figure_wider_instead_of_leaving_it():
+def test_long_names_widen_the_figure():
     keys = [
         "a first run with a long name, as people give them",
         "another run with a name that is longer still",
@@ -454,7 +454,7 @@ def test_long_names_make_the_figure_wider_instead_of_leaving_it():
         assert figure.bbox.y0 <= box.y0 <= box.y1 <= figure.bbox.y1
 
 
-def test_codes_of_one_sample_last_no_time():
+def test_codes_of_one_sample_have_no_duration():
     assert spans_of(np.zeros(1), np.array([3.0]), 100) == ((), False)
     start = recording().between(0.0, 0.0)
     assert len(plot_recordings({"run": start}, select="*regime").axes) == 1
@@ -468,7 +468,7 @@ def hiding(*names: str) -> Recording:
     return Recording(**(recording.fields() | {"inner": frozenset(names)}))
 
 
-def test_inner_series_are_drawn_by_name_or_all_together():
+def test_internal_series_are_drawn_if_selected():
     recording = hiding("valve.stroke", "bleed.regime")
     drawn = [axes.get_ylabel().partition("\n")[0] for axes in plot_recordings({"": recording}).axes]
     assert "stroke" not in drawn
@@ -479,18 +479,18 @@ def test_inner_series_are_drawn_by_name_or_all_together():
     assert any(str(Note("drawing.inner", count=2, first=["bleed.regime", "valve.stroke"])) in note for note in notes)
 
 
-def test_where_all_is_inner_all_is_drawn():
+def test_internal_series_are_drawn_if_no_others_exist():
     assert plot_recordings({"": hiding(*Recording.from_series(TIME, SERIES).names)}).axes
 
 
-def test_files_keep_what_is_inner(tmp_path):
+def test_files_keep_internal_series(tmp_path):
     recording = hiding("valve.stroke")
     assert Recording.read(recording.save(tmp_path / "run.parquet")).inner == {"valve.stroke"}
     assert Recording.read(recording.save(tmp_path / "run.csv")).inner == set()
 
 
 def moving_load() -> Recording:
-    """A body that sticks, slips and sticks, and a chamber that pushes it."""
+    """Return a recording of a body that sticks, slips and sticks, and of its chamber."""
     time = np.linspace(0.0, 1.0, 101)
     series = {
         "cap.pressure [Pa]": 1e5 + 1e5 * time,
@@ -505,7 +505,7 @@ def moving_load() -> Recording:
     return Recording.from_series(time, series)
 
 
-def test_of_a_load_motion_comes_first_and_its_friction_stands_on_the_timeline():
+def test_motion_is_the_first_panel_and_friction_is_on_the_timeline():
     figure = plot_recordings({"": moving_load()})
     names = [axes.get_ylabel().partition("\n")[0] for axes in figure.axes]
     assert names == ["position", "velocity", "pressure", "force", ""]

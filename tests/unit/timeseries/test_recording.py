@@ -44,7 +44,7 @@ def test_series_are_found_by_name(recording):
     assert recording.last()["tank.pressure"] == 3e5
 
 
-def test_an_unknown_name_offers_the_near_one(recording):
+def test_unknown_name_has_a_suggestion(recording):
     with pytest.raises(InputError) as caught:
         recording["tank.presure"]
     assert caught.value.code == "series.unknown"
@@ -57,7 +57,7 @@ def test_arrays_are_read_only_views(recording, shown):
         getattr(recording, shown)[0] = 1.0
 
 
-def test_the_constructor_does_not_lock_the_arrays_it_was_given():
+def test_constructor_does_not_lock_its_arguments():
     time = np.array([0.0, 1.0])
     made = Recording(time, ("a",), ("1",), np.zeros((1, 2)))
     time[1] = 2.0
@@ -74,7 +74,7 @@ def test_repr_names_series_units_and_extent(recording):
     assert repr(Recording(np.zeros(0), (), (), np.zeros((0, 0)))).endswith("no samples; 0 series")
 
 
-def test_select_by_name_and_pattern_keeps_the_order_asked_for(recording):
+def test_select_keeps_the_requested_order(recording):
     assert recording.select("tank.*").names == ("tank.pressure", "tank.temperature")
     chosen = recording.select(["bleed.opening", "*.pressure", "tank.*"])
     assert chosen.names == ("bleed.opening", "tank.pressure", "tank.temperature")
@@ -98,7 +98,7 @@ def test_between_includes_both_ends(recording):
     assert caught.value.code == "series.window_of_nothing"
 
 
-def test_interpolate_is_straight_and_stays_inside(recording):
+def test_interpolation_is_linear_without_extrapolation(recording):
     np.testing.assert_allclose(recording.interpolate("tank.temperature", [0.05, 0.2]), [296.575, 305.0])
     assert recording.interpolate("tank.temperature", 0.1) == 300.0
     for outside in (-0.1, 0.5, math.nan):
@@ -136,7 +136,7 @@ def test_converted_refuses_other_quantities(recording):
     assert caught.value.facts["units"] == ("Pa", "K", "1")
 
 
-def test_from_series_reads_units_from_either_place():
+def test_from_series_reads_units_of_headings_and_arguments():
     made = Recording.from_series([0, 1], {"a [Pa]": [1, 2], "b": [3, 4], "c": [5, 6]}, units={"b": "K"})
     assert made.names == ("a", "b", "c")
     assert made.units == ("Pa", "K", "")
@@ -169,7 +169,7 @@ def test_from_series_checks(time, series, units, code, facts):
     assert facts.items() <= caught.value.facts.items()
 
 
-def test_from_series_names_all_mistakes_at_once():
+def test_from_series_reports_all_errors():
     with pytest.raises(InputErrors) as caught:
         Recording.from_series([1.0, 0.0], {"a": [1], "b": [1, 2, 3]})
     assert len(caught.value.problems) == 3
@@ -196,7 +196,7 @@ def test_pandas_has_time_as_index(recording):
     assert frame.attrs["units"]["tank.temperature"] == "K"
 
 
-def test_plot_hands_over_to_the_report(recording, monkeypatch):
+def test_plot_calls_the_report(recording, monkeypatch):
     seen = {}
     plots = types.ModuleType("poppet.timeseries.plotting.plots")
     plots.plot_recordings = lambda *given, **options: seen.update(given=given, options=options)
@@ -222,7 +222,7 @@ def test_csv_is_the_public_contract(recording, tmp_path):
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-def test_what_is_written_is_read_bit_by_bit(recording, tmp_path, suffix):
+def test_written_files_are_read_without_changes(recording, tmp_path, suffix):
     path = recording.save(tmp_path / f"out{suffix}")
     again = Recording.read(path)
     assert again.names == recording.names
@@ -232,7 +232,7 @@ def test_what_is_written_is_read_bit_by_bit(recording, tmp_path, suffix):
 
 
 @pytest.mark.parametrize("suffix", [".parquet", ".mat"])
-def test_parquet_and_mat_keep_what_stands_beside_the_numbers(recording, tmp_path, suffix):
+def test_parquet_and_mat_keep_the_metadata(recording, tmp_path, suffix):
     again = Recording.read(recording.save(tmp_path / f"out{suffix}"))
     assert again.title == "filling"
     assert again.notes == recording.notes
@@ -254,7 +254,7 @@ def test_csv_headings_with_commas_are_quoted(tmp_path):
     assert Recording.read(made.save(tmp_path / "out.csv")).names == ('the "a", first',)
 
 
-def test_mat_names_are_valid_and_the_originals_come_back(tmp_path):
+def test_mat_names_are_valid_and_restored(tmp_path):
     from scipy.io import loadmat
 
     names = ["tank.pressure", "tank__pressure", "time", "1st", "a-b", "x" * 80, "x" * 81]
@@ -276,7 +276,7 @@ def test_parquet_carries_the_unit_of_each_column(recording, tmp_path):
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-def test_a_failed_write_leaves_the_old_file_and_no_other(recording, tmp_path, suffix, monkeypatch):
+def test_failed_write_keeps_the_old_file(recording, tmp_path, suffix, monkeypatch):
     path = tmp_path / f"out{suffix}"
     path.write_bytes(b"old")
     broken = recording.select("*")
@@ -306,7 +306,7 @@ def test_a_link_stays_a_link(recording, tmp_path):
     assert (tmp_path / "real.csv").read_text().startswith("time [s]")
 
 
-def test_places_that_cannot_be_written(recording, tmp_path):
+def test_unwritable_paths_are_rejected(recording, tmp_path):
     with pytest.raises(InputError) as caught:
         recording.save(tmp_path / "missing" / "out.csv")
     assert (caught.value.code, caught.value.facts["folder"]) == ("files.no_folder", str(tmp_path / "missing"))
@@ -369,7 +369,7 @@ def test_bad_csv_files_name_file_and_line(tmp_path, content, line, code, facts):
     assert str(caught.value).startswith(f"{path}:{line}: " if line else f"{path}: ")
 
 
-def test_csv_of_other_hands(tmp_path):
+def test_csv_of_other_programs(tmp_path):
     path = tmp_path / "bench.csv"
     path.write_bytes(b"\xef\xbb\xbfpressure [bar], time [ms] ,count\r\n1.5,0,3\r\n\r\n2.5,100,nan\r\n")
     bench = Recording.read(path)
@@ -410,7 +410,7 @@ def test_files_of_other_programs(tmp_path):
 
 
 @pytest.mark.parametrize("suffix", [".parquet", ".mat"])
-def test_a_series_may_be_called_as_the_time(tmp_path, suffix):
+def test_series_with_the_name_of_the_time(tmp_path, suffix):
     made = Recording.from_series([0.0, 1.0], {"time [V]": [5.0, 6.0], "time_2": [7.0, 8.0], "poppet": [9.0, 0.0]})
     again = Recording.read(made.save(tmp_path / f"out{suffix}"))
     assert (again.names, again.units) == (made.names, made.units)
@@ -426,7 +426,7 @@ def test_a_csv_file_has_one_time(tmp_path):
 
 
 @pytest.mark.parametrize("package", ["pandas", "pyarrow"])
-def test_a_missing_package_is_named_with_its_cure(recording, tmp_path, monkeypatch, package):
+def test_missing_package_has_a_hint(recording, tmp_path, monkeypatch, package):
     real = builtins.__import__
 
     def without(name: str, *rest: object, **options: object) -> object:
@@ -446,7 +446,7 @@ def test_a_missing_package_is_named_with_its_cure(recording, tmp_path, monkeypat
     ("key", "kind"),
     [("time", "time"), (slice(1, 3), "slice"), (["a"], "list"), (0, "int")],
 )
-def test_keys_that_are_no_names_say_what_to_use(key, kind):
+def test_invalid_keys_have_a_hint(key, kind):
     recording = Recording.from_series([0.0, 1.0], {"a [Pa]": [1.0, 2.0]})
     with pytest.raises(InputError) as caught:
         recording[key]

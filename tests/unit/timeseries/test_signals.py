@@ -35,7 +35,7 @@ every_signal = pytest.mark.parametrize("signal", SIGNALS.values(), ids=SIGNALS.k
 
 
 def merged_at(merged: MergedSegments, i: int, t: np.ndarray) -> np.ndarray:
-    """The definition, written out: value + slope tau + amplitude sin(2 pi (f + c tau / 2) tau + phase)."""
+    """Return the definition: value + slope tau + amplitude sin(2 pi (f + c tau / 2) tau + phase)."""
     k = np.searchsorted(merged.starts, t, side="right") - 1
     value, slope, amplitude, frequency, rate, phase, origin = merged.coefficients[merged.courses[k], i].T
     tau = t - origin
@@ -62,7 +62,7 @@ def test_only_marked_starts_are_discontinuous(signal):
 
 
 @every_signal
-def test_values_stay_within_the_bounds_and_reach_them(signal):
+def test_values_reach_but_do_not_exceed_the_bounds(signal):
     values = signal.evaluate(np.linspace(0.0, 8.0, 8001))
     low, high = signal.bounds()
     assert low <= np.min(values) <= low + 1e-3
@@ -84,7 +84,7 @@ def test_steps_are_right_continuous():
     assert steps.evaluate([0.0, 19.999, 20.0, 40.0, 100.0]).tolist() == [1e5, 1e5, 2e5, 0.0, 0.0]
 
 
-def test_a_step_without_height_is_no_jump():
+def test_step_of_zero_height_is_no_jump():
     assert Steps([0.0, 1.0, 2.0], [1.0, 1.0, 2.0]).table(3.0).jump.tolist() == [False, False, True]
 
 
@@ -109,7 +109,7 @@ def test_chirp_sweeps_and_then_holds_its_end_frequency():
     np.testing.assert_allclose(Chirp(0.0, 1.0, f0, f1, duration=span).evaluate(t), expected, atol=1e-12)
 
 
-def test_chirp_lasts_the_run_unless_told():
+def test_default_duration_of_a_chirp_is_the_run():
     chirp = Chirp(0.0, 1.0, 0.5, 4.0)
     assert len(chirp.table(10.0)) == 1
     assert chirp.table(10.0).chirp_rate[0] == 0.35
@@ -119,7 +119,7 @@ def test_chirp_lasts_the_run_unless_told():
     assert caught.value.code == "signals.chirp_duration"
 
 
-def test_prbs_is_repeatable_and_goes_on_in_a_longer_run():
+def test_prbs_is_repeatable_and_continues_in_longer_runs():
     t = np.arange(0.05, 50.0, 0.1)
     bits = Prbs(0.0, 1.0, 0.1, seed=7).evaluate(t)
     np.testing.assert_array_equal(Prbs(0.0, 1.0, 0.1, seed=7).table(50.0).evaluate(t), bits)
@@ -128,7 +128,7 @@ def test_prbs_is_repeatable_and_goes_on_in_a_longer_run():
     assert np.any(Prbs(0.0, 1.0, 0.1, seed=8).evaluate(t) != bits)
 
 
-def test_prbs_bits_are_those_of_the_raw_stream():
+def test_prbs_bits_equal_the_raw_stream():
     expected = np.random.PCG64(7).random_raw(20) >> np.uint64(63)
     np.testing.assert_array_equal(Prbs(0.0, 1.0, 1.0, seed=7).evaluate(np.arange(20.0)), expected)
 
@@ -140,7 +140,7 @@ def test_prbs_refuses_a_run_of_too_many_bits():
     assert caught.value.facts["bits"] == pytest.approx(1e11)
 
 
-def test_delayed_comes_later_and_holds_its_first_value():
+def test_delayed_signal_holds_its_first_value():
     signal = Steps([0.0, 1.0], [1.0, 5.0]).delayed(0.5)
     assert signal.evaluate([0.0, 0.5, 1.4, 1.5]).tolist() == [1.0, 1.0, 1.0, 5.0]
     assert Constant(1.0).delayed(0.0) == Constant(1.0)
@@ -158,7 +158,7 @@ def test_a_delayed_step_is_never_lost(times, delay):
     assert all(steps.delayed(delay).table(until).start[-1] < until for until in shifted)
 
 
-def test_notes_name_what_is_held():
+def test_held_values_give_a_note():
     name = "valve.pilot_pressure"
     points = Points([0.0, 40.0], [0.0, 2e5])
     assert points.notes(120.0, name) == (Note("signals.held_after", name, source="", value=2e5, time=40.0),)
@@ -172,7 +172,7 @@ def test_notes_name_what_is_held():
     assert Constant(1.0).notes(1.0, name) == ()
 
 
-def test_notes_name_steps_that_a_run_does_not_reach():
+def test_steps_after_the_run_give_a_note():
     steps = Steps([0.0, 20.0, 40.0], [1.0, 2.0, 3.0])
     assert steps.notes(40.0, "a") == (Note("signals.steps_unused", "a", unused=1, total=3, end=40.0),)
     assert steps.notes(41.0, "a") == ()
@@ -187,7 +187,7 @@ def test_merge_of_nothing_is_one_segment():
     assert jumps.tolist() == [False]
 
 
-def test_merge_gives_every_signal_unchanged():
+def test_merge_does_not_change_signals():
     tables = [signal.table(3.0) for signal in SIGNALS.values()]
     merged = merge(tables)
     t = np.linspace(0.0, 2.999, 2000)
@@ -223,7 +223,7 @@ def test_merge_keeps_the_phase_of_a_fast_sine_late_in_a_run():
     assert abs(inputs_at(problem, 0, 1234.5)[0]) < 1e-6 * 1e-11
 
 
-def test_what_repeats_is_kept_once_beside_a_wave():
+def test_repeated_segments_are_stored_once():
     tables = [Square(0.0, 1.0, 1e4).table(5.0), Sine(0.0, 1.0, 50.0).table(5.0), Constant(3.0).table(5.0)]
     merged = merge(tables)
     assert merged.starts.size == 100_000
@@ -234,7 +234,7 @@ def test_what_repeats_is_kept_once_beside_a_wave():
 
 
 @pytest.mark.parametrize("frequency", [10.0, 7.0, 1234.5])
-def test_edges_of_pulses_are_the_nearest_numbers_there_are(frequency):
+def test_edges_of_pulses_are_correctly_rounded(frequency):
     start = Square(-1.0, 1.0, frequency, duty=0.25).table(500.5 / frequency).start
     assert start.size == 1002  # the last period has begun, and its fall too
     periods = [Fraction(k) / Fraction(frequency) for k in range(501)]
@@ -243,7 +243,7 @@ def test_edges_of_pulses_are_the_nearest_numbers_there_are(frequency):
     np.testing.assert_array_max_ulp(start[1::2], np.array(falls), 1)
 
 
-def test_the_duty_at_the_start_of_a_period_counts_for_all_of_it():
+def test_duty_at_the_start_of_a_period_is_used():
     duty = Points([0.0, 1.0, 2.0, 3.0], [0.0, 1.0, 1.0, 0.0])
     signal = Pwm(8.0, duty, low=2.0, high=5.0)
     t = (np.arange(4000) + 0.5) / 1000.0
@@ -269,8 +269,8 @@ def test_pulses_that_never_end_or_begin_have_no_edges(duty, value):
 
 
 @pytest.mark.parametrize("tolerance", [1e-6, 0.1])
-def test_no_pulse_is_missed_however_long_the_steps(tolerance):
-    """A source of rare short pulses fills a closed tank: rate times the sum of their widths, to round-off."""
+def test_long_steps_miss_no_pulse(tolerance):
+    """The mass from short pulses into a closed tank is the rate times the sum of their widths, to round-off."""
     width = Points([0.0, 1000.0], [1e-3, 1e-2])
     circuit = Circuit(
         {"source": FlowSource(to="tank"), "tank": Chamber(volume="1 m^3", thermal="isothermal")},
@@ -284,7 +284,7 @@ def test_no_pulse_is_missed_however_long_the_steps(tolerance):
 
 
 @pytest.mark.slow
-def test_a_million_edges_pass_and_leave_little_behind():
+def test_a_million_edges_need_little_memory():
     circuit = Circuit(
         {"source": FlowSource(to="tank"), "tank": Chamber(volume="1 m^3", thermal="isothermal")},
         {"source.mass_flow_rate": Pwm(1000.0, Sine(0.5, 0.4, 0.1), 0.0, 0.001)},
@@ -326,7 +326,7 @@ def test_paths_are_checked(kind, times, values, code, facts):
     assert facts.items() <= caught.value.facts.items()
 
 
-def test_all_mistakes_of_a_path_come_at_once():
+def test_all_errors_of_a_path_are_reported_together():
     with pytest.raises(InputErrors) as caught:
         Steps([0.0, 0.0], [math.nan, 1.0])
     codes = [problem.code for problem in caught.value.problems]
@@ -368,7 +368,7 @@ def test_fields_are_checked(build, code, field):
     assert (caught.value.code, caught.value.address) == (code, field)
 
 
-def test_what_was_given_cannot_be_changed_afterwards():
+def test_signals_are_immutable():
     given = np.array([0.0, 1.0])
     steps = Steps(given, [1.0, 2.0])
     given[1] = 9.0
@@ -377,6 +377,6 @@ def test_what_was_given_cannot_be_changed_afterwards():
         steps.times[1] = 5.0
 
 
-def test_a_signal_kind_must_say_its_segments():
+def test_signal_class_without_segments_is_abstract():
     with pytest.raises(TypeError, match="abstract"):
         Signal()

@@ -52,7 +52,20 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
         if not lengths.size or lengths[0] <= 0.0 or np.ptp(lengths) > SAME * lengths[0]:
             raise SimulationError(Note("sampled.irregular", names[k]))
         periods[k] = float(lengths[0])
-    sample, repeats = _common_period(periods, names)
+    # The common period. Periods are decimals with rounding errors; their ratios are ratios of small integers, or there
+    # is no common period.
+    shortest = min(periods.values())
+    ratios = {k: Fraction(period / shortest).limit_denominator(MAX_RATIO) for k, period in periods.items()}
+    for k, ratio in ratios.items():
+        if abs(float(ratio) * shortest - periods[k]) > SAME * periods[k]:
+            first = min(periods, key=periods.__getitem__)
+            facts = {"period": periods[k], "other": names[first], "shortest": shortest}
+            raise SimulationError(Note("sampled.no_common_period", names[k], **facts))
+    multiple = Fraction(lcm(*(r.numerator for r in ratios.values())), gcd(*(r.denominator for r in ratios.values())))
+    repeats = {k: int(multiple / ratio) for k, ratio in ratios.items()}
+    sample, instants = float(multiple) * shortest, sum(repeats.values())
+    if instants > MAX_INSTANTS:
+        raise SimulationError(Note("sampled.too_many_instants", period=sample, instants=instants))
     # At the start of a run, or at the first tick of the last clock.
     begin = max(ticks[k][0] for k in running)
     pattern: list[tuple[float, int]] = []
@@ -69,7 +82,7 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
             fired.append(np.zeros(model.n_timers))
         fired[-1][k] = 1.0
     # After all evaluated ticks, at the beginning of a sample.
-    last = max(max(instants) for instants in ticks if instants)
+    last = max(max(times_of_clock) for times_of_clock in ticks if times_of_clock)
     start = begin + np.ceil((last - begin) / sample + SAME) * sample
     _, memory = _ticks(kernel, x, u, p, counts, end=start - SAME * sample)
     return Clock(sample, np.array(times), np.array(fired), counts, memory, float(np.min(memory[running])))
@@ -99,24 +112,3 @@ def _ticks(
         kernel.call("update", np.array([now]), x, u, p, fired, z)
         memory[:] = z
     return ticks, memory.copy()
-
-
-def _common_period(periods: dict[int, float], names: list[str]) -> tuple[float, dict[int, int]]:
-    """Return the common period of all clocks [s], and the ticks of each clock in it.
-
-    `periods` maps the index of each clock to its period [s].
-    """
-    shortest = min(periods.values())
-    # Periods are decimals with rounding errors; their ratios are ratios of small integers, or there is no period.
-    ratios = {k: Fraction(period / shortest).limit_denominator(MAX_RATIO) for k, period in periods.items()}
-    for k, ratio in ratios.items():
-        if abs(float(ratio) * shortest - periods[k]) > SAME * periods[k]:
-            first = min(periods, key=periods.__getitem__)
-            facts = {"period": periods[k], "other": names[first], "shortest": shortest}
-            raise SimulationError(Note("sampled.no_common_period", names[k], **facts))
-    multiple = Fraction(lcm(*(r.numerator for r in ratios.values())), gcd(*(r.denominator for r in ratios.values())))
-    repeats = {k: int(multiple / ratio) for k, ratio in ratios.items()}
-    period, instants = float(multiple) * shortest, sum(repeats.values())
-    if instants > MAX_INSTANTS:
-        raise SimulationError(Note("sampled.too_many_instants", period=period, instants=instants))
-    return period, repeats

@@ -39,10 +39,19 @@ def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
     point = SampledPoint(instance, u)
     v, *notes = _search(point)
     if v is None:
-        motion, timers = _motion(point), _running_timers(point)
-        raise SimulationError(
-            Note("rest.switched", motion=motion, timers=timers) if timers else Note("rest.banded", motion=motion)
-        )
+        motion = _motion(point)
+        # Timers, except clocks, that run at the end of one of several transients, or that a tick of the clocks sets.
+        running: set[int] = set()
+        timers = [k for k in range(point.places.size) if point.places[k] < point.model.n_timers]
+        for k in range(RUNS if timers else 0):
+            # At different phases of the sample, to find short events.
+            end, _ = transient(point, RUN_TIME + k * 1.37 * point.clock.sample_time)
+            updated, _, _ = point.instant(end, point.every_clock)
+            running |= {int(point.places[j]) for j in timers if min(end[point.n + j], updated[j]) < NEVER}
+        if not running:
+            raise SimulationError(Note("rest.banded", motion=motion))
+        names_of_timers = [point.model.memory[k][0] for k in sorted(running)]
+        raise SimulationError(Note("rest.switched", motion=motion, timers=names_of_timers))
     is_stable = _is_stable(point, v)
     if not is_stable:
         notes.append(Note("rest.unstable", motion=_motion(point)))
@@ -168,18 +177,3 @@ def _motion(point: SampledPoint) -> Note:
         code, period = ("rest.swings", period) if np.isfinite(period) else ("rest.drifts", OBSERVATION_TIME)
         swings.append(Note(code, names[k], amplitude=amplitude, unit=units[k], period=period))
     return Note("rest.moves", swings=swings) if swings else Note("rest.unseen")
-
-
-def _running_timers(point: SampledPoint) -> list[str]:
-    """Return the names of running timers, except clocks.
-
-    A timer is included if it runs at the end of one of several transients, or if a tick of the clocks sets it.
-    """
-    running: set[int] = set()
-    timers = [k for k in range(point.places.size) if point.places[k] < point.model.n_timers]
-    for k in range(RUNS if timers else 0):
-        # At different phases of the sample, to find short events.
-        end, _ = transient(point, RUN_TIME + k * 1.37 * point.clock.sample_time)
-        updated, _, _ = point.instant(end, point.every_clock)
-        running |= {int(point.places[j]) for j in timers if min(end[point.n + j], updated[j]) < NEVER}
-    return [point.model.memory[k][0] for k in sorted(running)]

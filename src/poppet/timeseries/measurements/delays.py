@@ -147,10 +147,20 @@ def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
         return []
     level = np.interp(time, pressure.time, np.log(pressure.values))
     noise = noise_of(pressure.values, pressure.time) / float(np.min(pressure.values))
-    window = _fastest(time, level, max(_CHANGE, 8.0 * noise))
-    if window is None:
+    # The shortest window in which the level changes enough.
+    change_of_level = max(_CHANGE, 8.0 * noise)
+    shortest: tuple[float, int, int] | None = None
+    last = 1
+    for first in range(time.size - 1):
+        last = max(last, first + 1)
+        while last < time.size - 1 and abs(level[last] - level[first]) < change_of_level:
+            last += 1  # the end never moves back, which is sufficient for a monotone pressure
+        if abs(level[last] - level[first]) >= change_of_level:
+            window = (float(time[last] - time[first]), first, last)
+            shortest = min(shortest or window, window)
+    if shortest is None:
         return []
-    first, last = window
+    _, first, last = shortest
     kappa = AIR_ISENTROPIC_EXPONENT
     expected = (kappa - 1.0) / kappa * float(temperature[first]) * float(level[last] - level[first])
     change = float(temperature[last] - temperature[first])
@@ -159,20 +169,3 @@ def slow_sensor(channel: Channel, channels: Sequence[Channel]) -> list[Note]:
         return []
     facts = {"moved": change, "start": float(time[first]), "stop": float(time[last]), "expected": expected}
     return [Note("suspicion.slow_sensor", channel.address, **facts)]
-
-
-def _fastest(time: FloatArray, level: FloatArray, change: float) -> tuple[int, int] | None:
-    """Return the indices of the shortest window in which the level changes by `change`.
-
-    The result is None if the level changes by less.
-    """
-    shortest: tuple[float, int, int] | None = None
-    last = 1
-    for first in range(time.size - 1):
-        last = max(last, first + 1)
-        while last < time.size - 1 and abs(level[last] - level[first]) < change:
-            last += 1  # the end never moves back, which is sufficient for a monotone pressure
-        if abs(level[last] - level[first]) >= change:
-            window = (float(time[last] - time[first]), first, last)
-            shortest = min(shortest or window, window)
-    return shortest and shortest[1:]

@@ -170,11 +170,21 @@ class _MeasurementReader:
         self._refuse_all()
         origin, samples = from_first([column.samples for column in channels], skip, end)
         read = tuple(self._channel(column, shifted) for column, shifted in zip(channels, samples, strict=True))
-        driving = tuple(self._input(column, origin) for column in inputs)
+        driving = []
+        for column in inputs:
+            time, values, fields = column.samples.time - origin, column.samples.values, column.fields
+            if "before" in fields:
+                # In the unit of the column.
+                first = convert(float(fields["before"]), column.written, column.unit, ambient_pressure=self.ambient)
+                time, values = np.append(time[0] - _INSTANT, time), np.append(first, values)
+            self._refuse_slips(column, time, values)
+            driving.append(
+                InputChannel(column.address, time, values, column.unit, column.delay, column.lag, fields["hold"])
+            )
         self._refuse_all()
         gauge = frozenset(column.address for column in (*channels, *inputs) if column.is_gauge)
         return Measurement(
-            name, read, driving, start, self.ambient, tuple(self.notes),
+            name, read, tuple(driving), start, self.ambient, tuple(self.notes),
             (*self.findings, *verdicts(read, driving, self.ambient, gauge)),
             max(float(channel.time[-1]) for channel in read),
         )  # fmt: skip
@@ -329,15 +339,6 @@ class _MeasurementReader:
             return None
         field = Field(unit=column.unit, kind=DIFFERENCE_KINDS.get(column.unit, "plain"), above=0.0)
         return self._attempt(location, lambda: float(field.read(raw, location)))
-
-    def _input(self, column: _MappedColumn, origin: float) -> InputChannel:
-        time, values, fields = column.samples.time - origin, column.samples.values, column.fields
-        if "before" in fields:
-            # In the unit of the column.
-            first = convert(float(fields["before"]), column.written, column.unit, ambient_pressure=self.ambient)
-            time, values = np.append(time[0] - _INSTANT, time), np.append(first, values)
-        self._refuse_slips(column, time, values)
-        return InputChannel(column.address, time, values, column.unit, column.delay, column.lag, fields["hold"])
 
 
 def read_recording(

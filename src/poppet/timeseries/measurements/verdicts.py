@@ -48,7 +48,12 @@ def verdicts(
             notes.append(Note("suspicion.no_temperature", channel.address, lowest=lowest, highest=highest))
         notes += value_verdicts(channel)
     notes += time_verdicts(channels)
-    notes += _coverage(channels, inputs)
+    end = max(float(channel.time[-1]) for channel in channels)
+    for item in inputs:
+        first, last = float(item.time[0]), float(item.time[-1])
+        slack = _GAP * float(np.median(np.diff(item.time))) if item.time.size > 1 else 0.0
+        if first > slack or last < end - slack:
+            notes.append(Note("suspicion.coverage", item.address, start=first, stop=last, end=end))
     # With a misread pressure, every flow looks late and every temperature sensor looks slow.
     sound = [channel for channel in channels if channel.address not in doubtful]
     for channel in channels:
@@ -191,15 +196,4 @@ def time_verdicts(channels: Sequence[Channel]) -> list[Note]:
         jitter = float(np.ptp(steps)) > 0.0
         if median >= _LONG_STEP and time.size >= _MANY_STAMPS and jitter and bool(np.all(steps == np.rint(steps))):
             notes.append(Note("suspicion.milliseconds", address, step=median, total=float(time[-1])))
-    return notes
-
-
-def _coverage(channels: Sequence[Channel], inputs: Sequence[InputChannel]) -> list[Note]:
-    end = max(float(channel.time[-1]) for channel in channels)
-    notes = []
-    for item in inputs:
-        first, last = float(item.time[0]), float(item.time[-1])
-        slack = _GAP * float(np.median(np.diff(item.time))) if item.time.size > 1 else 0.0
-        if first > slack or last < end - slack:
-            notes.append(Note("suspicion.coverage", item.address, start=first, stop=last, end=end))
     return notes

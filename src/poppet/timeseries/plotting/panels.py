@@ -394,27 +394,18 @@ def spans_of(time: FloatArray, codes: FloatArray, columns: int) -> tuple[tuple[S
     is_thinned = bool(np.count_nonzero(np.diff(values)) > columns)
     if is_thinned:
         edges = np.linspace(time[0], time[-1], columns + 1)
-        values = _most_frequent(time, values, edges)
+        # The code with the longest total duration in each interval between edges.
+        kinds = np.unique(values[np.isfinite(values)])
+        durations = np.zeros((kinds.size, columns))
+        for row, kind in zip(durations, kinds, strict=True):
+            # Total duration so far, linear between samples, so differences between edges are exact.
+            total = np.concatenate(([0.0], np.cumsum(np.where(values == kind, np.diff(time), 0.0))))
+            row[:] = np.diff(np.interp(edges, time, total))
+        values = kinds[durations.argmax(axis=0)] if kinds.size else np.full(columns, np.nan)
     first = np.flatnonzero(np.diff(values, prepend=np.nan) != 0.0)
     ends = np.append(edges[first[1:]], edges[-1])
     known = [(k, end) for k, end in zip(first, ends, strict=True) if np.isfinite(values[k])]
     return tuple(Span(float(edges[k]), float(end - edges[k]), int(values[k])) for k, end in known), is_thinned
-
-
-def _most_frequent(time: FloatArray, codes: FloatArray, edges: FloatArray) -> FloatArray:
-    """Return the code with the longest total duration in each interval between edges.
-
-    The code `codes[k]` is valid from `time[k]` to the next time.
-    """
-    kinds = np.unique(codes[np.isfinite(codes)])
-    if not kinds.size:
-        return np.full(len(edges) - 1, np.nan)
-    durations = np.empty((kinds.size, len(edges) - 1))
-    for row, kind in zip(durations, kinds, strict=True):
-        # Total duration so far, linear between samples, so differences between edges are exact.
-        total = np.concatenate(([0.0], np.cumsum(np.where(codes == kind, np.diff(time), 0.0))))
-        row[:] = np.diff(np.interp(edges, time, total))
-    return np.asarray(kinds[durations.argmax(axis=0)])
 
 
 def _label(name: str) -> str:

@@ -93,7 +93,18 @@ def read(
         if len(separators[0]) != 1:
             raise InputError("table.separator", "separator", value=separator)
     layout = _guess(rest_lines, separators, (".", ",") if decimal is None else (decimal,))
-    head, body = _parted(rest_lines, layout, header_rows)
+    if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
+        raise InputError("table.header_rows", "header_rows", value=header_rows)
+    if header_rows is None:
+        first = next((k for k, (_, line) in enumerate(rest_lines) if layout.is_sample(line)), None)
+    else:
+        first = next((k for k, (number, _) in enumerate(rest_lines) if number > header_rows), None)
+        # Headings after the given number of lines are also header lines.
+        while first is not None and first < len(rest_lines) and not layout.has_number(rest_lines[first][1]):
+            first += 1
+    if first is None or first == len(rest_lines):
+        raise InputError("table.no_samples")
+    head, body = rest_lines[:first], rest_lines[first:]
     names, units, heading_notes = _headings(head, comments, layout, body)
     if separator is None or decimal is None:
         separator_name = _SAID.get(layout.separator, repr(layout.separator))
@@ -191,25 +202,6 @@ def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[
     if best_layout is None or best_score[1] == 0.0:
         raise InputError("table.no_lines_of_numbers")
     return best_layout
-
-
-def _parted(lines: list[Line], layout: _TextLayout, header_rows: int | None) -> tuple[list[Line], list[Line]]:
-    """Divide the lines of a file into header lines and samples.
-
-    `header_rows` is the number of header lines in the file, or None to detect them. Headings after that number are
-    also header lines.
-    """
-    if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
-        raise InputError("table.header_rows", "header_rows", value=header_rows)
-    if header_rows is None:
-        first = next((k for k, (_, text) in enumerate(lines) if layout.is_sample(text)), None)
-    else:
-        first = next((k for k, (number, _) in enumerate(lines) if number > header_rows), None)
-        while first is not None and first < len(lines) and not layout.has_number(lines[first][1]):
-            first += 1
-    if first is None or first == len(lines):
-        raise InputError("table.no_samples")
-    return lines[:first], lines[first:]
 
 
 def _headings(
