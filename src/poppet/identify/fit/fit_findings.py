@@ -14,7 +14,7 @@ from poppet.identify.fit.fit_plan import LARGEST_OFFSET, SURELY, FitPlan
 from poppet.identify.fit.residuals import correlation_time, is_white, staircase
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import ChannelFit, ErrorModel, SensorLimits, channel_fits
-from poppet.identify.free_parameter import by_name, with_starts
+from poppet.identify.free_parameter import FreeParameter, by_name, with_starts
 from poppet.identify.result import Estimate, replace_uncertain_findings
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import noise_of
@@ -33,6 +33,8 @@ TOLD, VISIBLE = 0.1, 0.4
 LOCAL = 1.5
 """Factor on an interval above which a local lack of fit is reported."""
 LOST = ("at bound", "not determined")
+IDEAL_RATIO = 0.53
+"""Critical ratio of an ideal nozzle for a diatomic gas, rounded up."""
 
 
 @dataclass(frozen=True)
@@ -67,7 +69,8 @@ def finding_notes(fit: CompletedFit) -> list[Note]:
         *gauge_reference_notes(fit),
         *choking_notes(fit),
         *correlation_notes(fit),
-        *parameter_notes(fit),
+        *parameter_notes(fit.plan.free, fit.estimates),
+        *unusual_ratio_notes(fit.plan.free, fit.estimates),
         *residual_notes(fit),
         *(note.within(e.name) for e in experiments for note in e.measurement.notes),
     ]
@@ -185,10 +188,10 @@ def error_model_of(plan: FitPlan, optimum: Optimum) -> ErrorModel:
 # Numbers ----------------------------------------------------------------------------------------------------------
 
 
-def parameter_notes(fit: CompletedFit) -> Iterator[Note]:
+def parameter_notes(free: Sequence[FreeParameter], estimates: Mapping[str, Estimate]) -> Iterator[Note]:
     """Yield notes on parameters that are at a bound, did not change, or are not determined."""
-    for f in fit.plan.free:
-        e = fit.estimates[f.name]
+    for f in free:
+        e = estimates[f.name]
         is_low = e.value <= f.low + 1e-6 * f.scale
         cases = {
             "bound": e.verdict == "at bound",
@@ -200,6 +203,14 @@ def parameter_notes(fit: CompletedFit) -> Iterator[Note]:
         if case := next((case for case, holds in cases.items() if holds), None):
             facts = {"value": e.value, "error": e.standard_error, "low": e.low, "high": e.high, "unit": f.unit}
             yield Note(f"finding.number.{case}", f.name, **facts, **({"is_low": is_low} if case == "bound" else {}))
+
+
+def unusual_ratio_notes(free: Sequence[FreeParameter], estimates: Mapping[str, Estimate]) -> Iterator[Note]:
+    """Yield notes on critical ratios above that of an ideal nozzle."""
+    for f in free:
+        e = estimates[f.name]
+        if f.address.endswith("critical_ratio") and e.value > IDEAL_RATIO and e.verdict not in LOST:
+            yield Note("finding.unusual.ratio", f.name, value=e.value)
 
 
 def choking_notes(fit: CompletedFit) -> Iterator[Note]:

@@ -347,7 +347,9 @@ def optima_notes(plan: FitPlan, optimum: Optimum) -> Iterator[Note]:
     }
     if not differing:
         return
-    excess = max(o.excess for o in optima)
+    # The rms in percent has a meaning for readers, a difference of costs does not.
+    sizes = [float(np.sqrt(np.mean(o.residual**2))) for o in optima]
+    excess = 100.0 * (max(sizes) / max(min(sizes), 1e-300) - 1.0)
     walls = next((values for name, values in differing.items() if name.endswith(WALL)), ())
     flow = next((f for f in plan.free if f.name in differing and f.address.endswith(CONDUCTANCES)), None)
     if walls and flow:

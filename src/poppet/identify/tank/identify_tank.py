@@ -10,6 +10,8 @@ from collections.abc import Collection, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+import numpy as np
+
 from poppet.core.codes import Note
 from poppet.core.toml_file import TomlFile
 from poppet.core.units import quantity
@@ -28,6 +30,7 @@ from poppet.identify.tank.alternatives import (
     misfit_channels,
     wall_temperature_notes,
 )
+from poppet.identify.tank.budget import add_budget, read_uncertainties, update_parameter_notes
 from poppet.identify.tank.tank_plan import AREA_FACTOR, TankRun, plan_tank_fit, read_runs
 from poppet.identify.tank.test import ROOM, TankTest, read_test
 from poppet.laws.iso6358.conversion import conductance_from_effective_area
@@ -36,6 +39,7 @@ MISFIT = "finding.residuals.not_white"
 CAPPING = (
     MISFIT,
     "finding.other_model.clear",
+    "finding.other_model.several",
     "finding.other_model.doubt",
     "finding.area",
     "finding.wall",
@@ -43,7 +47,7 @@ CAPPING = (
     "finding.unusual.wall",
 )
 """Codes of findings that limit the verdicts of all parameters that depend on the model."""
-MISREAD = ("finding.unexplained.", "suspicion.", "finding.gauge")
+MISREAD = ("finding.unusual.closes", "finding.unusual.time", "finding.unexplained.", "suspicion.", "finding.gauge")
 """Code prefixes of findings on invalid data, which come first."""
 DOUBTFUL = 6.0
 """Least improvement of AICc of another model whose estimate is outside the interval; its probability by chance is
@@ -54,6 +58,13 @@ LOOK_ALIKE = ("wall_heat_capacity", "supply_pressure")
 """Free parameters whose effect the other parameters can imitate. (A leak always shares C with the valve.)"""
 USUAL_TRANSFER = 0.1, 1000.0
 """Wide range of the heat transfer coefficient of air in tanks [W/(m^2 K)]."""
+CHANGING = 0.1, 0.9
+"""Fractions of the pressure change between which its duration is measured."""
+LONGEST, LONGEST_STEP = 500.0, 2.0
+"""Duration of a pressure change and sample time above which the times may be milliseconds [s]."""
+MOST = 0.6
+"""Fraction of the pressure change after closing above which the closing time is wrong; cooling after an adiabatic
+charge is less than 0.3."""
 LARGE_VOLUME = 1.0
 """Volume above which the unit was probably litres [m^3]."""
 READ_OFF = ("initial_pressure", "initial_temperature")
@@ -120,17 +131,22 @@ def identify_tank(
     if isinstance(test, TankTest):
         runs = read_runs(test)
         plan = plan_tank_fit(test, runs)
+        uncertainties = read_uncertainties(test, plan)
     else:
         file = TomlFile.read(test, "recordings")
         with file.errors():
             test = read_test(file)
             runs = read_runs(test)
             plan = plan_tank_fit(test, runs)
+            uncertainties = read_uncertainties(test, plan)
     result = identify_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
     result = apply_caps(test, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)
-    return widen_for_ambient(test, runs, result)
+    if result.conditions["interrupted"]:
+        return widen_for_ambient(test, runs, result)
+    result = add_budget(uncertainties, runs, plan, result, widen_for_ambient(test, runs, result))
+    return update_parameter_notes(plan, result)
 
 
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
@@ -167,7 +183,10 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
     comparison = dict(result.comparison)
     if alternatives:
         comparison["alternatives"] = alternatives_table(alternatives, number)
-    remarks = _alternative_notes(alternatives, result, number)
+    timing = time_unit_notes(runs)
+    # Fits with a wrong time of closing do not compare models.
+    is_mistimed = any(note.code == "finding.unusual.closes" for note in timing)
+    remarks = timing + ([] if is_mistimed else _alternative_notes(alternatives, result, number))
     conductance = result.parameters[number]
     if test.bore:
         # The discharge coefficient is the conductance divided by that of a nozzle of the same bore; the least value
@@ -181,7 +200,9 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
         comparison["discharge_coefficient"] = coefficient | {"least": conductance.value / largest_nozzle}
         if conductance.value > largest_nozzle:
             remarks.append(Note("finding.area", number, **comparison["discharge_coefficient"]))
-    remarks += wall_temperature_notes(test, runs, plan, result, number)
+    # If another model is clearly better, the effect of a warm wall on this one does not matter.
+    if not any(note.code == "finding.other_model.clear" for note in remarks):
+        remarks += wall_temperature_notes(test, runs, plan, result, number)
     if not USUAL_CONDUCTANCE[0] <= conductance.value <= USUAL_CONDUCTANCE[1]:
         remarks.append(Note("finding.unusual.conductance", number, value=conductance.value))
     volume = max(e.instance.parameters["tank.volume"] for e in plan.experiments)
@@ -242,10 +263,36 @@ def _alternative_notes(alternatives: Sequence[Alternative], result: Result, numb
     alike = tuple(name for name, size in sizes.items() if abs(size - best.difference) < CLEAR)
     facts = {"models": alike, "size": -best.difference, "percent": changes[best.name]}
     facts |= {"value": values[best.name], "unit": simple.unit}
+    if degree == "clear":
+        # Do not report models that are themselves contradicted.
+        changes = {a.name: changes[a.name] for a in alternatives if a.gain > best.gain - STRONG}
+        facts["models"] = tuple(changes)
+        if max(changes.values()) - min(changes.values()) > 100.0 * DETERMINED:
+            facts |= {"low": min(changes.values()), "high": max(changes.values())}
+            return [Note("finding.other_model.several", number, **facts)]
+        return [Note("finding.other_model.clear", number, **facts)]
     return [
         Note(f"finding.other_model.{degree}", number, **facts),
         Note("finding.other_models", number, changes=changes, sizes=sizes),
     ]
+
+
+def time_unit_notes(runs: Sequence[TankRun]) -> list[Note]:
+    """Return notes on recordings whose times are probably in another unit."""
+    notes = []
+    for run in runs:
+        channel = run.pressure
+        time, change = channel.time, np.abs(channel.values - np.median(channel.values[:3]))
+        reached = [float(time[np.argmax(change >= share * np.max(change))]) for share in CHANGING]
+        address, step = f"{run.measurement.name}.{channel.address}", float(np.median(np.diff(time)))
+        after = (
+            1.0 - float(np.interp(run.closes, time, change)) / float(np.max(change)) if run.closes < time[-1] else 0.0
+        )
+        if after > MOST:
+            notes.append(Note("finding.unusual.closes", address, share=after, closes=run.closes))
+        elif reached[1] - reached[0] > LONGEST and step > LONGEST_STEP:
+            notes.append(Note("finding.unusual.time", address, span=reached[1] - reached[0], step=step))
+    return notes
 
 
 def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:

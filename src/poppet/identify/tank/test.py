@@ -86,6 +86,11 @@ class TankTest:
         Offset of the pressure sensor: `free` (one for each recording) or 0. By default it is free in two cases: if the
         pressure states its `offset`, with that standard deviation, and if the valve closes within the recording, with
         a standard deviation of 1 % of the range.
+    uncertainties : mapping or 0
+        Standard uncertainties of the stated quantities, which the intervals include: `volume` and `supply_pressure`
+        (a fraction such as "0.5 %", or a value), `gauge_scale` (fraction of the gauge pressure) and `gauge_zero` [Pa].
+        A value of 0 takes a quantity as exact. Defaults, all assumed: 0.5 %, 0.3 %, 0.3 %, and 0.06 % of the range of
+        the recorded pressure. With `uncertainties = 0`, the intervals include noise and lack of fit alone.
     part : str
         Name of the component in the result; default `valve`.
     title : str
@@ -142,6 +147,7 @@ class TankTest:
     bore: Any = None
     bore_uncertainty: Any = 0.0
     pressure_offset: Any = None
+    uncertainties: Any = None
     part: str = "valve"
     title: str = "Tank test"
     loss: str = "linear"

@@ -13,14 +13,23 @@ from poppet.identify.result import VERDICTS, Result, behind
 
 SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
 """Symbols of the parameters in a headline; without such a parameter it shows the first two of the circuit."""
+ALWAYS = ("finding.budget",)
+"""Codes of findings that a terminal always shows."""
 READING_CODES = ("table", "measured", "series", "signals")
 """First words of the codes on reading a recording."""
 NEXT = {
     "interrupted": ("finding.interrupted",),
+    "time": ("finding.unusual.closes", "finding.unusual.time", "suspicion.milliseconds"),
     "unexplained": ("finding.unexplained",),
     "gauge": ("finding.gauge", "suspicion.read_as_absolute", "suspicion.read_as_gauge"),
     "heat": ("finding.optima.heat", "finding.laws.several"),
-    "": ("finding.other_model.clear", "finding.other_model.doubt", "finding.other_model.alike", "finding.tell_apart"),
+    "": (
+        "finding.other_model.clear",
+        "finding.other_model.several",
+        "finding.other_model.doubt",
+        "finding.other_model.alike",
+        "finding.tell_apart",
+    ),
     "choked": ("finding.choking.throughout", "flow.choked_only"),
     "unchoked": ("finding.choking.never", "flow.none_choked"),
     "offset": ("finding.offset.widens",),
@@ -132,7 +141,8 @@ def result_summary(result: Result, max_findings: int | None = None) -> str:
     lines += [f"Next: {step}"] * bool(step) + result.lines()
     major, minor = split_notes(result.remarks)
     notes = [*major, *minor] if max_findings is None else [*grouped(major), *grouped(minor)]
-    lines += [f"- {note}" for note in notes[:max_findings]]
-    if max_findings is not None and len(notes) > max_findings:
-        lines.append(f"  ({len(notes) - max_findings} more: --all, the page and the result file)")
+    shown = [note for k, note in enumerate(notes) if max_findings is None or k < max_findings or note.code in ALWAYS]
+    lines += [f"- {note}" for note in shown]
+    if len(notes) > len(shown):
+        lines.append(f"  ({len(notes) - len(shown)} more: --all, the page and the result file)")
     return "\n".join(lines)

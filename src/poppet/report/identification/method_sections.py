@@ -52,6 +52,17 @@ def _steady_sections(result: Result) -> list[Section]:
         formula_rows.append((code(name), text, estimate_text(fit) if fit else f"{fixed}, fixed"))
     formula_table = ReportTable(("parameter", "formulas of the standard", "direct fit"), formula_rows)
     note = "<p>The errors are standard uncertainties.</p>\n" if formula_rows else ""
+    return [
+        Section(
+            "Tests at the strokes", ReportTable(("test", *numeric("stroke", "C ± error", "b ± error")), stroke_rows)
+        ),
+        Section("Formulas of the standard", [formula_table, note]),
+        *_budget_sections(result),
+    ]
+
+
+def _budget_sections(result: Result) -> list[Section]:
+    """Return the section on the uncertainty budget, the largest source of each parameter first."""
     budget_rows = []
     for name, budget in result.comparison.get("uncertainty", {}).items():
         si_unit = result.parameters[name].unit if name in result.parameters else "1"
@@ -62,13 +73,7 @@ def _steady_sections(result: Result) -> list[Section]:
             text = with_unit(f"{scaled(size, si_unit, unit):.2g}", unit) if math.isfinite(size) else number(size)
             budget_rows.append((code(name), source, text, fraction))
     budget_columns = numeric("standard uncertainty", "fraction of the variance")
-    return [
-        Section(
-            "Tests at the strokes", ReportTable(("test", *numeric("stroke", "C ± error", "b ± error")), stroke_rows)
-        ),
-        Section("Formulas of the standard", [formula_table, note]),
-        Section("Uncertainty budget", ReportTable(("parameter", "source", *budget_columns), budget_rows)),
-    ]
+    return [Section("Uncertainty budget", ReportTable(("parameter", "source", *budget_columns), budget_rows))]
 
 
 def _force_sections(result: Result) -> list[Section]:
@@ -130,7 +135,7 @@ def _friction_sections(result: Result) -> list[Section]:
     return [Section("Friction laws", content)]
 
 
-TANK = MethodReport(references=("iso6358_2", "runs", "aicc"))
+TANK = MethodReport(evidence=_budget_sections, references=("iso6358_2", "gum", "runs", "aicc"))
 FLOW = MethodReport(evidence=_steady_sections, references=("iso6358_1", "gum", "aicc"))
 CHARACTERISTIC = MethodReport(evidence=_steady_sections, references=("varga2012", "runs", "aicc"))
 MUSCLE = MethodReport(_force_sections, references=("muscle_laws", "jackknife"))

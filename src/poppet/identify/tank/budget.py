@@ -1,0 +1,294 @@
+"""Uncertainty budget of a tank test: volume, supply pressure, and scale and zero of the pressure gauge."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from poppet.core.codes import Note
+from poppet.core.errors import ErrorCollector, UnitError
+from poppet.core.tables import Field, read_fields
+from poppet.core.units import Kind
+from poppet.identify.fit.experiment import Experiment, channels_of
+from poppet.identify.fit.fit_findings import parameter_notes, widening_of
+from poppet.identify.fit.fit_plan import FitPlan
+from poppet.identify.fit.search import FitObjective, Optimum
+from poppet.identify.fit.statistics import influences, verdict
+from poppet.identify.free_parameter import by_name
+from poppet.identify.gum import coverage_factor
+from poppet.identify.result import VERDICTS, Estimate, Result
+from poppet.identify.tank.tank_plan import PRESSURE, SUPPLY, TankRun, is_free
+from poppet.identify.tank.test import TankTest
+from poppet.timeseries.checks import FloatArray
+
+VOLUME = "tank.volume"
+FIELDS = dict.fromkeys(("volume", "supply_pressure", "gauge_scale", "gauge_zero"), Field())
+"""Keys of the table `uncertainties` of a tank test."""
+DEFAULTS = {"volume": 0.005, "supply_pressure": 0.003, "gauge_scale": 0.003}
+r"""Relative standard uncertainties that are assumed if a tank test does not state them.
+
+| quantity | default | source |
+|---|---|---|
+| volume | 0.5 % | assumed: filling with water on a scale, lines and fittings included |
+| supply pressure (absolute) | 0.3 % | assumed: limits of ±0.5 %, rectangular distribution (GUM 4.3.7) |
+| gauge scale (gauge pressure) | 0.3 % | assumed: limits of ±0.5 %, rectangular distribution (GUM 4.3.7) |
+"""
+DEFAULT_ZERO = 0.0006
+"""Default standard uncertainty of the gauge zero, as a fraction of the range of the recording.
+
+The value is assumed: limits of ±0.1 %, rectangular distribution (GUM 4.3.7)."""
+LARGEST = 0.5
+"""Largest relative standard uncertainty that the linear propagation accepts."""
+LARGEST_STEP = 0.005
+"""Largest relative change of a parameter for its central difference."""
+PARAMETER_NOTES = "finding.number."
+"""Prefix of the codes of notes on single parameters."""
+EXACT = "time", "temperatures", "ambient pressure"
+"""Stated quantities without an uncertainty."""
+NOISE, AMBIENT = "noise and lack of fit", "ambient temperature"
+SOURCES = {
+    "volume": "volume",
+    "supply_pressure": "supply pressure",
+    "gauge_scale": "gauge scale",
+    "gauge_zero": "gauge zero",
+}
+"""Names of the sources in the budget."""
+
+
+@dataclass(frozen=True)
+class Uncertainties:
+    """Standard uncertainties of the stated quantities of a tank test; 0 for an exact quantity."""
+
+    volume: float  # relative
+    supply_pressure: float  # relative, of the absolute pressure
+    gauge_scale: float  # relative, of the gauge pressure
+    gauge_zero: float  # [Pa]
+    assumed: tuple[str, ...]  # quantities with a default
+
+
+def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
+    """Return the standard uncertainties of a tank test, with defaults for those that are not stated.
+
+    The volume and the supply pressure accept a fraction or an absolute value.
+    """
+    if isinstance(test.uncertainties, int | float) and test.uncertainties == 0:
+        return Uncertainties(0.0, 0.0, 0.0, 0.0, ())
+    parameters = [e.instance.parameters for e in plan.experiments]
+    references = {
+        "volume": ("m^3", min(values[VOLUME] for values in parameters)),
+        "supply_pressure": ("Pa", min((values[SUPPLY] for values in parameters if SUPPLY in values), default=1.0)),
+        "gauge_scale": ("1", 1.0),
+    }
+    sizes: dict[str, float] = {}
+    with ErrorCollector() as errors:
+        stated = read_fields(errors, test.uncertainties or {}, FIELDS, "uncertainties", table="uncertainties")
+        for name, (unit, reference) in references.items():
+            with errors.collecting():
+                sizes[name] = _relative(stated[name], name, unit, reference) if name in stated else DEFAULTS[name]
+        with errors.collecting():
+            ranges = [float(np.ptp(c.channel.values)) for c in _gauges(plan)]
+            zero = Field(unit="Pa", kind="pressure_difference", low=0.0, meaning="standard uncertainty")
+            is_stated = "gauge_zero" in stated
+            sizes["gauge_zero"] = (
+                zero.read(stated["gauge_zero"], "uncertainties.gauge_zero") if is_stated else DEFAULT_ZERO * max(ranges)
+            )
+    return Uncertainties(**sizes, assumed=tuple(name for name in FIELDS if name not in stated))
+
+
+def _relative(argument: Any, name: str, unit: str, reference: float) -> float:
+    """Return a standard uncertainty as a fraction of a reference."""
+    location, meaning = f"uncertainties.{name}", "standard uncertainty"
+    fraction = Field(unit="1", low=0.0, high=LARGEST, meaning=meaning)
+    try:
+        return float(fraction.read(argument, location))
+    except UnitError:
+        if unit == "1":
+            raise
+    kind: Kind = "pressure_difference" if unit == "Pa" else "plain"
+    absolute = Field(unit=unit, kind=kind, low=0.0, high=LARGEST * reference, meaning=meaning)
+    return float(absolute.read(argument, location)) / reference
+
+
+def add_budget(
+    uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan, result: Result, ambient: Result
+) -> Result:
+    """Add the uncertainty of the stated quantities to the standard errors and intervals of a result.
+
+    `result` has the intervals of the fit, and `ambient` those that include the ambient temperature. The Jacobian of the
+    fit propagates the errors linearly.
+    """
+    changes = _residual_changes(runs, plan, result, uncertainties)
+    if not changes:
+        return ambient
+    number = next((f.name for f in plan.free if f.address.endswith("sonic_conductance")), "")
+    errors = np.column_stack([*changes.values()])
+    rows, moments = _local_model(plan, result, errors)
+    budget: dict[str, dict[str, Any]] = {}
+    parameters = dict(ambient.parameters)
+    for f, row in zip(plan.free, rows, strict=True):
+        estimate, fitted = parameters[f.name], result.parameters[f.name]
+        is_finite = math.isfinite(fitted.standard_error) and bool(np.all(np.isfinite(row)))
+        # The offset is the correction of the readings, whatever its cause.
+        if not is_finite or fitted.verdict == "at bound" or f.role == "offset":
+            continue
+        sizes = _contributions(row @ errors, moments)
+        shares = {SOURCES[name]: float(size) for name, size in zip(changes, sizes, strict=True)}
+        sources = {NOISE: fitted.standard_error}
+        if estimate.standard_error > fitted.standard_error:
+            sources[AMBIENT] = math.sqrt(estimate.standard_error**2 - fitted.standard_error**2)
+        budget[f.name] = {"sources": sources | shares}
+        wider = _widened(estimate, math.hypot(*shares.values()), f.low, f.high)
+        half = max(wider.high - wider.value, wider.value - wider.low)
+        joint = max(verdict(f, wider.value, half), estimate.verdict, key=VERDICTS.index)
+        parameters[f.name] = replace(wider, verdict=joint)
+    comparison = {**ambient.comparison, "uncertainty": budget}
+    result = replace(ambient, parameters=parameters, comparison=comparison)
+    if number not in budget:
+        return result
+    note = _budget_note(uncertainties, changes, budget[number]["sources"], number)
+    return replace(result, remarks=(*result.remarks, note))
+
+
+def _budget_note(
+    uncertainties: Uncertainties, changes: Mapping[str, Any], sources: Mapping[str, float], number: str
+) -> Note:
+    variance = sum(size**2 for size in sources.values())
+    facts = {
+        "sizes": {SOURCES[name]: getattr(uncertainties, name) for name in DEFAULTS if name in changes},
+        "zero": uncertainties.gauge_zero,
+        "assumed": tuple(SOURCES[name] for name in uncertainties.assumed if name in changes),
+        "shares": {name: size**2 / variance for name, size in sources.items()},
+        "exact": tuple(SOURCES[name] for name in FIELDS if not getattr(uncertainties, name)) + EXACT,
+    }
+    return Note("finding.budget", number, **facts)
+
+
+def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
+    """Return a result whose notes on single parameters agree with the final intervals and verdicts.
+
+    Limited verdicts have a finding of their own.
+    """
+    capped = result.conditions.get("capped", {})
+    free = [f for f in plan.free if f.name not in capped]
+    remarks = [note for note in result.remarks if not note.code.startswith(PARAMETER_NOTES)]
+    index = next((k for k, note in enumerate(result.remarks) if note.code.startswith(PARAMETER_NOTES)), len(remarks))
+    remarks[index:index] = parameter_notes(free, result.parameters)
+    return replace(result, remarks=tuple(remarks))
+
+
+def _widened(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
+    """Return an estimate that includes a further standard uncertainty, within the bounds `low` and `high`."""
+    value, half = estimate.value, coverage_factor(math.inf) * error
+    return replace(
+        estimate,
+        standard_error=math.hypot(estimate.standard_error, error),
+        low=max(low, value - math.hypot(value - estimate.low, half)),
+        high=min(high, value + math.hypot(estimate.high - value, half)),
+    )
+
+
+def _gauges(plan: FitPlan) -> list[Any]:
+    return [fitted for fitted in channels_of(plan.experiments) if fitted.channel.address == PRESSURE]
+
+
+def _sigmas(plan: FitPlan, result: Result) -> list[float]:
+    return [float(result.conditions["noise"][fitted.name]) for fitted in channels_of(plan.experiments)]
+
+
+def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[FloatArray, FloatArray]:
+    r"""Return the influence of the residuals on the estimates, and the second moments of the errors given the data.
+
+    `errors` contains the changes of the residuals by the errors e, (n_rows, n_errors), in their standard uncertainties.
+    A large error of a stated quantity would be visible in the residuals r. Its moments therefore are those of the
+    posterior distribution with a standard normal prior, where C contains the changes without the part that the free
+    parameters can imitate, and w is the variance factor:
+
+    .. math:: \Sigma = (1 + C^T C / w)^{-1}, \quad m = -\Sigma C^T r / w, \quad E[e e^T] = \Sigma + m m^T
+    """
+    x = np.array([result.parameters[f.name].value for f in plan.free])
+    sigmas = _sigmas(plan, result)
+    residual, jacobian = FitObjective(plan.experiments, plan.free, sigmas).residual_and_jacobian(x)
+    active = np.array([int(result.parameters[f.name].verdict == "at bound") for f in plan.free], dtype=np.int64)
+    rows = influences(Optimum(x, 0.0, jacobian, residual, sigmas, active))
+    norms = np.linalg.norm(jacobian, axis=0)
+    is_used = (active == 0) & (norms > 0.0)
+    basis = np.linalg.qr(jacobian[:, is_used] / norms[is_used])[0]
+    visible = errors - basis @ (basis.T @ errors)
+    pieces = [residual[fitted.rows] for fitted in channels_of(plan.experiments)]
+    factor = float(np.average([*map(widening_of, pieces)], weights=[piece.size for piece in pieces]))
+    covariance = np.linalg.inv(np.eye(errors.shape[1]) + visible.T @ visible / factor)
+    mean = -covariance @ (visible.T @ residual) / factor
+    return rows, covariance + np.outer(mean, mean)
+
+
+def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray:
+    """Return the contribution of each error to the standard uncertainty of an estimate.
+
+    The errors can be correlated: a negative contribution reduces the others.
+    """
+    products = sensitivities * (moments @ sensitivities)
+    variances = np.maximum(products, 0.0)
+    total = float(np.sum(variances))
+    return np.sqrt(variances * (max(0.0, float(np.sum(products))) / total)) if total > 0.0 else variances
+
+
+def _residual_changes(
+    runs: Sequence[TankRun], plan: FitPlan, result: Result, uncertainties: Uncertainties
+) -> dict[str, FloatArray]:
+    """Return the change of the residuals by one standard uncertainty of each quantity.
+
+    Quantities that are exact, free or without effect are omitted.
+    """
+    fitted_runs = [run for run in runs if run.use == "fit"]
+    is_fixed = {
+        "volume": not any(is_free(run.volume) for run in fitted_runs),
+        "supply_pressure": any(run.direction == "charge" for run in fitted_runs)
+        and not any(is_free(run.supply_pressure) for run in fitted_runs),
+    }
+    channels = channels_of(plan.experiments)
+    sigmas = np.repeat(_sigmas(plan, result), [c.channel.values.size for c in channels])
+    n_priors = sum(f.prior is not None for f in plan.free)
+    values = by_name(plan.free, [result.parameters[f.name].value for f in plan.free])
+    changes: dict[str, FloatArray] = {}
+    for name in ("volume", "supply_pressure"):
+        size = getattr(uncertainties, name)
+        if size > 0.0 and is_fixed[name]:
+            step = min(size, LARGEST_STEP)
+            above, below = (
+                np.concatenate(
+                    [series for e in plan.experiments for series in _scaled(e, plan, name, times).outputs(values)]
+                )
+                for times in (1.0 + step, 1.0 - step)
+            )
+            changes[name] = (above - below) * (0.5 * size / step) / sigmas
+    for name, size in (("gauge_scale", uncertainties.gauge_scale), ("gauge_zero", uncertainties.gauge_zero)):
+        if size > 0.0:
+            readings = np.zeros(sigmas.size)
+            for fitted, e in zip(channels, _experiments(plan), strict=True):
+                if fitted.channel.address == PRESSURE:
+                    gauge = fitted.channel.values - float(e.measurement.ambient_pressure)
+                    readings[fitted.rows] = size * (gauge if name == "gauge_scale" else 1.0)
+            changes[name] = -readings / sigmas
+    return {name: np.append(change, np.zeros(n_priors)) for name, change in changes.items()}
+
+
+def _experiments(plan: FitPlan) -> list[Experiment]:
+    """Return the experiment of each channel."""
+    return [e for e in plan.experiments for _ in e.measurement.channels]
+
+
+def _scaled(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
+    """Return an experiment with a scaled volume or supply pressure; a recorded supply is scaled as well."""
+    address = VOLUME if name == "volume" else SUPPLY
+    parameters, measurement = experiment.instance.parameters, experiment.measurement
+    instance = experiment.instance
+    if address in parameters:
+        instance = instance.with_values({address: factor * parameters[address]})
+    inputs = tuple(
+        replace(item, values=factor * item.values) if item.address == address else item for item in measurement.inputs
+    )
+    return Experiment(instance, replace(measurement, inputs=inputs), plan.free)
