@@ -47,7 +47,7 @@ def told(tank: Tank, seed: int, **more: Any) -> TankTest:
         ambient_pressure=AIR,
         ambient_temperature=ROOM,
         initial_temperature=ROOM,
-        **more,
+        **{"uncertainties": 0, **more},
     )
 
 

@@ -179,14 +179,14 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
     number = f"{test.part}.sonic_conductance"
     if result.conditions["interrupted"] or number not in result.parameters:
         return result
-    alternatives = fit_alternatives(test, runs, plan, result)
-    comparison = dict(result.comparison)
-    if alternatives:
-        comparison["alternatives"] = alternatives_table(alternatives, number)
     timing = time_unit_notes(runs)
     # Fits with a wrong time of closing do not compare models.
     is_mistimed = any(note.code == "finding.unusual.closes" for note in timing)
-    remarks = timing + ([] if is_mistimed else _alternative_notes(alternatives, result, number))
+    alternatives = [] if is_mistimed else fit_alternatives(test, runs, plan, result)
+    comparison = dict(result.comparison)
+    if alternatives:
+        comparison["alternatives"] = alternatives_table(alternatives, number)
+    remarks = [*timing, *_alternative_notes(alternatives, result, number)]
     conductance = result.parameters[number]
     if test.bore:
         # The discharge coefficient is the conductance divided by that of a nozzle of the same bore; the least value
