@@ -131,10 +131,10 @@ def test_absolute_values_equal_fractions() -> None:
 @pytest.mark.parametrize(
     ("uncertainties", "code", "address"),
     [
-        ({"volumes": "1 %"}, "names.unknown", "uncertainties.volumes"),
+        ({"volumes": "1 %"}, "fields.unknown", "uncertainties.volumes"),
         ({"volume": "-1 %"}, "fields.out_of_range", "uncertainties.volume"),
         ({"gauge_scale": "60 %"}, "fields.out_of_range", "uncertainties.gauge_scale"),
-        ({"gauge_zero": "1 K"}, "quantity.no_unit", "uncertainties.gauge_zero"),
+        ({"gauge_zero": "1 K"}, "quantity.other_quantity", "uncertainties.gauge_zero"),
     ],
 )
 def test_invalid_uncertainties_are_rejected(uncertainties: dict[str, Any], code: str, address: str) -> None:
