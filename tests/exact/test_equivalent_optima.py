@@ -37,6 +37,7 @@ def identify_charge(
         ambient_pressure=AIR,
         ambient_temperature=ROOM,
         initial_temperature=ROOM,
+        uncertainties=0,
         **changes,
     )
     return identify_tank(test, profile=profile)

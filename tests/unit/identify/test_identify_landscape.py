@@ -35,6 +35,7 @@ def make_test(wall: float, direction: str, **arguments: Any) -> TankTest:
         recordings={"a": recording},
         volume="20 l",
         ambient_temperature="20 degC",
+        uncertainties=0,
         direction=direction,
         **supply,
         **arguments,
