@@ -285,9 +285,9 @@ MISTAKES = [
     ("unknown kind", replaced('kind = "chamber"', 'kind = "chambr"'), "chambr", "Did you mean chamber"),
     ("misspelt field", replaced("volume = ", "volum = "), "volum =", "Did you mean volume"),
     ("missing unit", replaced('"0.2 m^3"', '"0.2"'), 'volume = "0.2"', 'Write "0.2 m^3"'),
-    ("wrong unit", replaced('"0.2 m^3"', '"0.2 bar"'), "0.2 bar", "Write it in the form"),
+    ("wrong unit", replaced('"0.2 m^3"', '"0.2 bar"'), "0.2 bar", "Write the value in the form"),
     ("unknown unit", replaced('"0.2 m^3"', '"0.2 furlong"'), "0.2 furlong", "Use SI units"),
-    ("gauge where a difference is meant", replaced('"45 W/K"', '"45 bar g"'), "45 bar g", "Write it in the form"),
+    ("gauge where a difference is meant", replaced('"45 W/K"', '"45 bar g"'), "45 bar g", "Write the value in the form"),
     ("absolute below zero", replaced('pressure = "7 bar" ', 'pressure = "-2 bar" '), "-2 bar", 'with "g"'),
     ("gauge below vacuum", replaced('pressure = "7 bar" ', 'pressure = "-2 bar g" '), "-2 bar g", "Correct it"),
     (
@@ -301,7 +301,7 @@ MISTAKES = [
     ("b = 1", replaced("critical_ratio = 0.3", "critical_ratio = 1.0"), "critical_ratio", "Correct the value"),
     ("b > 1", replaced("critical_ratio = 0.3", "critical_ratio = 1.2"), "critical_ratio", "Correct the value"),
     ("NaN", replaced("critical_ratio = 0.3", "critical_ratio = nan"), "critical_ratio", "Correct the value"),
-    ("NaN with a unit", replaced('"0.2 m^3"', '"nan m^3"'), "nan m^3", "Write it in the form"),
+    ("NaN with a unit", replaced('"0.2 m^3"', '"nan m^3"'), "nan m^3", "Write the value in the form"),
     ("infinite", replaced('"0.2 m^3"', "inf"), "volume = inf", "Correct the value"),
     ("boolean", replaced('"0.2 m^3"', "true"), "volume = true", "Write a number"),
     ("list", replaced('"0.2 m^3"', "[1]"), "volume = [1]", "Write a number"),
@@ -338,7 +338,7 @@ MISTAKES = [
     ("times twice", replaced('"20 s", "40 s"', '"20 s", "20 s"'), "times =", "keep one per time"),
     ("times not from zero", replaced('"0 s", "20 s"', '"1 s", "20 s"'), "times =", "Begin with time 0"),
     ("times and values", replaced('"0 s", "20 s", "40 s"', '"0 s", "20 s"'), "times =", "one value per time"),
-    ("unit of a value", replaced('"0 bar g"', '"0 mm"'), "values =", "Write it in the form"),
+    ("unit of a value", replaced('"0 bar g"', '"0 mm"'), "values =", "Write the value in the form"),
     ("times are no list", replaced('["0 s", "20 s", "40 s"]', '"0 s"'), "times =", "Write, for example, ["),
     (
         "polytropic without exponent",
@@ -347,7 +347,7 @@ MISTAKES = [
         "polytropic_exponent = 1.04",
     ),
     ("duration", replaced('"120 s"', '"-120 s"'), "-120 s", "Correct the value"),
-    ("unit of the duration", replaced('"120 s"', '"120 m"'), "120 m", "Write it in the form"),
+    ("unit of the duration", replaced('"120 s"', '"120 m"'), "120 m", "Write the value in the form"),
     (
         "tolerance",
         replaced("relative_tolerance = 1e-6", "relative_tolerance = 0"),
