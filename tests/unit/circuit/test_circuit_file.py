@@ -289,7 +289,7 @@ MISTAKES = [
     ("unknown unit", replaced('"0.2 m^3"', '"0.2 furlong"'), "0.2 furlong", "Use SI units"),
     ("gauge where a difference is meant", replaced('"45 W/K"', '"45 bar g"'), "45 bar g", "the value in the form"),
     ("absolute below zero", replaced('pressure = "7 bar" ', 'pressure = "-2 bar" '), "-2 bar", 'with "g"'),
-    ("gauge below vacuum", replaced('pressure = "7 bar" ', 'pressure = "-2 bar g" '), "-2 bar g", "Correct this pressure"),
+    ("gauge below vacuum", replaced('pressure = "7 bar" ', 'pressure = "-2 bar g" '), "-2 bar g", "Correct this"),
     (
         "gauge ambient",
         replaced('pressure = "1 bar"                # default', 'pressure = "1 bar g" #'),
