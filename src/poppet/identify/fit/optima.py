@@ -257,8 +257,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
         candidates.append(searches.run("along", point, fixed=fixed, weights=best.sigmas))
     best = searches.lowest(candidates)
     spread = error_model_of(plan, best)
-    near, distant = (_limit(p) * spread.variance_factor for p in (1.0 - CONFIDENCE, WRONG_CHOICE))
-    distant *= rounding_ratio(plan, best)
+    near, distant = _limit(1.0 - CONFIDENCE) * spread.variance_factor, distant_limit(plan, best)
     equivalent: list[Optimum] = []
     distinct = [estimates(plan.free, best, spread)]
     for rival in sorted(candidates, key=lambda o: o.cost):
@@ -280,6 +279,11 @@ def _limit(probability: float) -> float:
 
     # The cost is half a sum of squares, whose increase is chi-square.
     return 0.5 * float(chdtri(1, probability))
+
+
+def distant_limit(plan: FitPlan, best: Optimum) -> float:
+    """Return the least evidence that excludes an optimum with a different conductance."""
+    return _limit(WRONG_CHOICE) * error_model_of(plan, best).variance_factor * rounding_ratio(plan, best)
 
 
 def is_distant(free: Sequence[FreeParameter], x: FloatArray, other: FloatArray) -> bool:

@@ -22,6 +22,7 @@ from poppet.identify.tank.alternatives import (
 )
 from poppet.identify.tank.tank_plan import AREA_FACTOR, TankRun
 from poppet.identify.tank.test import TankTest
+from poppet.identify.tank.thermal_limits import fit_thermal_limits, thermal_limit_notes
 from poppet.laws.iso6358.conversion import conductance_from_effective_area
 
 MISFIT = "finding.residuals.not_white"
@@ -93,6 +94,13 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
         for alternative in alternatives
         if _is_equivalent_model(alternative, result, number)
     ]
+    if limits := fit_thermal_limits(test, runs, plan, result, number):
+        remarks += thermal_limit_notes(limits, result, number)
+        estimates_by_model += [{**result.parameters, **fit.estimates()} for fit in limits.equivalent]
+        import os
+        if os.environ.get("G1"):
+            print("LOCAL", limits.local.values, limits.local.optimum.cost, {k: (v.low, v.value, v.high, v.verdict) for k, v in limits.local.estimates().items() if k in result.parameters})
+            for f in limits.equivalent: print("EQ", f.values, f.optimum.cost)
     parameters = unite_estimates(plan, [result.parameters, *estimates_by_model])
     sorted_remarks = sorted((*remarks, *result.remarks), key=lambda note: not note.code.startswith(MISREAD))
     doubts = replace(result, parameters=parameters, comparison=comparison, remarks=tuple(sorted_remarks))
