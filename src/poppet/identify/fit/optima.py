@@ -257,7 +257,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
         candidates.append(searches.run("along", point, fixed=fixed, weights=best.sigmas))
     best = searches.lowest(candidates)
     spread = error_model_of(plan, best)
-    near, distant = _limit(1.0 - CONFIDENCE) * spread.variance_factor, distant_limit(plan, best)
+    near, distant = near_limit(plan, best), distant_limit(plan, best)
     equivalent: list[Optimum] = []
     distinct = [estimates(plan.free, best, spread)]
     for rival in sorted(candidates, key=lambda o: o.cost):
@@ -279,6 +279,11 @@ def _limit(probability: float) -> float:
 
     # The cost is half a sum of squares, whose increase is chi-square.
     return 0.5 * float(chdtri(1, probability))
+
+
+def near_limit(plan: FitPlan, best: Optimum) -> float:
+    """Return the least evidence that excludes a point with nearly the same conductance."""
+    return _limit(1.0 - CONFIDENCE) * error_model_of(plan, best).variance_factor
 
 
 def distant_limit(plan: FitPlan, best: Optimum) -> float:

@@ -15,7 +15,7 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan
-from poppet.identify.fit.optima import ISOTHERMAL, NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, distant_limit, thermal_units
+from poppet.identify.fit.optima import ISOTHERMAL, NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, near_limit, thermal_units
 from poppet.identify.fit.search import Optimum, SearchSettings, optimise
 from poppet.identify.fit.statistics import estimates
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, by_name
@@ -24,7 +24,7 @@ from poppet.identify.tank.tank_plan import USUAL_ZERO, TankRun, is_free, plan_ta
 from poppet.identify.tank.test import TankTest
 from poppet.timeseries.checks import FloatArray
 
-LEAK, SUPPLY = 0.015, 0.005
+LEAK, SUPPLY = 0.015, 0.01
 """Assumed standard uncertainties of the leak, as a fraction of C, and of the stated supply pressure, as a fraction."""
 LEAK_ADDRESS, SUPPLY_ADDRESS, WALL = "leak.sonic_conductance", "supply.pressure", "tank.wall_conductance"
 SMALL = 0.3
@@ -90,7 +90,7 @@ def fit_thermal_limits(
         return UncertainFit(uncertain, replace(optimum, fixed=dict(fixed or {})))
 
     local = search(values)
-    limit = distant_limit(uncertain, local.optimum)
+    limit = near_limit(uncertain, local.optimum)
     fits = [local]
     ends = {row["name"]: row["end"] for row in result.conditions["searches"]}
     for name, at_limit, near in (
