@@ -43,7 +43,7 @@ WRONG_CHOICE = 1e-4
 """Probability by chance of the least evidence that excludes an optimum whose conductance differs by more than
 `DETERMINED`. A wrong choice between such optima changes C by up to 40 %, so that the 5 % of an interval is too much."""
 LARGEST_RATIO = 10.0
-"""Largest factor of coarse resolution on that limit. The noise cannot be estimated if it is far below the resolution."""
+"""Largest factor of coarse resolution on that limit. Noise far below the resolution cannot be estimated."""
 ALIKE = 0.02
 """Relative difference below which two conductances are reported as one."""
 Local = Sequence[Mapping[str, Estimate]]

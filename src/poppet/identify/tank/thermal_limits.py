@@ -124,7 +124,8 @@ def thermal_limit_notes(limits: ThermalLimits, result: Result, number: str) -> l
         facts |= {"wall": values[WALL], "leak": 100.0 * values.get(LEAK_ADDRESS, 0.0) / values[number]}
         supply = next((f for f in fit.plan.free if f.address == SUPPLY_ADDRESS and f.prior), None)
         facts["supply"] = 100.0 * (values[supply.name] / supply.start - 1.0) if supply else 0.0
-        facts["excess"] = max(0.0, fit.optimum.cost - limits.local.optimum.cost)
+        rms = [float(np.sqrt(np.mean(f.optimum.residual**2))) for f in (fit, limits.local)]
+        facts["excess"] = 100.0 * (max(rms) / max(min(rms), 1e-300) - 1.0)
         notes.append(Note("finding.optima.leak", number, **facts))
     return notes
 
