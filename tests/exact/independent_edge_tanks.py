@@ -75,8 +75,16 @@ def simulate(tank: EdgeTank, time: Array) -> Array:
     scale = [1e-10 * tank.outside, 1e-10 * mass]
     result = np.empty(time.size)
     end = min(tank.closes, float(time[-1]))
-    run = solve_ivp(rates, (0.0, end), first, "Radau", rtol=1e-9, atol=scale, dense_output=True,
-                    events=None if tank.leak else is_equal)
+    run = solve_ivp(
+        rates,
+        (0.0, end),
+        first,
+        "Radau",
+        rtol=1e-9,
+        atol=scale,
+        dense_output=True,
+        events=None if tank.leak else is_equal,
+    )
     assert run.success, run.message
     before = time <= run.t[-1]
     result[before] = tank.outside - sign * run.sol(time[before])[0]
@@ -94,12 +102,21 @@ def simulate(tank: EdgeTank, time: Array) -> Array:
         last, begin = np.array([0.0, held.y[0, -1]]), end
     after = time > begin
     if tank.leak:
-        closed = solve_ivp(lambda t, y: rates(t, y, False), (begin, float(time[-1])), last, "Radau", rtol=1e-9,
-                           atol=scale, dense_output=True)
+        closed = solve_ivp(
+            lambda t, y: rates(t, y, False),
+            (begin, float(time[-1])),
+            last,
+            "Radau",
+            rtol=1e-9,
+            atol=scale,
+            dense_output=True,
+        )
         assert closed.success
         result[after] = tank.outside - sign * closed.sol(time[after])[0]
     else:
-        gas = tank.temperature + (state(last)[1] - tank.temperature) * np.exp(-tank.wall * (time[after] - begin) / (last[1] * CV))
+        gas = tank.temperature + (state(last)[1] - tank.temperature) * np.exp(
+            -tank.wall * (time[after] - begin) / (last[1] * CV)
+        )
         result[after] = last[1] * R * gas / tank.volume
     return result
 
@@ -129,11 +146,34 @@ def draw(seed: int, stream: int = 2400) -> EdgeTank:
     step = 1.05e6 / 2**bits
     noise = 10.0 ** g.uniform(np.log10(50.0), np.log10(2e3))
     leak = conductance * g.uniform(0.0, 0.03) if g.random() < 0.5 else 0.0
-    tank = EdgeTank(is_charge, volume, conductance, g.uniform(0.1, 0.55), wall, room if is_charge else high,
-                    high if is_charge else room, room, temperature, closes, duration, int(g.integers(300, 1200)), noise,
-                    step, leak)
-    return replace(tank, stated_supply=high * (1.0 + g.uniform(-0.005, 0.005))) if is_charge and g.random() < 0.5 else tank
+    tank = EdgeTank(
+        is_charge,
+        volume,
+        conductance,
+        g.uniform(0.1, 0.55),
+        wall,
+        room if is_charge else high,
+        high if is_charge else room,
+        room,
+        temperature,
+        closes,
+        duration,
+        int(g.integers(300, 1200)),
+        noise,
+        step,
+        leak,
+    )
+    return (
+        replace(tank, stated_supply=high * (1.0 + g.uniform(-0.005, 0.005))) if is_charge and g.random() < 0.5 else tank
+    )
 
 
-COARSE_CHARGE = EdgeTank(True, 23.998e-3, 1.01693e-8, 0.3919, 0.0, 98181.0, 838539.0, 98181.0, 296.69, 44.93, 71.89, 800, 148.0, 1025.4)
-LEAKY_ISOTHERMAL = EdgeTank(True, 2.1456e-3, 1.35435e-9, 0.5177, 56.16, 101762.0, 615958.0, 101762.0, 291.9, 32.42, 51.9, 400, 964.0, 0.0, 9.25e-12)
+COARSE_CHARGE = EdgeTank(
+    True, 23.998e-3, 1.01693e-8, 0.3919, 0.0, 98181.0, 838539.0, 98181.0, 296.69, 44.93, 71.89, 800, 148.0, 1025.4
+)
+"""Adiabatic charge that is recorded with a 10-bit sensor."""
+LEAKY_ISOTHERMAL = EdgeTank(
+    *(True, 2.1456e-3, 1.35435e-9, 0.5177, 56.16, 101762.0, 615958.0, 101762.0, 291.9, 32.42, 51.9, 400, 964.0),
+    leak=9.25e-12,
+)
+"""Isothermal charge with a leak of 0.7 % of C."""
