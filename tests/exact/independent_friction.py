@@ -49,7 +49,7 @@ def draw_table(seed: int, growth: float) -> tuple[dict[str, float], dict[str, np
 def draw_recordings(seed: int, growth: float) -> tuple[dict[str, float], list[dict[str, Any]]]:
     """Return the truth and recordings of strokes at eight speeds, one recording for each of four or five pressures.
 
-    The bristles bend over 20 um after each reversal, and the friction of a recording differs by 1 % (standard deviation).
+    The bristles bend over 20 um after each reversal. The friction of recordings varies by 1 % (standard deviation).
     """
     generator = np.random.default_rng(seed)
     truth = draw_truth(generator, growth)
@@ -73,5 +73,7 @@ def draw_recordings(seed: int, growth: float) -> tuple[dict[str, float], list[di
         columns = [np.concatenate(parts) for parts in (time, position, force)]
         columns[1] = columns[1] + 2e-6 * generator.standard_normal(columns[1].size)
         columns[2] = columns[2] + noise * generator.standard_normal(columns[2].size) + generator.normal()
-        recordings.append(dict(zip(("time", "position", "force"), columns, strict=True)) | {"pressure": float(pressure)})
+        recordings.append(
+            dict(zip(("time", "position", "force"), columns, strict=True)) | {"pressure": float(pressure)}
+        )
     return truth, recordings

@@ -231,7 +231,7 @@ class ReversalData:
 
 
 def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:
-    """Return the dry friction at the speeds of the selected samples after a reversal [N]."""
+    """Return the dry friction [N] at the speeds of the samples selected after one reversal."""
     pressure, static = turn.pressure[selected], values.get(STATIC, values[COULOMB])
     coulomb = values[COULOMB] + values.get(SEAL, 0.0) * pressure
     static = static + (values.get(SEAL, 0.0) + values.get(SEAL_EXCESS, 0.0)) * pressure
