@@ -1,4 +1,4 @@
-"""Independent tests of blocked poppets: closed curves C(x) and b(x) with known errors; NumPy only, no code of `poppet`."""
+"""Independent tests of blocked poppets: closed curves C(x) and b(x) with known errors, without code of `poppet`."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Independent friction tests whose Stribeck excess grows with the pressure; NumPy only, no code of `poppet`.
 
-The friction of steady sliding is F(v, p) = Fc + (Fs - Fc + ks p) exp(-(v/vs)^2) + k p + d v. With ks = 0 it is the law in
-which seals add the same friction at each speed.
+The friction of steady sliding is F(v, p) = Fc + (Fs - Fc + ks p) exp(-(v/vs)^2) + k p + d v. With ks = 0, seals
+add the same friction at each speed.
 """
 
 from __future__ import annotations
