@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from exact.independent_pressure_loop import SaggingSupply, closing_time, draw_case
-from poppet import Chamber, Circuit, Orifice, Reservoir
+from poppet import Chamber, Circuit, Orifice, ProportionalValve, Reservoir
 from poppet.parts import PID
 from poppet.signals import Steps
 
@@ -33,7 +33,9 @@ def product_closing_time(case: SaggingSupply) -> float:
             "c.setpoint": Steps([0.0, falls], [case.setpoint, case.target]),
             "supply.pressure": Steps([0.0, case.sag_time], [case.supply, case.sagged]),
         },
-        connections={"c.measurement": "tank.pressure", "fill.opening": "c.fill_command", "vent.opening": "c.vent_command"},
+        connections={
+            "c.measurement": "tank.pressure", "fill.opening": "c.fill_command", "vent.opening": "c.vent_command",
+        },
     )  # fmt: skip
     run = circuit.simulate(falls + 1.5, case.sample_time)
     closed = run.time[(run.time >= falls - 1e-9) & (run["c.fill_command"] <= 0.0)]
@@ -51,3 +53,22 @@ def test_the_fill_valve_closes_after_a_sag_of_the_supply():
     product, back = np.median(times, axis=0)
     print(f"median closing time {1e3 * product:.0f} ms, with back-calculation alone {1e3 * back:.0f} ms")
     assert product < 0.5 * back
+
+
+@pytest.mark.parametrize("preset", ["universal", "fast", "precise"])
+def test_presets_close_the_fill_solenoid_after_a_sag_of_the_supply(preset):
+    valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l", preset=preset)
+    circuit = Circuit(
+        {
+            "supply": Reservoir(pressure="7 bar"),
+            "valve": valve,
+            "tank": Chamber(volume="0.2 l", wall_conductance=1.0),
+            "leak": Orifice(from_="tank", to="ambient", sonic_conductance=1e-10, critical_ratio=0.3),
+        },
+        {
+            "valve.setpoint": Steps([0.0, 3.0], [6e5, 1.9e5]),
+            "supply.pressure": Steps([0.0, 2.0], [7e5, 2.05e5]),
+        },
+    )
+    run = circuit.simulate(3.2, 1e-3)
+    assert np.all(run["valve.fill_duty"][run.time > 3.0025] == 0.0)

@@ -155,8 +155,8 @@ def test_the_integral_does_not_wind_up():
     series = alone(part, measurement=Steps([0.0], [2e5]), setpoint=Steps([0.0, 1.4998], [6e5, 1.9e5]), duration=2.0)
     k = int(np.searchsorted(series["time"], 1.4998))
     assert np.all(series["command"][:k] == 1.0)
-    # The command before its limit, K e + I with K e = 4, exceeds the limit by one increment, K e T / T_i = 0.08. Without
-    # anti-windup the integral would have grown to K e t / T_i = 120.
+    # The command before its limit, K e + I with K e = 4, exceeds the limit by one increment, K e T / T_i = 0.08.
+    # Without anti-windup the integral would have grown to K e t / T_i = 120.
     assert abs(series["integral"][k - 1] + 4.0 - 1.08) < 2e-3
     assert series["command"][k] == -1.0
 
