@@ -54,6 +54,8 @@ class Prediction:
         Largest standard error over all samples of the priors, in `unit`.
     verdict : str
         Predicted verdict of a fit: `determined`, `weak` or `not determined`.
+    scale : float
+        Reference of relative errors, in `unit`: the assumed value, or the typical size of a parameter that is zero.
     """
 
     value: float
@@ -62,7 +64,7 @@ class Prediction:
     typical: float
     largest: float
     verdict: Verdict
-    scale: float = field(default=0.0, repr=False)  # reference of relative errors: by default the value
+    scale: float = field(default=1.0, repr=False)
 
     @property
     def half(self) -> float:
@@ -78,10 +80,6 @@ class Prediction:
     def half_typical(self) -> float:
         """Geometric mean of the half widths of the 95 % intervals at all samples of the priors."""
         return TWO_SIDED * self.typical
-
-    def percent(self, half: float) -> float:
-        """Return a half width as a percentage of the parameter."""
-        return 100.0 * half / (self.scale or abs(self.value) or 1.0)
 
 
 @dataclass(frozen=True)
@@ -105,13 +103,13 @@ class Design(ResultFileMixin):
         Mapping from each parameter to its prediction from all recommended tests together.
     scores : mapping
         Mapping from the name of each candidate to the natural logarithm of its criterion; smaller is better.
-    simulated : mapping
-        Mapping from each parameter to its estimates in fits to simulated recordings of all recommended tests. It is
-        empty if no fit was simulated.
     remarks : tuple of Note
         Findings.
     interrupted : bool
-        True if the user interrupted the ranking before all candidates were evaluated.
+        True if the user interrupted the ranking before all candidates were evaluated, or the simulated fits.
+    simulated : mapping
+        Mapping from each parameter to its estimates in fits to simulated recordings of all recommended tests. It is
+        empty if no fit was simulated.
     """
 
     title: str
