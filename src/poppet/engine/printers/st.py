@@ -142,7 +142,15 @@ class Statements:
 
     def read(self, function: Sequence[Instruction]) -> None:
         """Add statements for the instructions of the function."""
-        uses = _uses(function)
+        # Number of times that the result of each instruction is read, and the last instruction that wrote each slot.
+        uses, last = [0] * len(function), dict[int, int]()
+        for k, instruction in enumerate(function):
+            for slot in instruction.arguments:
+                uses[last[slot]] += 1
+            if instruction.operation == "assign":
+                last[instruction.result] = last[instruction.arguments[0]]
+            elif instruction.operation != "output":
+                last[instruction.result] = k
         slots: dict[int, Value] = {}
         results: list[tuple[str, Value]] = []
         for k, instruction in enumerate(function):
@@ -218,16 +226,3 @@ def _choice(a: Value, b: Value) -> str:
     assert yes.choice is not None
     assert no.choice is not None
     return f"SEL({yes.choice[0]}, {no.choice[2]}, {yes.choice[2]})"
-
-
-def _uses(function: Sequence[Instruction]) -> list[int]:
-    """Return the number of times that the result of each instruction is read."""
-    counts, last = [0] * len(function), dict[int, int]()
-    for k, instruction in enumerate(function):
-        for slot in instruction.arguments:
-            counts[last[slot]] += 1
-        if instruction.operation == "assign":
-            last[instruction.result] = last[instruction.arguments[0]]
-        elif instruction.operation != "output":
-            last[instruction.result] = k
-    return counts
