@@ -58,11 +58,11 @@ def test_benches_with_unstated_errors_determine_nothing(kind, count):
         assert codes.count(code) >= 0.97 * count
 
 
-@pytest.mark.parametrize("count", [12, pytest.param(ALL, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [6, pytest.param(ALL, marks=pytest.mark.slow)])
 def test_a_cracking_valve_makes_no_outliers(count):
     *_, codes = counts_of("cracking", range(count))
-    assert codes.count("flow.other_law") >= 0.9 * count
-    assert codes.count("flow.outlier") <= 0.05 * count
+    assert codes.count("flow.other_law") >= 0.9 * count - 1
+    assert codes.count("flow.outlier") <= 1 + 0.02 * count
 
 
 def test_calibration_of_the_flow_meter_alone_limits_the_conductance():

@@ -16,6 +16,8 @@ TIMES = 60
 """Number of trial values of the rest and of the lag."""
 EVIDENCE, AGAINST_LAG = 25.0, 10.0
 """Least decrease of chi-square by a rest, compared with none, and with a first-order lag of the sensor."""
+NEAR, LEAST_NEAR = 3.0, 30
+"""Window of the final estimate, as a multiple of the first one, and its least number of samples."""
 LEAST_REST = 0.01
 """Shortest rest that is reported, as a fraction of the window; it changes C by less than that."""
 
@@ -45,6 +47,11 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
     rest, is_resting = by_rest[1], by_lag[0] - by_rest[0] > AGAINST_LAG
     if not is_resting or rest < LEAST_REST or np.sum(t < rest) < 3:
         return 0.0
+    # Close to the end of the rest, the polynomial is more accurate.
+    is_near = t <= NEAR * rest
+    if np.sum(is_near) > LEAST_NEAR:
+        trials = np.linspace(0.8 * rest, 1.2 * rest, TIMES)
+        rest = _best(t[is_near], y[is_near], trials, _after_rest)[1]
     return float(rest * time[end - 1])
 
 
