@@ -63,11 +63,13 @@ def draw(seed: int, kind: str) -> FlowBench:
     }
     spread = 3.0 if kind == "three times" else 1.0
     readings = {
-        "mass_flow_rate": q * (1.0 + calibration * g.standard_normal()) * (1.0 + spread * relative * g.standard_normal(n)),
+        "mass_flow_rate": q
+        * (1.0 + calibration * g.standard_normal())
+        * (1.0 + spread * relative * g.standard_normal(n)),
         "pressure_1": p_1 + offset * g.standard_normal() + spread * noise * g.standard_normal(n),
         "pressure_2": p_2 + offset * g.standard_normal() + spread * noise * g.standard_normal(n),
         "temperature_1": temperature + 0.5 * g.standard_normal() + 0.2 * g.standard_normal(n),
-    }  # fmt: skip
+    }
     if kind == "ambient" and seed % 2:  # the open port has no sensor: one barometer reading
         readings["pressure_2"] = ambient + noise * g.standard_normal()
         stated["pressure_2"] = {"absolute": noise}

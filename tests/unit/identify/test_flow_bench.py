@@ -166,7 +166,10 @@ def test_conductance_scales_with_flow_and_order_has_no_effect(factor, order):
     points = bench(np.linspace(0.1, 0.9, 12))
     order = list(order)
     scaled_points = FlowPoints(
-        factor * points.mass_flow_rate[order], np.full(12, 7e5), points.pressure_2[order], points.temperature_1[order],
+        factor * points.mass_flow_rate[order],
+        np.full(12, 7e5),
+        points.pressure_2[order],
+        points.temperature_1[order],
         **METERS,
     )
     estimates, scaled_estimates = identify_flow(points).parameters, identify_flow(scaled_points).parameters

@@ -8,6 +8,8 @@ import numpy as np
 
 from poppet.timeseries.checks import FloatArray
 
+Basis = Callable[[FloatArray, float], tuple[FloatArray, FloatArray]]
+"""Two functions of time for a trial value."""
 WINDOW = 0.25
 """Fraction of the total change that limits the window of the test."""
 SAMPLES = 300
@@ -67,9 +69,7 @@ def _with_lag(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
     return t - settled, t**2 - 2.0 * lag * (t - settled)
 
 
-def _best(
-    t: FloatArray, y: FloatArray, trials: FloatArray, basis: Callable[[FloatArray, float], tuple[FloatArray, FloatArray]]
-) -> tuple[float, float]:
+def _best(t: FloatArray, y: FloatArray, trials: FloatArray, basis: Basis) -> tuple[float, float]:
     """Return the least chi-square of the trial values, and its trial value."""
     return min((_chi_square(*basis(t, trial), y), trial) for trial in trials.tolist())
 
