@@ -187,7 +187,7 @@ def test_bootstrap_and_delta_method_bands_agree(printed_fit, draws, tolerance):
 def test_monotone_constraint_is_kept_for_rising_c(rising_spline_fit):
     result = rising_spline_fit
     assert not result.comparison["monotone"]["rejected"]
-    assert result.findings[0].startswith("The data do not reject a C that never falls")
+    assert result.findings[0].startswith("The data are consistent with a C(x) that never falls")
     curve = result.series["sonic_conductance"]
     tested = curve["x"] >= STROKES[0]
     assert np.max(np.abs(curve["y"] - rising_conductance(curve["x"]))[tested]) < 0.02 * 1.6e-8
@@ -473,7 +473,7 @@ def test_band_of_few_tests_agrees_with_scatter_of_fits():
 
 def test_spline_file_closes_at_zero_and_notes_rejection(printed_spline_fit):
     table = characteristic_table(printed_spline_fit)
-    assert "the data reject a C that never falls" in table["note"]
+    assert "the data contradict a C(x) that never falls" in table["note"]
     assert characteristic_from_mapping(table, name="mine").sonic_conductance_at(0.0) == 0.0
 
 
