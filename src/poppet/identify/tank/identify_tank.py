@@ -30,6 +30,7 @@ from poppet.identify.tank.alternatives import (
 )
 from poppet.identify.tank.tank_plan import AREA_FACTOR, TankRun, plan_tank_fit, read_runs
 from poppet.identify.tank.test import ROOM, TankTest, read_test
+from poppet.identify.tank.thermal_limits import fit_thermal_limits, thermal_limit_notes
 from poppet.laws.iso6358.conversion import conductance_from_effective_area
 
 MISFIT = "finding.residuals.not_white"
@@ -199,6 +200,9 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
         for alternative in alternatives
         if _is_equivalent_model(alternative, result, number)
     ]
+    if limits := fit_thermal_limits(test, runs, plan, result, number):
+        remarks += thermal_limit_notes(limits, result, number)
+        estimates_by_model += [{**result.parameters, **fit.estimates()} for fit in limits.equivalent]
     parameters = unite_estimates(plan, [result.parameters, *estimates_by_model])
     sorted_remarks = sorted((*remarks, *result.remarks), key=lambda note: not note.code.startswith(MISREAD))
     doubts = replace(result, parameters=parameters, comparison=comparison, remarks=tuple(sorted_remarks))

@@ -321,9 +321,11 @@ class _MeasurementReader:
         if count < LEAST_SAMPLES:
             self.errors.add("measured.few_samples", column.location, samples=count, least=LEAST_SAMPLES)
         self._refuse_slips(column, samples.time, samples.values)
-        noise, offset = self._deviation(column, "noise"), self._deviation(column, "offset")
+        noise, (mean, offset) = self._deviation(column, "noise"), self._offset(column)
         quantum = quantum_of(samples.values)
-        return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset)
+        return Channel(
+            column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset, mean
+        )
 
     def _refuse_slips(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
         """Add an error if samples exceed the plausibility limit of their quantity.
@@ -343,6 +345,27 @@ class _MeasurementReader:
             return None
         field = Field(unit=column.unit, kind=DIFFERENCE_KINDS.get(column.unit, "plain"), above=0.0)
         return self._attempt(location, lambda: float(field.read(raw, location)))
+
+    def _offset(self, column: _MappedColumn) -> tuple[float, float | None]:
+        """Return the mean and the standard deviation of the sensor offset that a channel states.
+
+        The standard deviation is None if the field is absent, and infinite for a free offset without prior.
+        """
+        raw, location = column.fields.get("offset"), f"{column.location}.offset"
+        if raw == "free":
+            return 0.0, math.inf
+        if not isinstance(raw, Mapping):
+            return 0.0, self._deviation(column, "offset")
+        kind = DIFFERENCE_KINDS.get(column.unit, "plain")
+        fields = {
+            "mean": Field(unit=column.unit, kind=kind, default=0.0, meaning="mean of the offset"),
+            "sd": Field(
+                unit=column.unit, kind=kind, above=0.0, is_required=True, meaning="standard deviation of the offset",
+                example=f'sd = "1 {column.unit}"',
+            ),
+        }  # fmt: skip
+        read = read_fields(self.errors, raw, fields, location, table="offset")
+        return read.get("mean", 0.0), read.get("sd")
 
 
 def read_recording(
