@@ -160,7 +160,7 @@ def _sweep(made: IndependentValve) -> None:
 
 def _steps(made: IndependentValve) -> None:
     random = made.random
-    fine, part = step(made.system, T=np.linspace(0.0, 3.0, 300_001))
+    fine, part = step(made.system, T=np.linspace(0.0, 3.0, 60_001))
     records = []
     for size in (80.0, *([10.0] if made.seed % 4 == 0 else [])):
         low, high = 50.0 - 0.5 * size, 50.0 + 0.5 * size
