@@ -334,7 +334,7 @@ def leak() -> Figures:
 def _friction() -> Any:
     tests = module("published.test_cylinder_friction")
     with tempfile.TemporaryDirectory() as folder:
-        return tests.identified(Path(folder))
+        return tests.identify_page_file(Path(folder))
 
 
 @claim(
@@ -385,7 +385,7 @@ def friction_law() -> Figures:
 )
 def muscle_map() -> Figures:
     tests = module("published.test_muscle_map")
-    error, force = tests.misses()
+    error, force = tests.library_errors()
     braid = next(row for row in _muscle().comparison["forces"] if row["law"] == "chou_hannaford")
     rms = _rms(error)
     return {
@@ -399,7 +399,7 @@ def muscle_map() -> Figures:
 @cache
 def _muscle() -> Any:
     tests = module("published.test_muscle_map")
-    return tests.identified()
+    return tests.identified_muscle()
 
 
 @claim(

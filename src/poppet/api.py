@@ -304,12 +304,13 @@ class Circuit(BaseCircuit, metaclass=_ListedNames):
         Returns
         -------
         CasadiModel
-            `f`, `g`, `start`, names, units, values at the start.
+            Functions `f` and `g`, initial state `start`, and names, units and initial values of x, u, p and y.
 
         Raises
         ------
         InputErrors
-            If an address is unknown, other parameters depend on one in p, or the circuit is sampled or switched.
+            If an address is unknown, other parameters depend on one in p, or the circuit contains sampled or switched
+            parts.
 
         Examples
         --------

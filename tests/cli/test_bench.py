@@ -119,7 +119,7 @@ def test_comparison_with_a_circuit_and_with_a_result(poppet, bench, tmp_path):
         ),
         (("iso10094", VALVE, "--tests", "stepp"), "tests = 'stepp' is not a valid test. Did you mean step"),
         (("iso10094", VALVE, "--tests", ""), "tests must contain at least one test."),
-        (("iso10094", VALVE, "--full-scale", "0 bar g"), "must rise:"),
+        (("iso10094", VALVE, "--full-scale", "0 bar g"), "is not a valid range:"),
         (("iso10094", VALVE, "--full-scale", "a, b, c"), "must be one pressure or two."),
         (("iso10094", VALVE, "--volume", "0 l"), "the volume must be greater than 0 m^3."),
         (("iso10094", VALVE, "--volume", "1 kg"), "--volume"),

@@ -48,7 +48,7 @@ def empty(tmp_path, monkeypatch):
 def test_every_hour_is_in_the_contents():
     contents = (HOURS / "index.md").read_text(encoding="utf-8")
     assert all(f":link: {page}\n" in contents and f"\n{page}\n" in contents for page in PAGES)
-    assert all("## Yours to change" in (HOURS / f"{page}.md").read_text(encoding="utf-8") for page in PAGES)
+    assert all("## Exercises" in (HOURS / f"{page}.md").read_text(encoding="utf-8") for page in PAGES)
 
 
 def test_the_bench_engineer_is_told_what_to_record_next(empty):

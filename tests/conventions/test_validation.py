@@ -1,9 +1,15 @@
-"""The validation page: each claim has all that a reader needs, failures stand on it, and quick ones come out again."""
+"""Tests of the validation page: complete claims, failed claims first, and quick claims measured again."""
 
 from __future__ import annotations
 
+import ast
+import importlib
+from pathlib import Path
+from types import ModuleType
+
 import pytest
 
+import claims
 import validate
 import validation_pages
 from claims import CLAIMS, SOURCES
@@ -23,21 +29,21 @@ def test_every_claim_was_measured_and_no_other(results):
 
 
 @pytest.mark.parametrize("name", CLAIMS)
-def test_a_reader_finds_all_of_a_claim(name, results):
+def test_page_contains_all_facts_of_a_claim(name, results):
     claim, text = CLAIMS[name], validation_pages.page(results)
     source = SOURCES[claim.source]
-    own = text.partition(f"({validation_pages.anchor(claim)})=\n")[2].partition("\n(validation-")[0]
+    section = text.partition(f"({validation_pages.anchor(claim)})=\n")[2].partition("\n(validation-")[0]
     figures = results[name]["figures"]
-    said = (claim.ours.format(**figures), claim.theirs.format(**figures), claim.unseen.format(**figures))
-    for each in (*said, claim.when, source.name):
-        assert validation_pages.prose(each) in own
-    assert source.licence in own
-    assert f"`python website/validate.py {name}`\n" in own
-    assert results[name]["date"] in own
-    assert ("does not hold" in own) is not validation_pages.holds(claim, results)
+    texts = (claim.ours.format(**figures), claim.theirs.format(**figures), claim.unseen.format(**figures))
+    for fact in (*texts, claim.when, source.name):
+        assert validation_pages.prose(fact) in section
+    assert source.licence in section
+    assert f"`python website/validate.py {name}`\n" in section
+    assert results[name]["date"] in section
+    assert ("does not hold" in section) is not validation_pages.holds(claim, results)
 
 
-def test_what_fails_stands_first(results):
+def test_failed_claims_are_first(results):
     first = validation_pages.page(results).partition("## Claims that do not hold")[2].partition("\n## ")[0]
     failed = [name for name, claim in CLAIMS.items() if not validation_pages.holds(claim, results)]
     assert failed
@@ -53,8 +59,25 @@ def test_other_figures_change_the_page(results):
 
 
 @pytest.mark.parametrize("name", QUICK)
-def test_quick_claims_come_out_again(name, results):
+def test_quick_claims_have_the_stated_figures(name, results):
     claim = CLAIMS[name]
     if not SOURCES[claim.source].is_here:
-        pytest.skip(f"not here: {SOURCES[claim.source].name}")
+        pytest.skip(f"{SOURCES[claim.source].name} is not available")
     assert claim.measure() == pytest.approx(results[name]["figures"], rel=claim.rounding)
+
+
+def test_claims_use_existing_functions_of_tests():
+    def imported(node: ast.AST) -> ModuleType | None:
+        is_import = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "module"
+        return importlib.import_module(ast.literal_eval(node.args[0])) if is_import else None
+
+    missing = []
+    for function in ast.parse(Path(claims.__file__).read_text(encoding="utf-8")).body:
+        nodes = list(ast.walk(function))
+        modules = {ast.unparse(node.targets[0]): imported(node.value) for node in nodes if isinstance(node, ast.Assign)}
+        for node in nodes:
+            if isinstance(node, ast.Attribute) and (
+                owner := imported(node.value) or modules.get(ast.unparse(node.value))
+            ):
+                missing += [] if hasattr(owner, node.attr) else [ast.unparse(node)]
+    assert missing == []

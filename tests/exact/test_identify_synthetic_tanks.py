@@ -1,4 +1,4 @@
-"""Tank tests whose truth is known: C, b and the wall's conductance from noisy, coarsely recorded pressures."""
+"""Tests of the coverage of intervals of C, b and wall conductance, from noisy and rounded synthetic pressures."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ FULL_SCALE = 8e5
 NOISE, STEP = 0.001 * FULL_SCALE, FULL_SCALE / 2**12
 NAMES = ("valve.sonic_conductance", "valve.critical_ratio", "tank.wall_conductance")
 LEAST_HEAT = 2.0
-"""W/K; nearer to the bound at 0 an interval of 95 % is one-sided."""
+"""Least wall conductance with a two-sided interval [W/K]; below it, the bound at 0 makes the interval one-sided."""
 
 
 class Trial(NamedTuple):
-    """What one test says about its truth."""
+    """Errors of one tank test, and whether its intervals include the truth."""
 
     truth: tuple[float, float, float]
     errors: tuple[float, float]
@@ -30,14 +30,14 @@ class Trial(NamedTuple):
 
 
 @cache
-def trial(seed: int) -> Trial:
-    """One test: charge where the seed is even, 10 to 200 litres, a tenth of them without wall heat."""
+def run_trial(seed: int) -> Trial:
+    """Return the result of one test: a charge for an even seed, 10 to 200 l, one tenth without wall heat."""
     generator = np.random.default_rng([2012, seed])
     volume, conductance = 10.0 ** generator.uniform(-2.0, np.log10(0.2)), 10.0 ** generator.uniform(-9.0, -7.3)
     ratio = generator.uniform(0.2, 0.5)
     wall = generator.uniform(0.0, 100.0) if seed % 10 < 9 else 0.0
     is_charge = seed % 2 == 0
-    # Long enough to choke and to end the flow: tau = V / (C rho0 R T0) of an isothermal tank.
+    # The duration includes choked flow and the end of the flow: tau = V / (C rho0 R T0) of an isothermal tank.
     duration = (1.8 if is_charge else 3.0) * volume / (conductance * 1.185 * 287.05 * 293.15)
     tank = Chamber(volume=volume, initial_pressure="1 bar" if is_charge else "7 bar", wall_conductance=wall)
     ports = ("supply", "tank") if is_charge else ("tank", "ambient")
@@ -64,7 +64,7 @@ def trial(seed: int) -> Trial:
 
 
 def coverage(trials: list[Trial], is_in: Callable[[float], bool]) -> tuple[int, np.ndarray]:
-    """Number of tests whose wall conductance is in some range, and how often each of the intervals held the truth."""
+    """Return the number of tests with the wall conductance in a range, and the coverage of each interval."""
     hits = np.array([each.covered for each in trials if is_in(each.truth[2])])
     return len(hits), hits.sum(axis=0)
 
@@ -76,9 +76,9 @@ def check_medians(trials: list[Trial]) -> None:
 
 
 @pytest.mark.slow
-def test_forty_synthetic_tanks() -> None:
-    """Few tests: the band is that of a binomial count of 95 %, left once in a thousand times."""
-    trials = [trial(seed) for seed in range(FEW)]
+def test_coverage_of_forty_tanks() -> None:
+    """Check few tests with the limits of a binomial count of 95 % that are exceeded once in a thousand cases."""
+    trials = [run_trial(seed) for seed in range(FEW)]
     check_medians(trials)
     count, hits = coverage(trials, lambda wall: wall >= LEAST_HEAT)
     assert count > 30
@@ -86,9 +86,9 @@ def test_forty_synthetic_tanks() -> None:
 
 
 @pytest.mark.slow
-def test_five_hundred_synthetic_tanks() -> None:
-    """Prints the coverage, the one-sided one without wall heat as well: `pytest -m slow -rP` shows it."""
-    trials = [trial(seed) for seed in range(ALL)]
+def test_coverage_of_five_hundred_tanks() -> None:
+    """Print the coverage, also one-sided without wall heat; `pytest -m slow -rP` shows it."""
+    trials = [run_trial(seed) for seed in range(ALL)]
     check_medians(trials)
     count, hits = coverage(trials, lambda wall: wall >= LEAST_HEAT)
     print(f"covered of {count} tests with wall heat:", dict(zip(NAMES, (hits / count).round(4).tolist(), strict=True)))

@@ -1,4 +1,4 @@
-"""The measured force map of a DMSP-20-300 (Martens & Boblan, Actuators 2017, 6(4), 33, CC BY 4.0)."""
+"""Tests with the measured force map of a DMSP-20-300 (Martens & Boblan, Actuators 2017, 6(4), 33, CC BY 4.0)."""
 
 from __future__ import annotations
 
@@ -14,30 +14,30 @@ MAP = Path(__file__).resolve().parents[3] / "shared" / "data" / "muscle_dmsp20_3
 pytestmark = pytest.mark.skipif(not MAP.is_file(), reason="the measured data are not beside this checkout")
 
 
-def misses() -> tuple[np.ndarray, np.ndarray]:
-    """By how much the library's law misses each taut point, and the forces there."""
+def library_errors() -> tuple[np.ndarray, np.ndarray]:
+    """Return the errors of the law of the library at the taut points, and the forces at these points."""
     _, contraction, pressure, force = np.loadtxt(MAP, delimiter=",", skiprows=2).T
     is_taut = force > 0.0
     law = Muscle(body="slide", data="dmsp_20_300").force_law()
     return (law.force(pressure, contraction) - force)[is_taut], force[is_taut]
 
 
-def identified() -> Result:
+def identified_muscle() -> Result:
     _, contraction, pressure, force = np.loadtxt(MAP, delimiter=",", skiprows=2).T
     return identify_muscle(MusclePoints(pressure, contraction, force, 0.3, 0.02))
 
 
-def test_the_library_set_follows_the_map():
-    """Over taut points 6.2 N, 0.37 % of the largest force; where the map is slack, less than 40 N are left."""
-    error, force = misses()
+def test_library_set_agrees_with_map():
+    """Check the rms error, 6.2 N at taut points (0.37 % of the largest force), and less than 40 N at slack points."""
+    error, force = library_errors()
     rms = float(np.sqrt(np.mean(error**2)))
     assert rms == pytest.approx(6.2, abs=0.1)
     assert rms / force.max() == pytest.approx(0.0037, abs=1e-4)
 
 
-def test_the_law_is_found_again_from_the_map():
-    """Within 0.5 % of the largest force over taut points; Sarosi's law first, the braid's last."""
-    result, (_, force) = identified(), misses()
+def test_map_determines_published_law():
+    """Check an error of 0.5 % of the largest force at taut points, and the ranking from Sarosi to the braid law."""
+    result, (_, force) = identified_muscle(), library_errors()
     assert result.residuals["points.force"].samples == force.size
     assert result.residuals["points.force"].rms / force.max() < 0.005
     ranked = [row["law"] for row in result.comparison["forces"]]
@@ -48,8 +48,8 @@ def test_the_law_is_found_again_from_the_map():
     assert proportional["high"] < -100.0
 
 
-def test_a_table_meets_half_a_per_cent_at_every_taut_point_and_at_every_pressure_left_out():
-    """Lines over pressure, five contractions. Sarosi's worst is 1.1 %; a contraction left out misses more."""
+def test_table_error_is_below_half_a_percent():
+    """Check lines versus pressure at five contractions; the maximum error of the law of Sarosi is 1.1 %."""
     _, contraction, pressure, force = np.loadtxt(MAP, delimiter=",", skiprows=2).T
     points = MusclePoints(pressure, contraction, force, 0.3, 0.02)
     result = identify_muscle(points, law="table")

@@ -1,4 +1,4 @@
-"""Table 1 of Varga & Keski-Honkola 2012 recovered from synthetic tank tests made with it."""
+"""Tests that recover Table 1 of Varga & Keski-Honkola 2012 from synthetic tank tests."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ BENCH = Circuit(
 )
 
 
-def discharge(stroke: float, generator: np.random.Generator) -> StrokeRecording:
-    """A tank of 10 litres emptied through the passage of Table 1 at a stroke, with noise."""
+def simulate_discharge(stroke: float, generator: np.random.Generator) -> StrokeRecording:
+    """Return a discharge of a 10 l tank through the flow path of Table 1 at a stroke, with noise."""
     conductance, ratio = TABLE.sonic_conductance_at(stroke), TABLE.critical_ratio_at(stroke)
     truth = BENCH.with_values({"valve.sonic_conductance": conductance, "valve.critical_ratio": ratio})
     duration = 3.6e-7 / conductance
@@ -40,14 +40,14 @@ def discharge(stroke: float, generator: np.random.Generator) -> StrokeRecording:
 
 
 @pytest.fixture(scope="module")
-def tests() -> list[StrokeRecording]:
+def discharge_tests() -> list[StrokeRecording]:
     generator = np.random.default_rng(2012)
-    return [discharge(float(stroke), generator) for stroke in STROKES]
+    return [simulate_discharge(float(stroke), generator) for stroke in STROKES]
 
 
 @pytest.mark.parametrize("joint", [False, True])
-def test_the_polynomials_come_back(tests, joint):
-    result = identify_characteristic(tests, joint=joint)
+def test_fit_recovers_polynomials(discharge_tests, joint):
+    result = identify_characteristic(discharge_tests, joint=joint)
     conductance, ratio = (result.series[name] for name in ("sonic_conductance", "critical_ratio"))
     x = conductance["x"]
     assert (x[0], x[-1]) == (STROKES[0], STROKES[-1])
@@ -57,8 +57,8 @@ def test_the_polynomials_come_back(tests, joint):
     assert result.comparison["chi_square_probability"][0] > 0.001
 
 
-def test_bands_hold_the_truth(tests):
-    series = identify_characteristic(tests).series
+def test_bands_include_truth(discharge_tests):
+    series = identify_characteristic(discharge_tests).series
     for name, truth in (("sonic_conductance", TABLE.sonic_conductance_at), ("critical_ratio", TABLE.critical_ratio_at)):
         curve = series[name]
         inside = (curve["low"] <= truth(curve["x"])) & (truth(curve["x"]) <= curve["high"])
@@ -66,10 +66,10 @@ def test_bands_hold_the_truth(tests):
         assert np.max(curve["high"] - curve["low"]) < 0.1 * np.max(curve["y"])
 
 
-def test_the_rising_spline_says_that_the_data_reject_it(tests):
-    result = identify_characteristic(tests, form="spline")
+def test_data_reject_rising_spline(discharge_tests):
+    result = identify_characteristic(discharge_tests, form="spline")
     said = result.findings[0]
-    assert said.startswith("The data reject a C that never falls: C falls by 10.")
+    assert said.startswith("The data contradict a C(x) that never falls: C falls by 10.")
     assert "runs test" in said
     assert "AICc" in said
     verdict = result.comparison["monotone"]
@@ -77,16 +77,16 @@ def test_the_rising_spline_says_that_the_data_reject_it(tests):
     assert verdict["runs_probability"] < 0.05
     assert verdict["aicc_polynomial"] < verdict["aicc_free"] < verdict["aicc_constrained"]
     assert verdict["fall"] == pytest.approx(0.107, abs=0.005)
-    # The curve stays what was asked for, and b does not bend to make up for C.
+    # The curve satisfies the constraint, and b does not compensate for the error of C.
     assert np.all(np.diff(result.series["sonic_conductance"]["y"]) >= -1e-20)
     ratio = result.series["critical_ratio"]
     tested = ratio["x"] >= STROKES[0]
     assert np.max(np.abs(ratio["y"] - TABLE.critical_ratio_at(ratio["x"]))[tested]) < 0.05
 
 
-def test_the_file_runs_in_a_circuit(tests, tmp_path):
-    """From histories to a circuit file that names the result, and back to the flow of Table 1."""
-    write_characteristic(identify_characteristic(tests), tmp_path / "mine.toml")
+def test_written_file_runs_in_circuit(discharge_tests, tmp_path):
+    """Check the flow of a circuit file that refers to the characteristic fitted to recordings."""
+    write_characteristic(identify_characteristic(discharge_tests), tmp_path / "mine.toml")
     text = """
     [parts.tank]
     kind = "chamber"

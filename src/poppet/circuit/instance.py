@@ -43,7 +43,7 @@ class Drive:
         self._cache: LruCache[MergedSegments] = LruCache(LENGTHS)
 
     def segments(self, inputs: tuple[InputInfo, ...], delays: tuple[float, ...], duration: float) -> MergedSegments:
-        """Return the segments of all inputs for a run of some duration [s].
+        """Return the segments of all input signals for a run of the given duration [s].
 
         `delays` are the delays of the inputs [s]. An input without a signal is zero. The arrays are read-only.
         """

@@ -24,8 +24,7 @@ if TYPE_CHECKING:
     from poppet.identify.friction.identify_friction import identify_friction
     from poppet.identify.friction.records import FrictionRecord
     from poppet.identify.muscle.identify_muscle import identify_muscle
-    from poppet.identify.muscle.muscle_file import read_muscle_file
-    from poppet.identify.muscle.points import MusclePoints
+    from poppet.identify.muscle.muscle_file import MusclePoints, read_muscle_file
     from poppet.identify.result import Estimate, ResidualSummary, Result, read_result
     from poppet.identify.tank.identify_tank import identify_tank
     from poppet.identify.tank.test import TankTest, read_tank_file
@@ -84,8 +83,7 @@ _NAMES_IN = {
     "friction.identify_friction": "identify_friction",
     "friction.records": "FrictionRecord",
     "muscle.identify_muscle": "identify_muscle",
-    "muscle.muscle_file": "read_muscle_file",
-    "muscle.points": "MusclePoints",
+    "muscle.muscle_file": "MusclePoints read_muscle_file",
     "result": "Estimate ResidualSummary Result read_result",
     "tank.identify_tank": "identify_tank",
     "tank.test": "TankTest read_tank_file",

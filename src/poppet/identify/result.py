@@ -86,7 +86,7 @@ class ResidualSummary:
 
     @classmethod
     def of(cls, model: FloatArray, measured: FloatArray, unit: str) -> ResidualSummary:
-        """Return the statistics of the difference of a modelled and a measured series.
+        """Return statistics of the difference between a modelled and a measured series.
 
         Parameters
         ----------

@@ -178,16 +178,17 @@ class Cylinder(Compound):
 
     Notes
     -----
-    Ports of other parts name the chambers `NAME.cap` and `NAME.rod`. A single-acting cylinder has no rod chamber: this
+    Ports of other parts name the chambers `NAME.cap` and `NAME.rod`. A single-acting cylinder has no rod chamber: that
     side is open to the ambient. `seal_friction` increases the dry friction (`stribeck`, `lugre`) of the body.
 
     With a cushion, `cap` and `rod` are the volumes at the ports. `cap_cushion` and `rod_cushion` are the volumes
     between piston and cover and exchange heat with the wall of their side. Within `length` before the end of the stroke
-    the spear closes the bore, and only the throttle connects both volumes. The dead volume of a side includes that of
-    its cushion.
+    the spear closes the bore, and the two volumes are connected only by the throttle. The dead volume of a side
+    includes that of its cushion.
 
-    `force` is the force on the piston before friction and without the covers, `stop_force` that of the covers. The gas
-    in each chamber has one temperature. The wall conductance is constant; it does not depend on the stroke.
+    `force` is the force on the piston, without friction and contact with the end covers. `stop_force` is the contact
+    force of the end covers. The gas in each chamber has one temperature. The wall conductance does not depend on the
+    stroke.
 
     Examples
     --------

@@ -499,7 +499,7 @@ class Body(Part):
 
 
 class Controller(Part):
-    """Base class of controllers: parts without gas that drive inputs of other parts."""
+    """Base class of controllers, which contain no gas and set inputs of other parts."""
 
     measured: ClassVar[tuple[str, ...]] = ()
     """Inputs that the controller needs; a run notes each of them that is not connected."""

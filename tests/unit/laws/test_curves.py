@@ -129,7 +129,7 @@ def test_table_reports_all_mistakes_at_once():
         TableCurve((0.0, 2e-3, 1e-3), plain(1.0, 2.0))
     assert [type(problem) for problem in caught.value.problems] == [InputError, InputError]
     assert "2 values for 3 strokes do not match." in str(caught.value)
-    assert "stroke 3 = 1 mm after 2 mm must increase." in str(caught.value)
+    assert "stroke 3 = 1 mm, after 2 mm, must be larger than the previous stroke." in str(caught.value)
 
 
 def test_table_of_one_point_is_refused():
@@ -487,7 +487,7 @@ def test_read_table_with_options():
         (POLYNOMIAL, {"argument_unit": "kg"}, "kg"),
         (POLYNOMIAL, {"sonic_conductance": [-2e-8, 1e-8]}, "sonic_conductance = -1e-08"),
         (POLYNOMIAL, {"sonic_conductance": []}, "A polynomial must have at least one coefficient."),
-        (TABLE, {"stroke": ["0 mm", "1 mm", "1 mm"]}, "stroke 3 = 1 mm after 1 mm must increase."),
+        (TABLE, {"stroke": ["0 mm", "1 mm", "1 mm"]}, "stroke 3 = 1 mm, after 1 mm, must be larger than"),
         (TABLE, {"stroke": "0 mm"}, "stroke = '0 mm' must be a list of strokes."),
         (TABLE, {"stroke": ["0 mm", "x", "1 mm"]}, 'stroke[1] = "x"'),
         (TABLE, {"stroke": [], "sonic_conductance": []}, "stroke has 0 points: a table must have at least two points."),

@@ -1,4 +1,4 @@
-"""The page of an identification: everything found is on it, in words where it is no number, and nothing else."""
+"""Tests of identification reports: content, values without numbers, headline, figures and files."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ SLOW = np.array([0.1, 0.5, 1.0, 2.0])
 
 
 class Page(HTMLParser):
-    """Text, headings and tables of a page; refuses tags that do not close."""
+    """Parser for the text and the tags of a page; it requires that all tags are closed."""
 
     def __init__(self, text: str) -> None:
         super().__init__()
@@ -81,9 +81,9 @@ class Page(HTMLParser):
         return sum(name == tag for name, _ in self.tags)
 
 
-def result(**changes) -> Result:
+def example_result(**changes) -> Result:
     names = ("valve.sonic_conductance", "valve.critical_ratio", "tank.wall_conductance")
-    whole = Result(
+    example = Result(
         "fit",
         "Discharge of the tank",
         {
@@ -97,32 +97,32 @@ def result(**changes) -> Result:
         conditions={"recordings": ["discharge"], "validation": [], "noise": {"discharge.tank.pressure": 700.0}},
         series={"discharge.tank.pressure": {"time": TIME, "measured": MODEL + NOISE, "model": MODEL, "unit": "Pa"}},
     )
-    return replace(whole, **changes)
+    return replace(example, **changes)
 
 
 @cache
-def drawn_page() -> str:
-    """The page of this result, drawn once."""
-    return identification_page(result())
+def example_page() -> str:
+    """Return the page of the example result."""
+    return identification_page(example_result())
 
 
 # --- content ---
 
 
-def test_parameters_findings_and_verdicts_are_on_the_page():
-    whole = result()
-    page = Page(drawn_page())
+def test_page_has_parameters_findings_and_verdicts():
+    result = example_result()
+    page = Page(example_page())
     assert "Of 3 parameters, 1 is determined, 1 is weakly determined, 1 is at a bound." in page.text
-    for name, estimate in whole.parameters.items():
+    for name, estimate in result.parameters.items():
         assert page.text.count(name) >= 2
         assert estimate.verdict in page.text
-    places = [page.text.index(finding) for finding in whole.findings]
-    assert places == sorted(places)
-    assert page.text.index("Findings") < places[0] < page.text.index(" Parameters parameter")
+    positions = [page.text.index(finding) for finding in result.findings]
+    assert positions == sorted(positions)
+    assert page.text.index("Findings") < positions[0] < page.text.index(" Parameters parameter")
 
 
-def test_a_number_stands_in_a_readable_unit_and_in_si():
-    text = Page(drawn_page()).text.replace("\N{NO-BREAK SPACE}", " ")
+def test_values_have_readable_and_si_units():
+    text = Page(example_page()).text.replace("\N{NO-BREAK SPACE}", " ")
     assert "1.2340 ± 0.0023 dm³/(s bar)" in text
     assert "1.234e-08 m³/(s Pa)" in text
     assert "1.2290 ... 1.2390" in text
@@ -131,18 +131,18 @@ def test_a_number_stands_in_a_readable_unit_and_in_si():
     assert "± 58 %" in text
 
 
-def test_residuals_and_conditions_are_on_the_page():
-    text = Page(drawn_page()).text
+def test_page_has_residuals_and_conditions():
+    text = Page(example_page()).text
     assert "690.0 Pa 0.115 % -12.0 Pa 700.0 Pa 200" in text
     assert "Recordings discharge" in text
 
 
-def test_figures_are_in_the_page_and_nothing_is_elsewhere():
-    text = drawn_page()
+def test_page_has_figures_and_no_external_content():
+    text = example_page()
     page = Page(text)
     assert page.count("svg") == 3  # intervals, correlation, one channel
     needs_nothing_else(text)
-    assert len(plots(text)) == 1  # of the channel; intervals and correlations are to be looked at
+    assert len(plots(text)) == 1  # of the channel; intervals and correlations are still pictures
     links = [value for _, attrs in page.tags for key, value in attrs.items() if key.endswith("href")]
     assert links
     marks = [attrs["id"] for _, attrs in page.tags if "id" in attrs]
@@ -150,17 +150,17 @@ def test_figures_are_in_the_page_and_nothing_is_elsewhere():
     assert {link[1:] for link in links} <= set(marks)
 
 
-def test_two_parameters_have_a_sentence_instead_of_a_matrix():
+def test_two_parameters_have_correlation_sentence():
     names = ("valve.sonic_conductance", "valve.critical_ratio")
     correlation = {names[0]: {names[1]: -0.93}, names[1]: {names[0]: -0.93}}
-    page = Page(identification_page(result(correlation=correlation)))
+    page = Page(identification_page(example_result(correlation=correlation)))
     assert page.count("svg") == 2
     assert "valve.sonic_conductance and valve.critical_ratio have a correlation of -0.93" in page.text
 
 
-def test_a_comparison_has_both_models_and_its_sentence():
-    first = result(comparison={"aicc": 1000.0, "free_numbers": 3, "samples": 200})
-    second = result(title="adiabatic", comparison={"aicc": 1400.0, "free_numbers": 2, "samples": 200})
+def test_comparison_has_both_models_and_verdict():
+    first = example_result(comparison={"aicc": 1000.0, "free_numbers": 3, "samples": 200})
+    second = example_result(title="adiabatic", comparison={"aicc": 1400.0, "free_numbers": 2, "samples": 200})
     second = replace(
         second, residuals={"discharge.tank.pressure": ResidualSummary(4900.0, 0.008, 10.0, "Pa", TIME.size)}
     )
@@ -168,38 +168,38 @@ def test_a_comparison_has_both_models_and_its_sentence():
     assert "clearly better than adiabatic (adiabatic.toml) (AICc lower by 400.0)" in text
     assert "Discharge of the tank 1000.0 3 0.690 kPa" in text
     assert "adiabatic.toml 1400.0 2 4.900 kPa" in text
-    assert "Comparison" not in Page(drawn_page()).text
+    assert "Comparison" not in Page(example_page()).text
 
 
-def test_held_out_recordings_are_named_as_such():
+def test_validation_recordings_are_marked():
     conditions = {"recordings": ["discharge"], "validation": ["discharge"]}
-    text = Page(identification_page(result(conditions=conditions))).text
+    text = Page(identification_page(example_result(conditions=conditions))).text
     assert "discharge.tank.pressure validation" in text
     assert "discharge.tank.pressure , used for validation" in text
 
 
 def test_text_is_escaped():
-    text = identification_page(result(title="<b>A & B</b>", remarks=notes_of(["x < 1 & y > 2"])))
+    text = identification_page(example_result(title="<b>A & B</b>", remarks=notes_of(["x < 1 & y > 2"])))
     assert "<b>" not in text
     page = Page(text)
     assert "<b>A & B</b>" in page.text
     assert "x < 1 & y > 2" in page.text
 
 
-def test_sources_and_fixed_numbers_are_listed():
+def test_sources_and_fixed_parameters_are_listed():
     conditions = {
         "fixed": {"tank.volume": {"value": 0.0162, "unit": "m^3", "source": "measured"}, "valve.lag": 0.25},
         "sources": {"tank.volume": "calliper, 0.200 m by 0.515 m"},
         "seed": 7,
     }
-    text = Page(identification_page(result(conditions=conditions, series={}))).text
+    text = Page(identification_page(example_result(conditions=conditions, series={}))).text
     assert "tank.volume : 16.2 l, measured" in text
     assert "valve.lag : 0.25 s" in text
     assert "tank.volume: calliper, 0.200 m by 0.515 m" in text
     assert "Seed 7" in text
 
 
-# --- what is no number ---
+# --- values without numbers ---
 
 
 def test_infinite_and_unknown_values_are_words():
@@ -210,7 +210,7 @@ def test_infinite_and_unknown_values_are_words():
         "d.area": Estimate(INF, "m^2", INF, 1e-6, INF, "not determined", 1e300),
     }
     residuals = {"discharge.tank.pressure": ResidualSummary(NAN, INF, NAN, "Pa", 0)}
-    text = Page(identification_page(result(parameters=parameters, residuals=residuals, correlation={}))).text
+    text = Page(identification_page(example_result(parameters=parameters, residuals=residuals, correlation={}))).text
     assert "20 l" not in text.partition("Findings")[0].replace("(error infinite) l", "")
     assert "0.02" not in text.partition("Findings")[0]
     assert "20 (error infinite)" in text
@@ -227,7 +227,7 @@ def test_infinite_and_unknown_values_are_words():
     unit=st.sampled_from(["1", "Pa", "m^3/(s Pa)", "s", "K", "N/m"]),
 )
 @settings(max_examples=200, derandomize=True, deadline=None)
-def test_any_value_can_be_written(value, error, unit):
+def test_any_value_has_short_text(value, error, unit):
     shown_in = readable_unit(unit, value, error)
     texts = [value_with_error(value, error, unit, shown_in), interval(value - error, value + error, unit, shown_in)]
     for text in texts:
@@ -237,14 +237,14 @@ def test_any_value_can_be_written(value, error, unit):
 
 @given(value=st.floats(1e-3, 1e3), digits=st.floats(-5.0, -0.1))
 @settings(max_examples=200, derandomize=True, deadline=None)
-def test_written_values_keep_what_the_error_allows(value, digits):
+def test_texts_keep_significant_digits(value, digits):
     error = value * 10.0**digits
     text, _, written = value_with_error(value, error, "1", "1").partition(" ± ")
     assert abs(float(written) - error) <= 0.051 * error
     assert abs(float(text) - value) <= 0.051 * error * (1.0 if decimals(error) else 10.0)
 
 
-def test_sizes_choose_the_unit():
+def test_unit_depends_on_value():
     assert readable_unit("Pa", NAN, INF) == "Pa"
     assert readable_unit("s", 0.02) == "ms"
     assert readable_unit("W/K", 3.0) == "W/K"
@@ -261,96 +261,98 @@ def test_sizes_choose_the_unit():
         (Estimate(NAN, "s", INF, -INF, INF, "not determined"), (0.0, 1.0)),
     ],
 )
-def test_the_axis_of_an_interval_holds_zero_and_what_is_near(estimate, expected):
+def test_interval_axis_includes_zero_and_near_values(estimate, expected):
     assert np.max(np.abs(np.subtract(interval_range(estimate), expected))) < 1e-12
 
 
-def test_starts_that_are_far_out_are_named_in_the_caption():
+def test_caption_lists_start_values_outside_axis():
     parameters = {"lag": Estimate(2.0, "s", 0.1, 1.8, 2.2, "determined", 100.0)}
-    assert "Starts outside: lag 100 s." in Page(identification_page(result(parameters=parameters, series={}))).text
+    assert (
+        "Starts outside: lag 100 s." in Page(identification_page(example_result(parameters=parameters, series={}))).text
+    )
 
 
 # --- headline ---
 
 
-def test_the_headline_has_the_numbers_of_the_passage_with_their_doubts():
-    found = "C = 1.2340 ± 0.0023 dm³/(s bar), b = 0.310 ± 0.090 (weak)."
-    assert headline(result()).startswith(found)
-    assert headline(result(), is_plain=True).isascii()
-    assert found in Page(drawn_page()).text
+def test_headline_has_c_and_b_with_errors():
+    expected = "C = 1.2340 ± 0.0023 dm³/(s bar), b = 0.310 ± 0.090 (weak)."
+    assert headline(example_result()).startswith(expected)
+    assert headline(example_result(), is_plain=True).isascii()
+    assert expected in Page(example_page()).text
     two = {f"{part}.critical_ratio": Estimate(0.3, "1", 0.01, 0.28, 0.32, "determined") for part in ("a", "b")}
-    assert headline(result(parameters=two)).startswith("b of a = 0.300 ± 0.010, b of b = 0.300 ± 0.010. All 2")
-    lag = {"discharge.lag": Estimate(2.0, "s", 0.1, 1.8, 2.2, "determined")}  # of a recording, no number of the circuit
-    assert headline(result(parameters=lag)) == "The parameter is determined."
+    assert headline(example_result(parameters=two)).startswith("b of a = 0.300 ± 0.010, b of b = 0.300 ± 0.010. All 2")
+    lag = {"discharge.lag": Estimate(2.0, "s", 0.1, 1.8, 2.2, "determined")}  # of a recording, not of the circuit
+    assert headline(example_result(parameters=lag)) == "The parameter is determined."
 
 
-def test_the_most_urgent_finding_says_what_to_do_next():
+def test_most_urgent_finding_gives_next_step():
     weak = Note("finding.number.weak", "valve.critical_ratio", low=0.1, high=0.5, unit="1")
     choked = Note("finding.choking.throughout", "valve.critical_ratio", passage="valve")
-    apart = Note("finding.tell_apart.wall", names=("C", "hA"))
-    assert "longer" in next_step(result(remarks=(weak,)))
-    assert "nearly equal" in next_step(result(remarks=(weak, choked)))
-    assert next_step(result(remarks=(weak, choked, apart))) == str(apart)
-    assert "not fitted" in next_step(result(remarks=()))
-    assert next_step(result(remarks=(), conditions={"validation": ["again"]})) == ""
+    indistinguishable = Note("finding.tell_apart.wall", names=("C", "hA"))
+    assert "longer" in next_step(example_result(remarks=(weak,)))
+    assert "nearly equal" in next_step(example_result(remarks=(weak, choked)))
+    assert next_step(example_result(remarks=(weak, choked, indistinguishable))) == str(indistinguishable)
+    assert "not fitted" in next_step(example_result(remarks=()))
+    assert next_step(example_result(remarks=(), conditions={"validation": ["again"]})) == ""
 
 
-def test_how_recordings_were_read_is_folded():
+def test_reading_notes_are_folded():
     read = Note("measured.empty_cells", "a.tank.pressure", lost=3, total=200)
-    page = identification_page(result(remarks=(read, *result().remarks)))
+    page = identification_page(example_result(remarks=(read, *example_result().remarks)))
     assert page.count("<details>") == 1
     folded = page[page.index("<details>") : page.index("</details>")]
     assert html.escape(str(read)) in folded
-    assert [remark for remark in result().findings if html.escape(remark) in folded] == []
-    assert "<details>" not in drawn_page()
+    assert [remark for remark in example_result().findings if html.escape(remark) in folded] == []
+    assert "<details>" not in example_page()
 
 
 # --- bands ---
 
 
-def banded(half: float, width: float) -> Result:
+def result_with_bands(half: float, width: float) -> Result:
     ends = {"low": MODEL - half, "high": MODEL + half, "samples_low": MODEL - width, "samples_high": MODEL + width}
-    table = {**result().series["discharge.tank.pressure"], **ends}
-    return result(series={"discharge.tank.pressure": table})
+    table = {**example_result().series["discharge.tank.pressure"], **ends}
+    return example_result(series={"discharge.tank.pressure": table})
 
 
-def test_the_figure_of_a_channel_has_the_bands_of_model_and_samples():
-    (trace,) = traces_of(banded(100.0, 1400.0))
+def test_channel_figure_has_model_and_sample_bands():
+    (trace,) = traces_of(result_with_bands(100.0, 1400.0))
     assert trace.samples == pytest.approx(1400.0)
     with style("a test"):
         upper, lower = channel_figure(trace).axes[:2]
         names = [text.get_text() for text in upper.get_legend().get_texts()]
     assert {"95 % of the model", "95 % of samples"} <= set(names)
-    ends = sorted(float(np.max(each.get_paths()[0].vertices[:, 1])) for each in lower.collections)
+    ends = sorted(float(np.max(band.get_paths()[0].vertices[:, 1])) for band in lower.collections)
     assert ends == pytest.approx([0.1, 1.4])  # in kPa, as the axis
-    page = Page(identification_page(banded(100.0, 1400.0))).text
-    inside = 100.0 * np.mean(np.abs(NOISE) <= 1400.0)
-    assert f"at most ± 1.4 kPa; it contains {inside:.1f} %" in page
+    page = Page(identification_page(result_with_bands(100.0, 1400.0))).text
+    percent = 100.0 * np.mean(np.abs(NOISE) <= 1400.0)
+    assert f"at most ± 1.4 kPa; it contains {percent:.1f} %" in page
     assert "the coloured band is the 95 % band of the model (at most ± 0.1 kPa)" in page
 
 
-# --- other models and points off the law ---
+# --- alternative models and outliers ---
 
 
-def test_other_models_stand_beside_the_fit_with_their_numbers():
+def test_alternative_models_are_listed():
     e = {"value": 1.4e-8, "low": 1.38e-8, "high": 1.42e-8, "unit": "m^3/(s Pa)"}
     model = {"aicc_difference": -12.34, "free": {"valve.sonic_conductance": e}}
-    page = Page(identification_page(result(comparison={"alternatives": {"wall_heat_capacity": model}}))).text
+    page = Page(identification_page(example_result(comparison={"alternatives": {"wall_heat_capacity": model}}))).text
     assert "Alternative models" in page
     assert "wall heat capacity -12.3 1.4 dm³/(s bar) 1.380 ... 1.420 - -" in page
-    assert "Alternative models" not in Page(drawn_page()).text
+    assert "Alternative models" not in Page(example_page()).text
 
 
-def test_a_point_off_the_law_has_a_ring_in_both_pictures():
+def test_outliers_have_rings_in_both_axes():
     x = np.linspace(0.1, 0.9, 9)
     measured, model = 1e-8 * (1.0 - 0.5 * x), 1e-8 * (1.0 - 0.4 * x)
     table = {"x": x, "measured": measured, "model": model, "unit": "m^3/(s Pa)", "x_unit": "1", "x_name": "p2/p1"}
-    (trace,) = traces_of(result(series={"points.effective_conductance": table}))
+    (trace,) = traces_of(example_result(series={"points.effective_conductance": table}))
     with style("a test"):
         upper, lower = channel_figure(trace, outliers=[0.7]).axes[:2]
     rings = [[line for line in axes.get_lines() if line.get_label() == "off the law"] for axes in (upper, lower)]
-    assert [len(each) for each in rings] == [1, 1]
-    assert [each[0].get_xdata().tolist() for each in rings] == [[x[6]], [x[6]]]
+    assert [len(lines) for lines in rings] == [1, 1]
+    assert [lines[0].get_xdata().tolist() for lines in rings] == [[x[6]], [x[6]]]
     assert rings[0][0].get_ydata() == pytest.approx([1e8 * measured[6]])
 
 
@@ -358,7 +360,7 @@ def test_a_point_off_the_law_has_a_ring_in_both_pictures():
 
 
 @pytest.mark.parametrize(
-    ("found", "expected"),
+    ("verdict_names", "expected"),
     [
         ((), "There are no free parameters."),
         (("weak",), "The parameter is weakly determined."),
@@ -367,17 +369,17 @@ def test_a_point_off_the_law_has_a_ring_in_both_pictures():
         (("determined", "weak", "weak"), "Of 3 parameters, 1 is determined, 2 are weakly determined."),
     ],
 )
-def test_verdicts(found, expected):
-    parameters = {str(k): Estimate(1.0, "s", 0.1, 0.9, 1.1, v) for k, v in enumerate(found)}
+def test_verdicts_are_summarised(verdict_names, expected):
+    parameters = {str(k): Estimate(1.0, "s", 0.1, 0.9, 1.1, v) for k, v in enumerate(verdict_names)}
     assert verdicts(Result("fit", "t", parameters)) == expected
 
 
-def test_the_worst_verdict_colours_the_summary():
-    assert '<div class="summary at-bound">' in drawn_page()
+def test_worst_verdict_sets_summary_colour():
+    assert '<div class="summary at-bound">' in example_page()
 
 
-def test_a_result_that_was_read_has_a_page_without_figures_of_the_fit():
-    page = Page(identification_page(result(series={}, correlation={})))
+def test_page_without_series_has_no_fit_figures():
+    page = Page(identification_page(example_result(series={}, correlation={})))
     assert page.count("svg") == 1
     assert "found no problems" not in page.text
     assert "found no problems" in Page(identification_page(Result("tank", "empty", {}))).text
@@ -386,14 +388,14 @@ def test_a_result_that_was_read_has_a_page_without_figures_of_the_fit():
 # --- figures ---
 
 
-def drawn(trace, *more):
+def draw_channel(trace, *arguments):
     with style("A test"):
-        return channel_figure(trace, *more)
+        return channel_figure(trace, *arguments)
 
 
-def test_points_line_and_residuals_are_the_data_of_the_result():
-    (trace,) = traces_of(result())
-    figure = drawn(trace)
+def test_channel_figure_shows_data_of_result():
+    (trace,) = traces_of(example_result())
+    figure = draw_channel(trace)
     upper, lower, histogram, correlation = figure.axes
     points, line = upper.lines
     assert np.max(np.abs(points.get_ydata() - (MODEL + NOISE) / 1e5)) < 1e-12
@@ -406,7 +408,7 @@ def test_points_line_and_residuals_are_the_data_of_the_result():
     assert correlation.get_title(loc="left") == "autocorrelation of residuals"
 
 
-def test_few_or_odd_series_are_drawn_as_far_as_they_go():
+def test_incomplete_series_are_drawn():
     series = {
         "a.pressure": {"time": SLOW, "measured": 1e5 * SLOW, "model": 1e5 * SLOW, "unit": "Pa"},
         "b.temperature": {"time": TIME, "measured": np.full(TIME.size, 293.15), "model": np.full(TIME.size, NAN),
@@ -419,94 +421,94 @@ def test_few_or_odd_series_are_drawn_as_far_as_they_go():
         "f.nothing": {"samples": 3},
         "g.neither": 4.0,
     }  # fmt: skip
-    found = traces_of(result(series=series))
-    assert [trace.name for trace in found] == [
+    traces = traces_of(example_result(series=series))
+    assert [trace.name for trace in traces] == [
         "a.pressure",
         "b.temperature",
         "c.conductance",
         "d.long",
         "e.measured_only",
     ]
-    assert [trace.residual.size for trace in found] == [4, 200, 4, 100_000, 0]
-    assert [len(drawn(trace).axes) for trace in found] == [2, 4, 2, 4, 1]
-    assert np.max(np.abs(found[2].residual)) < 1e-20
-    stroke = drawn(found[2])
+    assert [trace.residual.size for trace in traces] == [4, 200, 4, 100_000, 0]
+    assert [len(draw_channel(trace).axes) for trace in traces] == [2, 4, 2, 4, 1]
+    assert np.max(np.abs(traces[2].residual)) < 1e-20
+    stroke = draw_channel(traces[2])
     assert stroke.axes[1].get_xlabel() == "stroke [m]"
     assert len(stroke.axes[0].collections) == 2  # the band and the intervals of the points
-    assert len(drawn(found[3]).axes[0].lines[0].get_xdata()) <= 1500
-    assert Page(identification_page(result(series=series))).count("figure") == 7
+    assert len(draw_channel(traces[3]).axes[0].lines[0].get_xdata()) <= 1500
+    assert Page(identification_page(example_result(series=series))).count("figure") == 7
 
 
-def test_a_flow_bench_shows_its_law_through_the_points():
+def test_flow_page_shows_law_and_budget():
     down = np.linspace(0.5e5, 6.5e5, 13)
     wobble = 1.0 + 0.004 * np.cos(7.0 * np.arange(13))
     flow = wobble * mass_flow_rate(7e5, down, 293.15, sonic_conductance=2e-8, critical_ratio=0.3)
-    found = identify_flow(FlowPoints(flow, 7e5, down, 293.15), part="valve", title="Flow bench")
-    (trace,) = traces_of(found)
-    ratio, conductance = flow_curve(found, trace)
-    c = found.parameters["valve.sonic_conductance"].value
+    result = identify_flow(FlowPoints(flow, 7e5, down, 293.15), part="valve", title="Flow bench")
+    (trace,) = traces_of(result)
+    ratio, conductance = flow_curve(result, trace)
+    c = result.parameters["valve.sonic_conductance"].value
     assert abs(conductance[0] / c - 1.0) < 1e-12
     assert np.max(np.abs(np.interp(trace.x, ratio, conductance) / trace.model - 1.0)) < 1e-3
-    assert drawn(trace).axes[1].get_xlabel() == "p2/p1 [1]"
-    text = Page(identification_page(found)).text
+    assert draw_channel(trace).axes[1].get_xlabel() == "p2/p1 [1]"
+    text = Page(identification_page(result)).text
     assert "Formulas of the standard" in text
     assert "Uncertainty budget" in text
     assert "scatter of mass_flow_rate" in text
-    for finding in found.findings:
+    for finding in result.findings:
         assert finding in text
 
 
-def test_a_choked_flow_bench_has_no_law_to_draw():
-    found = identify_flow(FlowPoints(np.full(6, 0.0166), 7e5, np.linspace(1e5, 1.2e5, 6), 293.15))
-    (trace,) = traces_of(found)
-    assert flow_curve(found, trace) is None
-    assert "not known" in Page(identification_page(found)).text
+def test_choked_flow_bench_has_no_curve():
+    result = identify_flow(FlowPoints(np.full(6, 0.0166), 7e5, np.linspace(1e5, 1.2e5, 6), 293.15))
+    (trace,) = traces_of(result)
+    assert flow_curve(result, trace) is None
+    assert "not known" in Page(identification_page(result)).text
 
 
 @pytest.mark.parametrize("form", ["polynomial", "spline"])
-def test_a_characteristic_shows_its_curves_before_its_numbers(form):
+def test_characteristic_page_shows_curves_before_coefficients(form):
     strokes = np.linspace(0.05e-3, 1e-3, 12)
     conductance = 1e-8 * np.minimum(strokes / 0.4e-3, 1.5 - 0.5 * strokes / 1e-3)
     tests = [StrokePoint(x, c, 0.4, 3e-11, 0.004) for x, c in zip(strokes, conductance, strict=True)]
-    found = identify_characteristic(tests, form=form)
-    page = Page(identification_page(found))
+    result = identify_characteristic(tests, form=form)
+    page = Page(identification_page(result))
     assert page.text.index(" Fit ") < page.text.index(" Parameters parameter")
     assert "The 95 % band of sonic conductance stays within ±" in page.text
     assert "between the first and the last point" in page.text
     assert "Tests at the strokes" in page.text
     assert ("AICc with C monotone" in page.text) == (form == "spline")
-    for name in (*found.parameters, *found.conditions["tests"]):
+    for name in (*result.parameters, *result.conditions["tests"]):
         assert name in page.text
-    for finding in found.findings:
+    for finding in result.findings:
         assert finding in page.text
 
 
 # --- file ---
 
 
-def test_the_same_result_gives_the_same_bytes(tmp_path):
-    first = write_identification(result(), tmp_path / "a.html")
-    second = write_identification(result(), str(tmp_path / "b.htm"))
+def test_equal_results_give_equal_bytes(tmp_path):
+    first = write_identification(example_result(), tmp_path / "a.html")
+    second = write_identification(example_result(), str(tmp_path / "b.htm"))
     assert first.name == "a.html"
     assert first.read_bytes() == second.read_bytes()
     assert first.read_text(encoding="utf-8").startswith("<!DOCTYPE html>")
 
 
 @pytest.mark.parametrize(("name", "code"), [("a.pdf", "files.suffix"), ("no/a.html", "files.no_folder")])
-def test_a_file_that_cannot_be_is_refused(tmp_path, name, code):
+def test_invalid_output_files_are_rejected(tmp_path, name, code):
     with refused(code, path=str(tmp_path / name)):
-        write_identification(result(), tmp_path / name)
+        write_identification(example_result(), tmp_path / name)
     assert list(tmp_path.iterdir()) == []
 
 
-def test_without_the_drawing_package_there_is_a_hint(monkeypatch, tmp_path):
+def test_missing_matplotlib_is_reported(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     with refused("missing.package", kind=MissingDependencyError, package="matplotlib", extra="plot"):
-        write_identification(result(), tmp_path / "a.html")
+        write_identification(example_result(), tmp_path / "a.html")
     assert list(tmp_path.iterdir()) == []
 
 
-def test_importing_the_page_does_not_import_the_drawing_package():
+def test_import_does_not_load_heavy_packages():
     code = (
         "import sys, poppet.report.identification.identification_report\n"
         "print(sorted({'matplotlib', 'scipy', 'pandas'} & set(sys.modules)))"

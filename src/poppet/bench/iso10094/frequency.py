@@ -156,7 +156,7 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
 
 
 def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
-    """Extend the window of a sine to its first and last sample.
+    """Extend the window `part` to all samples of its sine.
 
     `part` is the window between rising zero crossings. The extension is at most 1.5 periods on either side.
     """

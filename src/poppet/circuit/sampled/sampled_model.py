@@ -94,7 +94,7 @@ class SampledModel(LinearModel):
         return np.array(mean, dtype=np.complex128) + complex(by_u)
 
     def state_response(self, frequency: float, input: str) -> NDArray[np.complex128]:
-        """Return the complex amplitudes of the variables v for a unit sine at one input."""
+        """Return the complex amplitudes of the states v in response to a unit sine at one input."""
         column = index_of(self.inputs, input, "input")
         return np.asarray(self._rotating_mean(2.0 * np.pi * frequency, column) * self.sizes, dtype=np.complex128)
 

@@ -16,7 +16,7 @@ from poppet.deploy.live.page_kernel import pack, run_data
 from poppet.deploy.targets import CircuitSource, Export
 from poppet.report.circuit.schematic import EmptyLine, draw_with_empty_lines
 from poppet.report.html_page import document, findings, head, inline_svg
-from poppet.report.plots.interactive import data_element, tight
+from poppet.report.plots.interactive import data_element, minify
 from poppet.timeseries.plotting.figures import figure_bytes, style
 from poppet.timeseries.plotting.panels import STILL
 from poppet.timeseries.plotting.plots import Sheet, axis_unit
@@ -108,8 +108,8 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
         ("Notes of the run as in the file", findings([*recording.remarks, *notes])),
         ("", f'<script type="application/octet-stream" id="model">{data}</script>\n'),
     ]
-    program = tight(_read("kernel.js") + _read("live.js"))
-    return document(title, sections, style=tight(_read("live.css")), program=program)
+    program = minify(_read("kernel.js") + _read("live.js"))
+    return document(title, sections, style=minify(_read("live.css")), program=program)
 
 
 def page_content(

@@ -242,9 +242,10 @@ class _Cvodes(_Legs):
                 return
 
     def _legs(self, segment: int, stops: Array, x: Array) -> Iterator[Leg]:
-        """Yield legs over the intervals of one CVODES call.
+        """Integrate successive intervals in one CVODES call, and yield the solution of each.
 
-        `stops` contains the ends of the intervals. A call that fails is divided into two.
+        `stops` contains the start of the first interval and the ends of all. If the call fails, its intervals are
+        divided into two calls.
         """
         if stops.size == 2:
             state = self._state(segment, float(stops[0]), x, float(stops[1]))

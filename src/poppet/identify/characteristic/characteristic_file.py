@@ -101,7 +101,7 @@ def characteristic_table(result: Result, *, closing: float | None = None) -> dic
         f"{'values at knots' if is_table else 'highest power first, all digits count'}"
     )
     if result.comparison.get("monotone", {}).get("rejected"):
-        table["note"] += "; the data reject a C that never falls"
+        table["note"] += "; the data contradict a C(x) that never falls"
     characteristic_from_mapping(table, name=result.title)
     return table
 

@@ -111,7 +111,16 @@ def characteristic_findings(
     joint: bool,
 ) -> tuple[Note, ...]:
     """Return findings on the fitted curves and the tests, the most important first."""
-    notes = _constraint_notes(verdict, joint) if verdict else []
+    notes = list[Note]()
+    if verdict:
+        numbers = {name: getattr(verdict, name) for name in ("gain", "probability", "runs_probability")}
+        numbers |= {"constrained": verdict.aicc_constrained, "unconstrained": verdict.aicc_free}
+        polynomial = verdict.aicc_polynomial
+        numbers["polynomials"] = f"{polynomial:.1f}" if np.isfinite(polynomial) else None
+        fall = {"fall": 100.0 * verdict.fall, "from_mm": 1e3 * verdict.fall_from} if verdict.rejected else {}
+        code = "characteristic.falls" if verdict.rejected else "characteristic.may_never_fall"
+        notes = [Note(code, "sonic_conductance", **fall, **numbers)]
+        notes += [Note("characteristic.not_joint")] * (verdict.rejected and joint)
     if fit.twin:
         strokes = np.array([e.stroke for e in evidence])
         factor = float(np.mean(fit.twin.curve(0, strokes) / fit.curve(0, strokes)))
@@ -149,19 +158,6 @@ def characteristic_findings(
     if 0 < len(points) < len(evidence):  # points among recordings
         notes.append(Note("characteristic.by_numbers", count=len(points), **counts, tests=points))
     return tuple(dict.fromkeys([*notes, *(note for e in evidence for note in e.findings)]))
-
-
-def _constraint_notes(verdict: MonotoneVerdict, joint: bool) -> list[Note]:
-    """Return findings on the constraint that C does not fall."""
-    numbers = {name: getattr(verdict, name) for name in ("gain", "probability", "runs_probability")}
-    numbers |= {"constrained": verdict.aicc_constrained, "unconstrained": verdict.aicc_free}
-    polynomial = verdict.aicc_polynomial
-    numbers["polynomials"] = f"{polynomial:.1f}" if np.isfinite(polynomial) else None
-    if not verdict.rejected:
-        return [Note("characteristic.may_never_fall", "sonic_conductance", **numbers)]
-    fall = {"fall": 100.0 * verdict.fall, "from_mm": 1e3 * verdict.fall_from}
-    notes = [Note("characteristic.falls", "sonic_conductance", **fall, **numbers)]
-    return [*notes, Note("characteristic.not_joint")] if joint else notes
 
 
 def _stroke_notes(evidence: Sequence[TestEvidence], domain: tuple[float, float]) -> list[Note]:

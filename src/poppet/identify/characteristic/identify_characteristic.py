@@ -12,6 +12,7 @@ import numpy as np
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
+from poppet.core.tables import Field
 from poppet.identify.characteristic.characteristic_file import read_characteristic_file
 from poppet.identify.characteristic.characteristic_findings import (
     MonotoneVerdict,
@@ -233,8 +234,8 @@ def _check_options(
             near = NameSuggestion(str(form), FORMS)
             errors.add("fields.not_an_option", "form", value=form, meaning="form", near=near)
         for name, degree in degrees.items():
-            if isinstance(degree, bool) or not isinstance(degree, int) or not 0 <= degree <= 15:
-                errors.add("characteristic.degree", name, value=degree)
+            with errors.collecting():
+                Field(type="integer", low=0, high=15).read(degree, name)
         if domain is not None and not -math.inf < domain[0] < domain[1] < math.inf:
             errors.add("characteristic.empty_domain", "domain", value=str(domain))
         if not all(0.0 <= u < math.inf for u in common):

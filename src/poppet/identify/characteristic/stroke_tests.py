@@ -12,7 +12,8 @@ import numpy as np
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
-from poppet.core.errors import ErrorCollector, InputError, OutOfRangeError
+from poppet.core.errors import ErrorCollector, InputError, NameSuggestion, OutOfRangeError
+from poppet.core.tables import NumberRange
 from poppet.identify.fit.experiment import Experiment
 from poppet.identify.fit.fit_findings import residual_findings, widening_of
 from poppet.identify.fit.fit_plan import is_same
@@ -20,10 +21,17 @@ from poppet.identify.fit.search import Optimum, optimise
 from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result
 from poppet.timeseries.checks import FloatArray as Array
+from poppet.timeseries.checks import not_finite
 
 NUMBERS = ("sonic_conductance", "critical_ratio")
 UNITS = {"sonic_conductance": "m^3/(s Pa)", "critical_ratio": "1"}
 SYMBOLS = {"sonic_conductance": "C", "critical_ratio": "b"}
+POINT_RANGES = {
+    **{f"{u}{name}": NumberRange(unit=unit, above=0.0) for name, unit in UNITS.items() for u in ("", "u_")},
+    "critical_ratio": NumberRange(unit="1", low=0.0, below=1.0),
+    "correlation": NumberRange(unit="1", above=-1.0, below=1.0),
+}
+"""Limits of the numbers of a `StrokePoint`."""
 SENSITIVITY_LIMIT = 1e-2
 """Sensitivity, in sigmas per relative change of 1, below which a test does not determine a parameter."""
 
@@ -147,28 +155,26 @@ def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None)
                 errors.add("stroke.same_twice", test=test_name(second_test, n), other=test_name(first_test, k))
         for k, test in enumerate(tests):
             name = test_name(test, k)
-            if not math.isfinite(test.stroke):
-                errors.add("stroke.not_finite", test=name, value=test.stroke)
-            elif domain and not domain[0] <= test.stroke <= domain[1]:
+            errors.extend(error.within(f"tests.{name}") for error in not_finite(stroke=test.stroke))
+            if domain and math.isfinite(test.stroke) and not domain[0] <= test.stroke <= domain[1]:
                 low, high = 1e3 * domain[0], 1e3 * domain[1]
                 facts: dict[str, Any] = {"stroke_mm": 1e3 * test.stroke, "low_mm": low, "high_mm": high}
                 errors.extend([OutOfRangeError("stroke.outside", test=name, **facts)])
             if isinstance(test, StrokePoint):
-                is_uninformative = math.isinf(test.u_critical_ratio) and math.isnan(test.critical_ratio)
-                checks = {
-                    "sonic_conductance": 0.0 < test.sonic_conductance < math.inf,
-                    "critical_ratio": is_uninformative or 0.0 <= test.critical_ratio < 1.0,
-                    "u_sonic_conductance": 0.0 < test.u_sonic_conductance < math.inf,
-                    "u_critical_ratio": test.u_critical_ratio > 0.0,
-                    "correlation": abs(test.correlation) < 1.0,
-                }
-                for key in [key for key, is_valid in checks.items() if not is_valid]:
-                    errors.extend([OutOfRangeError(f"stroke.{key}", test=name, value=getattr(test, key))])
+                # A test that does not determine b states NaN with an infinite uncertainty.
+                is_infinite, is_missing = test.u_critical_ratio == math.inf, math.isnan(test.critical_ratio)
+                omitted = {"u_critical_ratio": is_infinite, "critical_ratio": is_infinite and is_missing}
+                for key, limits in POINT_RANGES.items():
+                    value = float(getattr(test, key))
+                    with errors.collecting():
+                        if not omitted.get(key):
+                            limits.check_range(f"tests.{name}.{key}", value, str(value), key.replace("_", " "))
                 continue
-            numbers, measurement = test.circuit.numbers(), test.measurement
+            parameters, measurement = test.circuit.numbers(), test.measurement
             if test.passage not in test.circuit.parts:
-                errors.add("stroke.unknown_passage", test=name, passage=test.passage, known=[*test.circuit.parts])
-            elif any(f"{test.passage}.{number}" not in numbers for number in NUMBERS):
+                near = NameSuggestion(test.passage, test.circuit.parts)
+                errors.add("names.unknown", f"tests.{name}.passage", meaning="a part of the circuit", near=near)
+            elif any(f"{test.passage}.{number}" not in parameters for number in NUMBERS):
                 errors.add("stroke.no_own_numbers", test=name, passage=test.passage)
             floating = [c.address for c in measurement.channels if c.lag is None]
             floating += [i.address for i in measurement.inputs if i.delay is None or i.lag is None]

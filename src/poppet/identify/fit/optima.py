@@ -22,8 +22,9 @@ from poppet.identify.fit.residuals import costs_of
 from poppet.identify.fit.search import KnownOptimum, Optimum, SearchSettings, initial_sigmas, optimise, random_point
 from poppet.identify.fit.statistics import RANK, UNFELT, channel_fits, estimates, influences, verdict
 from poppet.identify.free_parameter import FreeParameter, by_name
-from poppet.identify.result import CONFIDENCE, VERDICTS, Estimate
+from poppet.identify.result import CONFIDENCE, DETERMINED, VERDICTS, Estimate
 from poppet.timeseries.checks import FloatArray
+from poppet.timeseries.measurements import noise_of
 
 WALL, CONDUCTANCES = ".wall_conductance", (".sonic_conductance", ".effective_area")
 ISOTHERMAL, NEARLY_ISOTHERMAL, NEARLY_ADIABATIC = 1e4, 10.0, 0.01
@@ -38,6 +39,11 @@ SHALLOW = 0.01
 DITHERED, STUCK = 0.5, 5
 """Ratio of noise to sensor resolution below which the steps are visible; equal successive samples that make a step. A
 difference of models below the resolution is not evidence there."""
+WRONG_CHOICE = 1e-4
+"""Probability by chance of the least evidence that excludes an optimum whose conductance differs by more than
+`DETERMINED`. A wrong choice between such optima changes C by up to 40 %, so that the 5 % of an interval is too much."""
+LARGEST_RATIO = 10.0
+"""Largest factor of coarse resolution on that limit. Noise far below the resolution cannot be estimated."""
 ALIKE = 0.02
 """Relative difference below which two conductances are reported as one."""
 Local = Sequence[Mapping[str, Estimate]]
@@ -240,8 +246,6 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
     `least` is the least cost of the first searches, with the initial sigmas. Optima that agree within their intervals
     are returned once.
     """
-    from scipy.special import chdtri
-
     plan, candidates = searches.plan, [best]
     # Use the weights of the best optimum; a single search has no others.
     for first in searches.optima if len(searches.optima) > 1 else []:
@@ -253,8 +257,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
         candidates.append(searches.run("along", point, fixed=fixed, weights=best.sigmas))
     best = searches.lowest(candidates)
     spread = error_model_of(plan, best)
-    # The cost is half a sum of squares, whose increase is chi-square.
-    limit = 0.5 * float(chdtri(1, 1.0 - CONFIDENCE)) * spread.variance_factor
+    near, distant = near_limit(plan, best), distant_limit(plan, best)
     equivalent: list[Optimum] = []
     distinct = [estimates(plan.free, best, spread)]
     for rival in sorted(candidates, key=lambda o: o.cost):
@@ -262,11 +265,50 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
         excess = _evidence(plan, best, rival, {o.channel for s in (spread, rival_spread) for o in s.offsets})
         values = by_name(plan.free, rival.x)
         is_same = any(all(e.low <= values[name] <= e.high for name, e in table.items()) for table in distinct)
+        limit = distant if is_distant(plan.free, best.x, rival.x) else near
         if excess < limit and not is_same:
-            equivalent.append(replace(rival, excess=excess))
+            equivalent.append(replace(rival, excess=excess, limit=limit))
             distinct.append(estimates(plan.free, rival, rival_spread))
     is_stopped, evaluations = searches.is_stopped, searches.evaluations
-    return replace(best, others=tuple(equivalent), limit=limit, interrupted=is_stopped, evaluations=evaluations)
+    return replace(best, others=tuple(equivalent), limit=near, interrupted=is_stopped, evaluations=evaluations)
+
+
+def _limit(probability: float) -> float:
+    """Return the increase of the cost that noise exceeds with this probability."""
+    from scipy.special import chdtri
+
+    # The cost is half a sum of squares, whose increase is chi-square.
+    return 0.5 * float(chdtri(1, probability))
+
+
+def near_limit(plan: FitPlan, best: Optimum) -> float:
+    """Return the least evidence that excludes a point with nearly the same conductance."""
+    return _limit(1.0 - CONFIDENCE) * error_model_of(plan, best).variance_factor
+
+
+def distant_limit(plan: FitPlan, best: Optimum) -> float:
+    """Return the least evidence that excludes an optimum with a different conductance."""
+    return _limit(WRONG_CHOICE) * error_model_of(plan, best).variance_factor * rounding_ratio(plan, best)
+
+
+def is_distant(free: Sequence[FreeParameter], x: FloatArray, other: FloatArray) -> bool:
+    """Return True if a conductance of two optima differs by more than the limit of `determined`."""
+    flows = [k for k, f in enumerate(free) if f.address.endswith(CONDUCTANCES)]
+    return any(abs(other[k] - x[k]) > DETERMINED * abs(x[k]) for k in flows)
+
+
+def rounding_ratio(plan: FitPlan, optimum: Optimum) -> float:
+    """Return the largest ratio of total variance to that of the noise before rounding, of all channels.
+
+    The errors of rounding repeat along both optima. They are evidence neither for nor against one of them.
+    """
+    ratios = [1.0]
+    for (_, channel, rows), sigma in zip(channels_of(plan.experiments), optimum.sigmas, strict=True):
+        rounding = channel.quantum**2 / 12.0
+        total = min(noise_of(channel.values, channel.time) ** 2, sigma**2 * float(np.mean(optimum.residual[rows] ** 2)))
+        if rounding > 0.0:
+            ratios.append(total / max(total - rounding, total / LARGEST_RATIO))
+    return max(ratios)
 
 
 def _evidence(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Collection[int]) -> float:
@@ -311,7 +353,7 @@ def local_estimates(plan: FitPlan, optimum: Optimum) -> list[dict[str, Estimate]
     optima = (optimum, *optimum.others)
     optimum_tables = [estimates(plan.free, o, error_model_of(plan, o)) for o in optima]
     for table, o in zip(optimum_tables, optima, strict=True):
-        left = float(np.sqrt(1.0 - o.excess / optimum.limit))
+        left = float(np.sqrt(1.0 - o.excess / o.limit))
         for name, e in table.items():
             table[name] = replace(e, low=e.value - left * (e.value - e.low), high=e.value + left * (e.high - e.value))
     return optimum_tables

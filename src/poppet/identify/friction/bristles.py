@@ -231,7 +231,7 @@ class ReversalData:
 
 
 def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:
-    """Return the dry friction at the speeds of the selected samples after a reversal [N]."""
+    """Return the dry friction [N] at the speeds of the samples selected after one reversal."""
     dry = values[COULOMB], values.get(STATIC, values[COULOMB]), values.get(STRIBECK, 1.0)
     seal_friction = values.get(SEAL, 0.0) * turn.pressure[selected]
     return np.asarray(np.maximum(sliding_level(turn.velocity[selected], *dry) + seal_friction, 1e-9))

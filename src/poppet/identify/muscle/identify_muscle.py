@@ -13,9 +13,8 @@ from poppet.core.codes import Note, notes_of
 from poppet.core.errors import InputError, NameSuggestion
 from poppet.identify.data_file import or_file
 from poppet.identify.gum import correlations, coverage_factor
-from poppet.identify.muscle.muscle_file import read_muscle_file
+from poppet.identify.muscle.muscle_file import MusclePoints, levels, read_muscle_file
 from poppet.identify.muscle.muscle_fit import CANDIDATES, HYSTERESIS, ForceLawFit, error_at, fit_force_law, rms
-from poppet.identify.muscle.points import MusclePoints, levels
 from poppet.identify.result import Estimate, ResidualSummary, Result, judged
 
 ALIKE = 1.2

@@ -17,7 +17,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from poppet.identify.muscle.points import MusclePoints, levels
+from poppet.identify.muscle.muscle_file import MusclePoints, levels
 from poppet.laws.physics.muscle import ChouHannaford, ForceLaw, ForceTable, Sarosi, TonduLopez
 from poppet.timeseries.checks import FloatArray
 

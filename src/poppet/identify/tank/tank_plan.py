@@ -276,21 +276,23 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
     volume = _start_value(run.volume, None)
     if volume is None:
         raise InputError("tank.no_start", "volume", value=run.volume)
-    numbers: dict[str, Any] = {"volume": volume, "thermal": test.thermal}
     declared = specs(Chamber)["volume"]
     assert isinstance(declared, NumberSpec)
     cubic_metres = read_number("volume", declared, volume).value
-    if test.thermal == "energy":
-        common = COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0)
-        numbers["wall_conductance"] = _start_value(test.wall_conductance, common)
-        numbers["wall_temperature"] = _start_value(test.wall_temperature, test.room)
-        numbers["wall_heat_capacity"] = _start_value(test.wall_heat_capacity, plausible_wall(cubic_metres))
-    if test.thermal == "polytropic":
-        numbers["polytropic_exponent"] = _start_value(test.polytropic_exponent, COMMON_EXPONENT)
+    common = {
+        "energy": {
+            "wall_conductance": COMMON_COEFFICIENT * AREA_FACTOR * cubic_metres ** (2.0 / 3.0),
+            "wall_temperature": test.room,
+            "wall_heat_capacity": plausible_wall(cubic_metres),
+        },
+        "polytropic": {"polytropic_exponent": COMMON_EXPONENT},
+    }.get(test.thermal, {})
+    numbers = {field: _start_value(getattr(test, field), value) for field, value in common.items()}
     if test.initial_temperature is not None or not run.has_temperature:
         argument = _start_value(test.initial_temperature, test.room)
         numbers["initial_temperature"] = test.room if argument is None else argument
-    tank = Chamber(initial_pressure=float(run.pressure.values[0]), **numbers)
+    start_pressure = float(run.pressure.values[0])
+    tank = Chamber(volume=volume, thermal=test.thermal, initial_pressure=start_pressure, **numbers)
     ports = ("tank", "ambient") if run.direction == "discharge" else ("supply", "tank")
     valve = Orifice(
         from_=ports[0],
@@ -306,9 +308,8 @@ def _circuit(test: TankTest, run: TankRun, ambient: Ambient) -> BaseCircuit:
         temperature = test.room if argument is None else argument
         parts = {"supply": Reservoir(pressure=run.supply, temperature=temperature)} | parts
     if test.leak_conductance != 0.0:
-        common = LEAK * float(valve.sonic_conductance)  # type: ignore[arg-type]
-        leak = {"sonic_conductance": _start_value(test.leak_conductance, common), "critical_ratio": COMMON_RATIO}
-        parts["leak"] = Orifice(from_="tank", to="ambient", **leak)
+        start = _start_value(test.leak_conductance, LEAK * float(valve.sonic_conductance))  # type: ignore[arg-type]
+        parts["leak"] = Orifice(from_="tank", to="ambient", sonic_conductance=start, critical_ratio=COMMON_RATIO)
     return BaseCircuit(parts, ambient=ambient, title=test.title)
 
 

@@ -44,11 +44,11 @@ def series(
     Notes
     -----
     Assumptions: m = 0.5, no cracking pressure, no heat exchange between the two (equal stagnation temperature), no
-    pressure recovery and no mutual disturbance of the flows. C is exact: it is the choked flow of the pair. b is exact
-    for small pressure drops. Between these limits, the ellipse differs from the pair by 1.1 % of the choked flow for
-    the example, and by up to 1.4 % for b up to 0.6 (tests/unit). The formula of the standard with a = C1/(b1 C2) is
-    equivalent; the form with k is also valid for b1 = 0. The order matters. The approximation
-    1/C^2 = sum of 1/C_i^2 is 1 to 11 % too low.
+    pressure recovery and no interaction of the flows. C is exact: it is the choked flow of the pair. b is exact for
+    small pressure drops. Between these limits, the flow of the combined ellipse differs from that of the pair by 1.1 %
+    of the choked flow in the example, and by up to 1.4 % for b up to 0.6 (tests/unit). The formula of the standard with
+    a = C1/(b1 C2) is equivalent; the form with k is also valid for b1 = 0. The order matters. The approximation 1/C^2 =
+    sum of 1/C_i^2 underestimates C by 1 to 11 %.
 
     References
     ----------

@@ -192,7 +192,7 @@ def enthalpy_flow(
     Returns
     -------
     float, array or symbol
-        Enthalpy flow rate; its sign is that of the mass flow rate [W].
+        Enthalpy flow rate [W], with the sign of the mass flow rate.
 
     Examples
     --------

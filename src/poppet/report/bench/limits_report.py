@@ -407,7 +407,7 @@ def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> N
 def frequency_text(plan: LimitsPlan, value: float) -> str:
     """Return a frequency [Hz] as text.
 
-    The values 0 and infinity are below and above the range of the search.
+    A value of 0 is a frequency below the search range, and infinity one above it.
     """
     if value == 0.0:  # below the range
         return f"< {plan.lowest:g}"

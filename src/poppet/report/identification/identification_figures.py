@@ -145,8 +145,24 @@ def channel_figure(
     lower = upper
     if has_residuals:
         lower = axes_in(figure, _LEFT, _TOP + _UPPER + _BETWEEN, width, _LOWER, sharex=upper)
-        _draw_residuals(lower, trace)
-        _draw_rings(lower, trace, trace.residual, residual_unit(trace), indices)
+        unit, x_unit = residual_unit(trace), _x_unit(trace)
+        if trace.samples.size:
+            rows = _visible_rows(trace.curve_x, trace.samples)
+            x, styles = convert(trace.curve_x[rows], trace.x_unit, x_unit), ((FAINT, 0.6), (_MODEL, 0.35))
+            for half, (colour, alpha) in zip((trace.samples, trace.high - trace.model), styles, strict=True):
+                end = convert(half[rows], trace.unit, unit)
+                lower.fill_between(x, -end, end, color=colour, alpha=alpha, linewidth=0)
+        else:
+            two_sigmas = 2.0 * scaled(residual_deviation(trace)[0], trace.unit, unit)
+            lower.axhspan(-two_sigmas, two_sigmas, color=FAINT, alpha=0.6, linewidth=0)
+        lower.axhline(0.0, color=GREY, linewidth=0.8)
+        rows, size = _visible_rows(trace.x, trace.residual), 2.2 if trace.x.size > 150 else 4.0
+        x, y = convert(trace.x, trace.x_unit, x_unit), convert(trace.residual, trace.unit, unit)
+        marker = {"marker": "o", "linestyle": "none", "markersize": size, "markeredgewidth": 0}
+        draw_thinned(lower, x, y, rows, color=INK, alpha=0.6, label="residual", **marker)
+        lower.set_ylabel(f"model - measured\n[{pretty(unit)}]", parse_math=False)
+        lower.margins(y=0.12)
+        _draw_rings(lower, trace, trace.residual, unit, indices)
     lower.set_xlabel(_label(trace.x_name, _x_unit(trace)), parse_math=False)
     if has_side:
         _draw_statistics(figure, trace, lower)
@@ -218,28 +234,6 @@ def legend_above(axes: Any, columns: int, **options: Any) -> None:
     """Draw the legend above the axes, with the given number of columns."""
     anchor = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
     axes.legend(**anchor, ncols=columns, borderpad=0.2, borderaxespad=0.1, **options)
-
-
-def _draw_residuals(axes: Any, trace: Trace) -> None:
-    unit = residual_unit(trace)
-    if trace.samples.size:
-        rows = _visible_rows(trace.curve_x, trace.samples)
-        x, styles = convert(trace.curve_x[rows], trace.x_unit, _x_unit(trace)), ((FAINT, 0.6), (_MODEL, 0.35))
-        for half, (colour, alpha) in zip((trace.samples, trace.high - trace.model), styles, strict=True):
-            end = convert(half[rows], trace.unit, unit)
-            axes.fill_between(x, -end, end, color=colour, alpha=alpha, linewidth=0)
-    else:
-        two_sigmas = 2.0 * scaled(residual_deviation(trace)[0], trace.unit, unit)
-        axes.axhspan(-two_sigmas, two_sigmas, color=FAINT, alpha=0.6, linewidth=0)
-    axes.axhline(0.0, color=GREY, linewidth=0.8)
-    rows = _visible_rows(trace.x, trace.residual)
-    size = 2.2 if trace.x.size > 150 else 4.0
-    draw_thinned(
-        axes, convert(trace.x, trace.x_unit, _x_unit(trace)), convert(trace.residual, trace.unit, unit), rows,
-        marker="o", linestyle="none", color=INK, markersize=size, alpha=0.6, markeredgewidth=0, label="residual",
-    )  # fmt: skip
-    axes.set_ylabel(f"model - measured\n[{pretty(unit)}]", parse_math=False)
-    axes.margins(y=0.12)
 
 
 def residual_deviation(trace: Trace) -> tuple[float, str]:

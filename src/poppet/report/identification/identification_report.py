@@ -65,6 +65,16 @@ def identification_page(result: Result) -> str:
         optima: Content = ""
         if len(result.optima) > 1:
             optima = [tables.optimum_table(result), f"<p>{_text('answers')}</p>\n"]
+        laws: Content = ""
+        if "thermal_laws" in c:
+            conductances: dict[str, Estimate] = {}
+            for law, fit in c["thermal_laws"].items():
+                estimates = [e for name, e in fit["numbers"].items() if name.endswith(".sonic_conductance")]
+                if estimates:
+                    conductances[law] = Estimate(**estimates[0])
+            bars = figures.interval_figure(conductances) if conductances else None
+            caption = _text("caption.laws")
+            laws = [tables.law_table(result), picture(bars, "laws", caption, is_still=True) if bars else ""]
         residuals: Content = ""
         if result.residuals:
             residuals = [tables.residual_table(result), f"<p>{_text('residuals')}</p>\n"]
@@ -79,7 +89,7 @@ def identification_page(result: Result) -> str:
             Section("", _summary(result, method)),
             Section("Findings", notes),
             Section("Equivalent optima", optima),
-            Section("Thermal laws", _laws(result)),
+            Section("Thermal laws", laws),
             Section("Alternative models", tables.alternative_table(result) if c.get("alternatives") else ""),
             *method.models(result),
             Section("Fit", [_channel(result, *numbered) for numbered in enumerate(figures.traces_of(result))]),
@@ -141,21 +151,6 @@ def _parameters(result: Result) -> list[str | ReportTable]:
         matrix = figures.correlation_figure(result.correlation)
         correlation = picture(matrix, "correlation", _text("caption.correlation"), kind="narrow")
     return [tables.parameter_table(result.parameters), intervals, correlation]
-
-
-def _laws(result: Result) -> list[str | ReportTable]:
-    """Return the estimates under each thermal law as a table, and the conductances as bars."""
-    if "thermal_laws" not in result.comparison:
-        return []
-    conductances: dict[str, Estimate] = {}
-    for law, fit in result.comparison["thermal_laws"].items():
-        for name, estimate in fit["numbers"].items():
-            if name.endswith(".sonic_conductance"):
-                conductances.setdefault(law, Estimate(**estimate))
-    bars = ""
-    if conductances:
-        bars = picture(figures.interval_figure(conductances), "laws", _text("caption.laws"), is_still=True)
-    return [tables.law_table(result), bars]
 
 
 def _search_sections(result: Result) -> list[Section]:

@@ -282,12 +282,12 @@ def data_element(data: dict[str, Any]) -> str:
 def script() -> str:
     """Return the JavaScript of the plots: the library uPlot and the script that uses it."""
     folder = files("poppet.report.plots")
-    plots = tight((folder / "plots.js").read_text(encoding="utf-8"))
+    plots = minify((folder / "plots.js").read_text(encoding="utf-8"))
     library = (folder / "uplot" / "uPlot.iife.min.js").read_text(encoding="utf-8")
     return f"{_LOCALE}\n{library.strip()}\n{plots}"
 
 
-def tight(script: str) -> str:
+def minify(script: str) -> str:
     """Return a script without its comments and indentation."""
     lines = (line.strip() for line in re.sub(r"/\*.*?\*/", "", script, flags=re.DOTALL).splitlines())
     return "\n".join(filter(None, lines)) + "\n"

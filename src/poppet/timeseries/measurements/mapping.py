@@ -330,10 +330,7 @@ class _MeasurementReader:
             self.errors.add("measured.too_large", column.location, largest=largest, count=int(slips.size), **facts)
 
     def _deviation(self, column: _MappedColumn, key: str) -> float | None:
-        """Return the standard deviation that the field `key` of a channel states.
-
-        The result is None if the field is absent.
-        """
+        """Return the standard deviation in the field `key` of a channel, or None without this field."""
         location, raw = f"{column.location}.{key}", column.fields.get(key)
         if raw is None:
             return None

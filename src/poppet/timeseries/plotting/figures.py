@@ -53,10 +53,10 @@ _HINTED = 1.05  # maximum width of letters that are fitted to pixels, relative t
 
 
 def style(purpose: str, path: str | Path | None = None) -> Any:
-    """Return a context manager that applies the style of all figures while drawing.
+    """Return a context manager that applies the common style of all figures.
 
-    `purpose` is the text of the error message if Matplotlib is not installed. The suffix of `path`, the file of the
-    figure, is checked before the figure is drawn.
+    `purpose` is what needs Matplotlib, for the error message if it is not installed. The suffix of `path`, the file of
+    the figure, is checked before the figure is drawn.
     """
     if path is not None:
         check_format(path)

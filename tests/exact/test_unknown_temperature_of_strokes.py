@@ -1,4 +1,4 @@
-"""Tests at known strokes in a warm room of which nothing is said, by the independent generator: bands allow for it."""
+"""Tests of bands of C(x) if the temperature is not stated; the independent generator uses a warm ambient."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pytest
 
 from exact import independent_tanks
 from exact.independent_tanks import AIR, Tank, course
-from exact.test_untold_room import USUAL, WARM, recorded
+from exact.test_unknown_temperature import USUAL, WARM, generate_test
 from poppet import Circuit
 from poppet.identify import Result, identify_characteristic, identify_tank
 from poppet.identify.characteristic.stroke_tests import StrokeRecording, common_of_result, point_of_result
@@ -24,12 +24,12 @@ DISCHARGE = Tank(False, 5e-3, 1e-8, 0.3, WALL, 7e5, AIR, closes=np.inf, duration
 
 
 def conductance(stroke: float) -> float:
-    """C(x) of the made valve."""
+    """Return the true C(x)."""
     return 1e-8 * (1.0 + 1e3 * stroke)
 
 
-def identified(warm: float, monkeypatch: pytest.MonkeyPatch, *, stated: bool = False) -> Result:
-    """C(x) of discharges whose pressures alone were recorded; all temperatures were `warm`."""
+def identify_strokes(warm: float, monkeypatch: pytest.MonkeyPatch, *, stated: bool = False) -> Result:
+    """Identify C(x) from discharges with recorded pressures only; all temperatures are `warm`."""
     monkeypatch.setattr(independent_tanks, "ROOM", warm)
     parts = {
         "tank": Chamber(volume=DISCHARGE.volume, wall_conductance=5.0, initial_pressure=DISCHARGE.begin),
@@ -48,8 +48,8 @@ def identified(warm: float, monkeypatch: pytest.MonkeyPatch, *, stated: bool = F
     return identify_characteristic(tests, degree_conductance=1, degree_ratio=0)
 
 
-def ends(result: Result) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """C over the true one: curve and band."""
+def band_of_conductance(result: Result) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the curve of C and its band, relative to the true C."""
     series = result.series["sonic_conductance"]
     true = np.array([conductance(x) for x in series["x"]])
     return series["y"] / true, series["low"] / true, series["high"] / true
@@ -61,16 +61,16 @@ def room_note(result: Result) -> dict:
 
 
 @pytest.mark.parametrize("warm", [298.15, 303.15])
-def test_the_band_allows_for_it(warm, monkeypatch):
-    """A room that is 10 K warmer is beyond three sigma: the factor is right, the band as wide as is said."""
-    known, guessed = identified(warm, monkeypatch, stated=True), identified(warm, monkeypatch)
-    value, low, high = ends(known)
+def test_band_includes_unknown_temperature(warm, monkeypatch):
+    """Compare curve and band with the note, also for an ambient that is warmer by 10 K (three sigmas)."""
+    known, guessed = identify_strokes(warm, monkeypatch, stated=True), identify_strokes(warm, monkeypatch)
+    value, low, high = band_of_conductance(known)
     assert np.all((low < 1.0) & (high > 1.0))
-    guess, wide_low, wide_high = ends(guessed)
+    guess, wide_low, wide_high = band_of_conductance(guessed)
     np.testing.assert_allclose(guess / value, (warm / USUAL) ** 0.5, rtol=2e-4)
     np.testing.assert_allclose(wide_high - guess, 1.96 * guess * 0.5 * SIGMA / USUAL, rtol=0.1)
     assert np.all((wide_low < 1.0) == (warm < 300.0))
-    assert np.all(guess - (high - value) > 1.0)  # without the allowance it would not hold it
+    assert np.all(guess - (high - value) > 1.0)  # without this uncertainty, the band does not include the truth
     assert "characteristic.room" not in {note.code for note in known.remarks}
     assert room_note(guessed)["percent"] == pytest.approx(50.0 / USUAL, rel=0.01)
     wall = guessed.parameters["tank.wall_conductance"]
@@ -78,10 +78,10 @@ def test_the_band_allows_for_it(warm, monkeypatch):
     assert wall.standard_error == pytest.approx(wall.value * SIGMA / USUAL, rel=0.2)
 
 
-def test_tank_tests_of_one_room_share_it(monkeypatch):
-    """As points of a curve, their own scatter would else seem to average it out."""
+def test_tank_tests_share_temperature_error(monkeypatch):
+    """Check that the common error is not treated as scatter of single points, which would average out."""
     monkeypatch.setattr(independent_tanks, "ROOM", WARM)
-    test = recorded(1)[1]
+    test = generate_test(1)[1]
     untold, told = identify_tank(test), identify_tank(replace(test, ambient_temperature=WARM))
     assert common_of_result(untold, part="valve") == pytest.approx((0.5 * SIGMA / USUAL, 0.0))
     assert common_of_result(told, part="valve") == (0.0, 0.0)

@@ -1,4 +1,4 @@
-"""C(x) of charges whose wall heat is free: an adiabatic tank and an isothermal one with kappa C look alike."""
+"""Tests of C(x) from charges with free wall heat: C (adiabatic) and kappa C (isothermal) are equivalent."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ STROKES = (0.2e-3, 0.5e-3, 0.8e-3, 1e-3)
 
 
 def conductance(stroke: float) -> float:
-    """C(x) of the made valve."""
+    """Return the true C(x)."""
     return 1e-9 * (1.0 + 1e3 * stroke)
 
 
-def identified(is_charge: bool, wall_start: float, *, with_temperature: bool = False) -> Result:
+def identify_strokes(is_charge: bool, wall_start: float, *, with_temperature: bool = False) -> Result:
     parts = {
         "tank": Chamber(volume=VOLUME, wall_conductance=wall_start, initial_pressure=AIR if is_charge else SUPPLY),
         "far": Reservoir(pressure=SUPPLY if is_charge else AIR),
@@ -49,17 +49,17 @@ def identified(is_charge: bool, wall_start: float, *, with_temperature: bool = F
     return identify_characteristic(tests, degree_conductance=1, degree_ratio=0)
 
 
-def curve_of(result: Result) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """C over the true one: the answer, and both ends of its band."""
+def band_of_conductance(result: Result) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return the curve of C and both ends of its band, relative to the true C."""
     series = result.series["sonic_conductance"]
     true = np.array([conductance(x) for x in series["x"]])
     return series["y"] / true, series["low"] / true, series["high"] / true
 
 
 @pytest.mark.parametrize("wall_start", [0.3, 300.0])
-def test_charges_do_not_decide_and_the_band_holds_both(wall_start):
-    result = identified(True, wall_start)
-    _, low, high = curve_of(result)
+def test_band_of_charges_includes_both_curves(wall_start):
+    result = identify_strokes(True, wall_start)
+    _, low, high = band_of_conductance(result)
     assert low.max() < 1.01
     assert high.min() > 0.99 * KAPPA
     (note,) = (note for note in result.remarks if note.code == "characteristic.twin")
@@ -69,9 +69,9 @@ def test_charges_do_not_decide_and_the_band_holds_both(wall_start):
 
 
 @pytest.mark.parametrize("with_temperature", [True, False])
-def test_a_temperature_or_a_discharge_decides(with_temperature):
-    result = identified(with_temperature, 300.0, with_temperature=with_temperature)
-    value, low, high = curve_of(result)
+def test_temperature_or_discharge_selects_one_curve(with_temperature):
+    result = identify_strokes(with_temperature, 300.0, with_temperature=with_temperature)
+    value, low, high = band_of_conductance(result)
     np.testing.assert_allclose(value, 1.0, atol=0.02)
     assert (high - low).max() < 0.1
     assert "characteristic.twin" not in {note.code for note in result.remarks}
