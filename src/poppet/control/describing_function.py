@@ -12,7 +12,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import SimulationError
 from poppet.core.tables import Field
 from poppet.core.units import convert
+from poppet.parts.bodies import Joint, Mass
 from poppet.parts.part import Scope
 from poppet.parts.quantities import COMMANDS, command_of
 from poppet.timeseries.signals import Constant, Sine
@@ -50,6 +51,8 @@ _ALIKE, _CLOSE = 0.01, 0.05
 """Relative difference of two quarters of a response at which a run ends, and above which the response is rejected."""
 _DISTORTED = 0.35
 """Fraction of a response that is not sinusoidal, above which it is rejected: stiction, or an end stop."""
+_SLIDES, _LEAVES = 1.5, 20.0
+"""Minimum amplitude of a sliding body, and minimum verification step, in deflections of the bristles."""
 _SIZE, _TRIES = 0.05, 3
 """Relative tolerance of the size of the command's sine, and maximum count of corrections."""
 _FEWEST, _ENOUGH, _LOST = 8, 3, 2
@@ -76,6 +79,8 @@ class MeasuredPlant(LoopPlant):
         T [s].
     stabilised_by : Gains
         Gains of the controller during the measurement, with which the loop is stable.
+    sticks_above : bool, optional
+        True if the measured body sticks at higher frequencies, so that the loop must not act there.
 
     Notes
     -----
@@ -88,6 +93,7 @@ class MeasuredPlant(LoopPlant):
     responses: Complex
     sample_time: float
     stabilised_by: Gains
+    sticks_above: bool = False
 
     @cached_property
     def _curves(self) -> Callable[[Array], tuple[Array, Array]]:
@@ -157,6 +163,32 @@ def _phase_change(loop: Complex) -> float:
     return float(angle[-1] - angle[0])
 
 
+class Sticking(NamedTuple):
+    """Limits of the motion within which the measured body sticks; zero and no output without sticking friction."""
+
+    outputs: tuple[str, ...] = ()  # position of the body
+    deflection: float = 0.0  # largest deflection of the bristles, SI
+    velocity: float = 0.0  # velocity of full friction, SI
+
+    def slides(self, amplitude: float, angular_frequency: float) -> bool:
+        """Return True if a sine of the position leaves the bristles and reaches the velocity of full friction."""
+        return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > self.velocity
+
+
+def _sticking_of(circuit: BaseCircuit, measurement: str) -> Sticking:
+    """Return the limits of sticking of the body whose motion is measured."""
+    name = measurement.partition(".")[0]
+    part: Any = circuit.parts.get(name)
+    friction = getattr(part, "friction", None)
+    if not isinstance(part, Mass | Joint) or friction is None or friction.kind not in ("stribeck", "lugre"):
+        return Sticking()
+    values = part.parameters(circuit.surroundings)
+    if friction.kind == "stribeck":
+        return Sticking((f"{name}.position",), 0.0, values["friction.transition_velocity"])
+    level = max(values[f"friction.{kind}_{part.effort}"] for kind in ("coulomb", "static"))
+    return Sticking((f"{name}.position",), level / values["friction.bristle_stiffness"])
+
+
 @dataclass(frozen=True, eq=False)
 class SettledPlant:
     """Plant at a steady state that a weak controller holds while sines are added to the command."""
@@ -167,13 +199,15 @@ class SettledPlant:
     command: float
     weak_gains: Gains
     loop: Loop
+    sticking: Sticking
+    stuck: set[int] = field(default_factory=set)  # periods of the present sweep in which the body sticks [samples]
 
     def answer(self, samples: int, size: float) -> tuple[complex, complex] | None:
         """Return the plant response to a sine, and the complex amplitude of the command.
 
         `samples` is the period of the sine in samples, and `size` is the amplitude that is added to the command. The
-        plant response is the ratio of measurement to command. The method returns None if the run fails or the response
-        is not sinusoidal.
+        plant response is the ratio of measurement to command. The method returns None if the run fails, the response
+        is not sinusoidal or the measured body does not slide.
         """
         decimation = max(1, math.ceil(samples / _ROWS))
         step, rows = decimation * self.loop.sample_time, samples // decimation
@@ -185,16 +219,20 @@ class SettledPlant:
                 run = driven.simulate(count * period, step)
             except SimulationError:
                 return None
-            series = np.stack([run[self.loop.shown], run[f"{name}.command"]])[:, : count * rows]
-            quarters = series.reshape(2, 4, -1)
+            outputs = [self.loop.shown, f"{name}.command", *self.sticking.outputs]
+            series = np.stack([run[output] for output in outputs])[:, : count * rows]
+            quarters = series[:2].reshape(2, 4, -1)
             third, last = (y / u for y, u in (_fit_sine(quarters[:, k], rows)[0] for k in (2, 3)))
             difference = abs(last - third) / abs(last)
             if difference <= _ALIKE or count * period >= max(_LASTS, _LONG * period):
                 break
             # Continue the run: trapped gas reaches its mean pressure slowly.
             driven, count = driven.resumed(run), 2 * count
-        (y, u), distortion = _fit_sine(series[:, count * rows // 2 :], rows)
+        (y, u, *motion), distortion = _fit_sine(series[:, count * rows // 2 :], rows)
         if difference > _CLOSE or distortion > _DISTORTED:
+            return None
+        if motion and not self.sticking.slides(abs(motion[0]), 2.0 * np.pi / period):
+            self.stuck.add(samples)
             return None
         return complex(y / u), complex(u)
 
@@ -227,6 +265,7 @@ class MeasuredLoop(Plant):
     amplitudes: tuple[float, ...] = ()
     report_progress: ProgressCallback = lambda text: None
     settled: dict[float, SettledPlant] = field(default_factory=dict)
+    sticking: Sticking = field(default_factory=Sticking)
 
     @property
     def vent_factor(self) -> float:
@@ -263,7 +302,9 @@ class MeasuredLoop(Plant):
             label = point_label(self, value, self.named(size))
             self.report_progress(f"a step at {label}")
             steady_run, crossover = self.settled[value].rest, margins[label].crossover
-            yield verify_step(circuit, self.controller, steady_run, value, size, gains, crossover, label)
+            # A step within the deflection of the bristles would verify springs.
+            step = max(size / abs(gains.gain), _LEAVES * self.sticking.deflection)
+            yield verify_step(circuit, self.controller, steady_run, value, step, gains, crossover, label)
 
     def settle(self, target: float) -> SettledPlant:
         """Run the loop to a steady state, then replace the controller by a weak one.
@@ -291,7 +332,7 @@ class MeasuredLoop(Plant):
             circuit, parts={**circuit.parts, name: weak}, signals={**signals, f"{name}.setpoint": Constant(value)}
         )
         driven = driven.resumed(steady_run).with_values({f"{name}.initial_integral": 0.0})
-        return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop)
+        return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop, self.sticking)
 
     def _run_to_steady_state(self, circuit: BaseCircuit, target: float) -> tuple[Recording, float, float]:
         """Run a circuit until the mean command is constant; return the last run and two means.
@@ -314,6 +355,7 @@ class MeasuredLoop(Plant):
     def _sweep(self, settled: SettledPlant, size: float) -> MeasuredPlant:
         """Measure the plant from a period of four samples down to the lowest relevant frequency."""
         responses: dict[int, complex] = {}
+        settled.stuck.clear()
         relevant: list[int] = []  # periods with a relevant phase, from high frequencies
         failures, time, samples = 0, self.loop.sample_time, 4
         while samples * time <= _LASTS or (relevant and failures == 0):
@@ -345,7 +387,9 @@ class MeasuredLoop(Plant):
         order = sorted(responses, reverse=True)
         frequencies = 1.0 / (time * np.array(order))
         delay = np.exp(-2j * np.pi * frequencies * time * self.delay)
-        return MeasuredPlant(frequencies, np.array([responses[n] for n in order]) * delay, time, settled.weak_gains)
+        measured = np.array([responses[n] for n in order]) * delay
+        sticks_above = min(settled.stuck, default=order[-1]) < order[-1]
+        return MeasuredPlant(frequencies, measured, time, settled.weak_gains, sticks_above)
 
     def _answer(
         self, settled: SettledPlant, samples: int, size: float, responses: Mapping[int, complex]
@@ -413,6 +457,7 @@ def make_measured_loop(
     return MeasuredLoop(
         circuit.instance, loop.controller, loop.part, loop.measurement, loop.commands, loop.begins,
         loop=loop, amplitudes=tuple(sizes), report_progress=progress or (lambda text: None),
+        sticking=_sticking_of(loop.circuit, loop.measurement),
     )  # fmt: skip
 
 

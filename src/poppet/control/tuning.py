@@ -22,6 +22,7 @@ from poppet.control.loop import Gains, LoopPlant, Margins, SampledPlant, margins
 from poppet.control.metrics import readable_unit_of
 from poppet.control.plant import OperatingPoint, Plant, point_label
 from poppet.control.verification import Verification
+from poppet.control.working_step import largest_step, verify_working_step
 from poppet.core.codes import Note
 from poppet.core.errors import InputError, NameSuggestion, SimulationError
 from poppet.core.provenance import Number, Source
@@ -115,7 +116,10 @@ class Tuning:
     quantity, command_quantity : str
         Controlled and commanded quantity.
     notes : tuple of Note
-        Notes on the plant.
+        Notes on the plant, and on the runs that verify the gains.
+    working_step : Verification or None
+        Run with the largest setpoint step from an operating point to a level of the setpoint's signal. It is None
+        without such a signal, or if the run failed.
     """
 
     controller: str
@@ -125,6 +129,7 @@ class Tuning:
     quantity: str = "pressure"
     command_quantity: str = OPENING
     notes: tuple[Note, ...] = ()
+    working_step: Verification | None = None
 
     @property
     def is_scheduled(self) -> bool:
@@ -278,7 +283,8 @@ def tune(
     its integral. Its initial gains must lead to a steady state.
     """
     plant, points = _prepare(circuit, controller, at, form, sensitivity, amplitudes, progress)
-    return _make_tuning(plant, (_tune_points(plant, points, form, sensitivity),), sensitivity, form)
+    tuning = _make_tuning(plant, (_tune_points(plant, points, form, sensitivity),), sensitivity, form)
+    return _add_working_step(plant, circuit, tuning)
 
 
 def schedule(
@@ -322,7 +328,20 @@ def schedule(
     slowest = max(tuned_point.gains.derivative_filter for tuned_point in tuned)
     if form == "pid":
         tuned = tuple(_tune_points(plant, [p], form, sensitivity, filter_time=slowest) for p in points)
-    return _make_tuning(plant, tuned, sensitivity, form)
+    return _add_working_step(plant, circuit, _make_tuning(plant, tuned, sensitivity, form))
+
+
+def _add_working_step(plant: Plant, circuit: BaseCircuit, tuning: Tuning) -> Tuning:
+    """Add the verification with a setpoint step of working size, and its notes."""
+    by_value = {value: point for point in tuning.points for value in point.values}
+    value, step = largest_step(circuit, tuning.controller, list(by_value))
+    if step == 0.0:
+        return tuning
+    point, label = by_value[value], point_label(plant, value, "")
+    crossover = min(m.crossover for name, m in point.margins.items() if name.startswith(label))
+    applied = tuning.applied(plant.loop.circuit if isinstance(plant, MeasuredLoop) else circuit)
+    run, notes = verify_working_step(plant, applied, (value, step), point.gains, crossover)
+    return replace(tuning, working_step=run, notes=(*tuning.notes, *notes))
 
 
 def _make_tuning(plant: Plant, points: tuple[TunedPoint, ...], bound: float, form: str) -> Tuning:
@@ -426,6 +445,12 @@ class _Loops:
         # From a gain without crossovers to one that exceeds all of them.
         size = np.abs(self.responses)
         low, high = 0.3 / np.max(size), 3.0 / np.min(size[size > 0.0])
+        # Where the measured body sticks, the response while it slides is unknown: any phase is possible.
+        self.ends = [
+            (plant.at(plant.known_frequencies[-1:]), float(np.abs(plant.responses[-1])))
+            for plant in plants
+            if isinstance(plant, MeasuredPlant) and plant.sticks_above
+        ]
         # Responses to sines cover more decades and need more gains.
         n_gains = _GAINS if isinstance(plants[0], SampledPlant) else 3 * _GAINS
         self.gains = np.geomspace(low, high, n_gains)
@@ -484,6 +509,9 @@ class _Loops:
             size = k**2 * np.abs(loop) ** 2
             squared_distance = 1.0 + k * (2.0 * loop.real) + size
             worst = np.maximum(worst, np.max(np.maximum(1.0, size) / squared_distance, axis=1))
+        for z, size in self.ends:
+            loop_size = gains * size * float(np.abs(unit.response(z, self.time))[0])
+            worst = np.maximum(worst, 1.0 / np.maximum(1.0 - loop_size, 1e-9) ** 2)
         return np.sqrt(worst)
 
     def largest_gain(self, unit: Gains) -> float:

@@ -33,7 +33,7 @@ class Verification:
     at : str
         Label of the operating point and the size of the sines, such as `100 mm, sines of 0.05`.
     step : float
-        Size of the step, SI; the proportional part responds with the size of the sine.
+        Size of the step, SI. For a step to sines, the proportional part responds with the size of the sine.
     overshoot : float
         Maximum of both steps [%].
     settling_time : float
@@ -81,20 +81,20 @@ class Verification:
 
 
 def verify_step(
-    circuit: BaseCircuit, controller: str, steady_run: Recording, value: float, size: float, gains: Gains,
+    circuit: BaseCircuit, controller: str, steady_run: Recording | None, value: float, step: float, gains: Gains,
     crossover: float, label: str,
 ) -> Verification:  # fmt: skip
     """Simulate a tuned loop with a setpoint step and the reverse step from a steady state.
 
-    `steady_run` is the run to the steady state at the setpoint `value`. `size` is the size of the sines, from which
-    the step results. `crossover` is the crossover frequency, from which the duration results [Hz].
+    `steady_run` is the run to the steady state at the setpoint `value`; None starts at the initial state of the
+    circuit. `step` is the size of the step. `crossover` is the crossover frequency, from which the duration results
+    [Hz].
     """
     part = circuit.parts[controller]
     sample_time = part.parameters(circuit.surroundings)["sample_time"]
     output = f"{controller}.sensor_{part.controls}"  # type: ignore[attr-defined]
     length = _LENGTHS * max(gains.integral_time, 1.0 / (2.0 * np.pi * max(crossover, 1e-9)))
     hold = min(length, _MOST * sample_time)
-    step = size / abs(gains.gain)
     signals = {a: s for a, s in circuit.signals.items() if a.partition(".")[0] != controller}
     signals[f"{controller}.setpoint"] = Steps([0.0, 0.5 * hold, 1.5 * hold], [value, value + step, value])
     try:

@@ -8,7 +8,7 @@ from typing import Any, ClassVar
 
 from poppet.core.errors import InputError, OutOfRangeError
 from poppet.core.provenance import Number
-from poppet.core.symbolic import clip, maximum, where
+from poppet.core.symbolic import clip, maximum, minimum, where
 from poppet.parts.captions import CaptionNumbers
 from poppet.parts.fields import NumberLike, number, option, reference, switch
 from poppet.parts.part import DiscreteState, Input, Quantities, Scope, Surroundings
@@ -28,6 +28,8 @@ from poppet.parts.sampled_loop import SampledLoop, is_first
 _SCHEDULED = ("gain", "integral_time", "derivative_time", "vent_factor")
 _LIMITS = ("lower_limit", "upper_limit")
 _OF_OPENINGS = ("fill_limit", "vent_limit", "vent_factor")
+_MARGIN = 0.1
+"""Limit of the integral beyond the limits of the command, as a fraction of the range of the command."""
 
 
 @dataclass(frozen=True)
@@ -38,10 +40,11 @@ class PID(SampledLoop):
               u_k = \operatorname{clip}(v_k, -a_v/\varphi, a_f)
 
     .. math:: D_k = \frac{T_f D_{k-1} - K T_d (y_k - y_{k-1})}{T_f + T}, \qquad
-              I_{k+1} = I_k + \frac{K T}{T_i} e_k + \frac{T}{T_t} (u_k - v_k)
+              I_{k+1} = I_k + d_k + \frac{T}{T_t} (u_k - v_k)
 
-    A positive command u fills, a negative one vents with :math:`-\varphi u`. A command of another quantity has a lower
-    and an upper limit.
+    The increment :math:`d_k` is :math:`K T e_k / T_i`, limited so that :math:`v_k + d_k` exceeds the limits of the
+    command by at most the smaller of the increment and a tenth of the range of the command. A positive command u fills,
+    a negative one vents with :math:`-\varphi u`. A command of another quantity has a lower and an upper limit.
 
     Notes
     -----
@@ -56,7 +59,8 @@ class PID(SampledLoop):
 
     References
     ----------
-    Aastroem & Haegglund, Advanced PID Control, ISA 2006: setpoint weight, filter, back-calculation. Kaminer, Pascoal,
+    Aastroem & Haegglund, Advanced PID Control, ISA 2006: setpoint weight, filter, back-calculation and conditional
+    integration, which are combined here. Kaminer, Pascoal,
     Khargonekar & Coleman, A velocity algorithm for the implementation of gain-scheduled controllers, Automatica 31
     (1995).
     """
@@ -210,11 +214,12 @@ class PID(SampledLoop):
             without_integral = without_integral + scope.inputs["feedforward"]
         low = -scope["vent_limit"] / gains["vent_factor"] if self.is_of_openings else scope["lower_limit"]
         high = scope["fill_limit" if self.is_of_openings else "upper_limit"]
-        limited = clip(without_integral + integral, low, high)
+        unlimited = without_integral + integral
+        limited = clip(unlimited, low, high)
         manual = clip(scope.inputs["manual_command"], low, high)
         is_automatic = scope.inputs["automatic"] > 0.5
         command = where(is_automatic, limited, manual)
-        increment = self._integral_increment(scope, gains, error, limited - without_integral - integral)
+        increment = self._integral_increment(scope, gains, error, unlimited, (low, high))
         # In manual mode the integral follows the command: the change to automatic is bumpless.
         discrete = {
             "integral": where(is_automatic, integral + increment, manual - without_integral),
@@ -225,15 +230,23 @@ class PID(SampledLoop):
         } | ({"last_gain": gain} if self.schedule is not None else {})
         return command, clip(-gains["vent_factor"] * command, 0.0, 1.0) if self.is_of_openings else None, discrete
 
-    def _integral_increment(self, scope: Scope, gains: dict[str, Any], error: Any, excess: Any) -> Any:
-        """Return the increment of the integral in one sample, with back-calculation.
+    def _integral_increment(
+        self, scope: Scope, gains: dict[str, Any], error: Any, command: Any, limits: tuple[Any, Any]
+    ) -> Any:
+        """Return the increment of the integral in one sample, with anti-windup.
 
-        `excess` is the limited command minus the command before the limits. Back-calculation adds a fraction of it.
+        `command` is the command before its limits. The error moves it to a margin beyond a limit at most, and
+        back-calculation removes a fraction of the excess.
         """
-        time, integral_time = scope["sample_time"], gains["integral_time"]
+        time, integral_time, (low, high) = scope["sample_time"], gains["integral_time"], limits
         if "integral_dead_band" in scope:
             error = where(error * error > scope["integral_dead_band"] * scope["integral_dead_band"], error, 0.0)
         tracking = where(scope["tracking_time"] > 0.0, scope["tracking_time"], integral_time)
         increment = time / maximum(integral_time, time * 1e-6) * gains["gain"] * error
-        increment = increment + time / maximum(tracking, time) * excess
+        # Without the margin the command would leave its limit at each sample in which the proportional term falls.
+        margin = minimum(maximum(increment, -increment), _MARGIN * (high - low))
+        rising = minimum(maximum(high + margin - command, 0.0), increment)
+        falling = maximum(minimum(low - margin - command, 0.0), increment)
+        increment = where(increment > 0.0, rising, falling)
+        increment = increment + time / maximum(tracking, time) * (clip(command, low, high) - command)
         return where(integral_time > 0.0, increment, 0.0)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Any, ClassVar
@@ -119,11 +120,14 @@ class ProportionalValve(Compound):
         ends = np.append(np.flatnonzero(np.diff(target)), time.size - 1)
         starts = np.append(0, ends[:-1] + 1)
         has_power = series(f"{name}.power") > 0.5
+        tolerance = 0.01 * (high - low)
+        # A target that a controller changes has no plateaus, but the outlet can oscillate about it.
+        is_driven = np.repeat(ends - starts < MIN_PLATEAU_ROWS, ends - starts + 1) & ~is_idle
+        notes += _oscillation_notes(time, outlet, target, tolerance, is_driven, has_power)
         # A target that changes in most rows has no plateaus.
         for first, last in zip(starts, ends, strict=True) if 2 * ends.size < time.size else ():
             if not is_idle[last]:
                 rows = slice(first, last + 1)
-                tolerance = 0.01 * (high - low)
                 notes += _plateau_notes(time[rows], outlet[rows], target[last], tolerance, not has_power[last])
         return tuple(notes)
 
@@ -144,6 +148,49 @@ def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
     The facts of the note are the values of `series` in this row. Without such a row the list is empty.
     """
     return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(is_true)[:1]]
+
+
+def _oscillation_notes(
+    time: Any, outlet: Any, target: Any, tolerance: float, is_driven: Any, has_power: Any
+) -> list[Note]:
+    """Return a note if the outlet pressure oscillates in rows in which the target changes often.
+
+    An oscillation is a sequence of rises and falls beyond `tolerance` in which the target changes less than half as
+    much. The note is on the end of the last one.
+    """
+    # 1 where driven rows begin, and -1 after their end.
+    edges = np.diff(np.concatenate([[0], is_driven.astype(int), [0]]))
+    last: list[int] = []
+    for first, after in zip(np.flatnonzero(edges == 1), np.flatnonzero(edges == -1), strict=True):
+        turns = [int(first) + k for k in _turning_points(outlet[first:after].tolist(), tolerance)]
+        sequence = turns[:1]
+        for start, end in itertools.pairwise(turns):
+            is_constant = abs(outlet[end] - outlet[start]) > 2.0 * np.ptp(target[start : end + 1])
+            sequence = [*sequence, end] if is_constant else [end]
+            if len(sequence) > MIN_REVERSALS:
+                last = sequence[-MIN_REVERSALS - 1 :]
+    if not last:
+        return []
+    rows = slice(last[0], last[-1] + 1)
+    swing, mean, unpowered = np.ptp(outlet[rows]), np.mean(target[rows]), not has_power[last[-1]]
+    facts = {"target_bar": mean / 1e5, "time": time[last[-1]], "unpowered": unpowered}
+    return [Note("valve.not_held", **facts, swing_bar=swing / 1e5)]
+
+
+def _turning_points(values: list[float], threshold: float) -> list[int]:
+    """Return the indices of the extrema between which the values rise or fall by more than a threshold."""
+    turns: list[int] = []
+    low = high = 0
+    direction = 0
+    for k, value in enumerate(values):
+        high, low = (k if value > values[high] else high), (k if value < values[low] else low)
+        if direction >= 0 and values[high] - value > threshold:
+            turns.append(high)
+            direction, low = -1, k
+        elif direction <= 0 and value - values[low] > threshold:
+            turns.append(low)
+            direction, high = 1, k
+    return turns
 
 
 def _plateau_notes(time: Any, outlet: Any, target: float, tolerance: float, unpowered: bool) -> list[Note]:

@@ -12,6 +12,7 @@ import pytest
 from poppet import load
 from poppet.control import Gains, SampledPlant, margins, tune
 from poppet.control.describing_function import MeasuredPlant, make_measured_loop
+from poppet.control.tuning import _Loops
 from poppet.control.verification import Verification
 from poppet.core.errors import SimulationError
 from position_drive import TIME, drive
@@ -185,7 +186,72 @@ def test_sizes_beyond_the_command_are_rejected(size):
 
 def test_a_loop_without_a_steady_state_is_rejected():
     with refused("tuning.not_held", "slide.position", kind=SimulationError):
-        tune(drive(gain="60 1/m", integral_time=0.02), at=["100 mm"], amplitudes=[0.02])
+        tune(drive(gain="200 1/m", integral_time=0.02), at=["100 mm"], amplitudes=[0.02])
+
+
+@pytest.mark.parametrize(
+    ("friction", "amplitude", "frequency", "slides"),
+    [
+        # Bristles of 20 N at the default stiffness, 20 N / 10 um, deflect by 10 um.
+        ({"kind": "lugre", "coulomb_force": "16 N", "static_force": "20 N"}, 9e-6, 1.0, False),
+        ({"kind": "lugre", "coulomb_force": "16 N", "static_force": "20 N"}, 20e-6, 1.0, True),
+        ({"kind": "lugre", "coulomb_force": "16 N", "bristle_stiffness": "1e5 N/m"}, 160e-6, 1.0, False),
+        ({"kind": "stribeck", "coulomb_force": "16 N", "transition_velocity": "1 mm/s"}, 1e-4, 1.0, False),
+        ({"kind": "stribeck", "coulomb_force": "16 N", "transition_velocity": "1 mm/s"}, 2e-4, 1.0, True),
+        ({"viscous_coefficient": 60.0}, 1e-9, 1.0, True),
+    ],
+)
+def test_a_motion_within_the_bristles_is_no_sliding(friction, amplitude, frequency, slides):
+    loop = make_measured_loop(drive(friction), "c", [0.05], None)
+    assert loop.sticking.slides(amplitude, 2.0 * math.pi * frequency) == slides
+
+
+def test_the_loop_does_not_act_where_the_body_sticks():
+    """Without a response above the measured range, the magnitude of the loop is bounded for any phase."""
+    plant = PLANTS["integrator and lag"]
+    measured = measured_plant(plant, highest=2e-3)
+    bounded, free = (_Loops([replace(measured, sticks_above=sticks)], 1.4) for sticks in (True, False))
+    gains = bounded.best("pi", None)
+    z = plant.at(measured.known_frequencies[-1:])
+    loop = abs(plant.response(z) * gains.response(z, plant.sample_time))[0]
+    assert loop <= (1.0 - 1.0 / 1.4) * 1.02
+    assert free.best("pi", None).gain > 1.5 * gains.gain
+
+
+def dead_zone_drive(dead, leak):
+    """Return a cylinder between orifices whose conductance is almost constant within a dead zone of the stroke."""
+    strokes = [-1e-3, -dead, 0.0, dead, 1e-3]
+    sizes = [0.1 * leak, 0.5 * leak, leak, 1.2 * leak, 1e-8]
+    table = {"kind": "table", "critical_ratio": [0.45] * 5}
+    positive = table | {"stroke": strokes, "sonic_conductance": sizes}
+    negative = table | {"stroke": [-x for x in reversed(strokes)], "sonic_conductance": sizes[::-1]}
+    circuit = drive(command_quantity="position", gain=0.005, lower_limit="-1 mm", upper_limit="1 mm")
+    parts, connections = dict(circuit.parts), {"c.measurement": "slide.position"}
+    names = {"cap_in": positive, "rod_out": positive, "rod_in": negative, "cap_out": negative}
+    for name, characteristic in names.items():
+        parts[name] = replace(parts[name], sonic_conductance=None, critical_ratio=None, characteristic=characteristic)
+        connections[f"{name}.stroke"] = "c.command"
+    return replace(circuit, parts=parts, connections=connections)
+
+
+@pytest.mark.parametrize(("dead", "leak", "codes"), [(1e-4, 1e-11, ["tuning.swings"]), (1e-5, 1e-10, [])])
+def test_a_dead_zone_that_misleads_the_linear_model_is_seen_in_a_working_step(dead, leak, codes):
+    tuning = tune(dead_zone_drive(dead, leak), at=["100 mm"], form="p")
+    assert [note.code for note in tuning.notes] == codes
+    assert tuning.working_step.step == pytest.approx(0.03)
+    assert (tuning.working_step.swing > 0.5) == bool(codes)
+
+
+@pytest.mark.slow
+def test_a_small_sine_does_not_tune_the_bristles():
+    """Between gains of the sizes for both amplitudes; the response of the bristles gave 10102 1/m."""
+    circuit = load(EXAMPLES / "cylinder_position.toml")
+    stiff = {"slide.friction.coulomb_force": "16 N", "slide.friction.static_force": "20 N"}
+    tuning = tune(circuit.with_values(stiff), at=["100 mm"], form="pid", amplitudes=[0.05])
+    (point,) = tuning.points
+    assert 2.0 < point.gains.gain < 8.0
+    assert tuning.working_step.swing < 0.02
+    assert abs(tuning.working_step.step) == pytest.approx(0.05)
 
 
 @pytest.mark.slow

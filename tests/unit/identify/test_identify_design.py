@@ -10,6 +10,7 @@ import pytest
 
 from poppet import load
 from poppet.identify import Design, identify_design, identify_fit, read_design_file
+from poppet.report.identification.design_report import design_text
 from refusals import refused
 
 CIRCUIT = """
@@ -176,6 +177,8 @@ def test_all_errors_are_reported_together(tmp_path: Path) -> None:
         (f'{FREE}{SENSORS}[tests.a]\nduration = "-1 s"\n', "fields.out_of_range"),
         (f'{FREE}{SENSORS}[tests.a]\nsample_time = "1 us"\n', "design.too_many_samples"),
         (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "0 Pa" }}\n', "fields.out_of_range"),
+        (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", offset = "often" }}\n', "quantity.no_number"),
+        (f"fits = -1\n{FREE}{SENSORS}", "fields.out_of_range"),
         (f'{FREE}[sensors]\n"tank.pressure" = {{ noise = "1 Pa", lag = "-1 s" }}\n', "fields.out_of_range"),
         (f"{FREE}{SENSORS}[vary]\nduration = [{', '.join(map(str, range(1, 600)))}]\n", "design.too_many"),
     ],
@@ -228,3 +231,127 @@ def test_interrupted_design_keeps_the_evaluated_tests(tmp_path: Path) -> None:
     design = identify_design(tmp_path / "design.toml", progress=stop)
     assert design.interrupted
     assert list(design.tests) == ["duration 5 s"]
+
+
+RANKED = (
+    f'seed = 3\n[free]\n"{CONDUCTANCE}" = {{ start = "1e-8 m^3/(s Pa)", '
+    'prior = { mean = "1e-8 m^3/(s Pa)", sd = "3e-9 m^3/(s Pa)" } }\n'
+    f'"{RATIO}" = {{ start = 0.3, prior = {{ mean = 0.3, sd = 0.1 }} }}\n'
+    f'[sensors]\n"tank.pressure" = {{ noise = "300 Pa", offset = "1 kPa" }}\n'
+    '[vary]\n"tank.volume" = ["2 l", "3 l", "5 l", "8 l", "12 l", "20 l"]\nduration = ["8 s", "20 s"]\n'
+)
+
+
+@pytest.mark.parametrize("criterion", ["intervals", "worst"])
+def test_ranking_agrees_with_the_printed_table(tmp_path: Path, criterion: str) -> None:
+    design = compute_design(tmp_path, f'criterion = "{criterion}"\nfits = 0\n{RANKED}')
+    combine = np.max if criterion == "worst" else lambda row: np.exp(np.mean(np.log(row)))
+    rows = {
+        test: [100.0 * 1.96 * row[name].typical / start for name, start in ((CONDUCTANCE, 1e-8), (RATIO, 0.3))]
+        for test, row in design.tests.items()
+    }
+    for test, value in design.ranked_by().items():
+        assert value == pytest.approx(combine(rows[test]), rel=1e-9), test
+    assert list(design.ranked_by().values()) == sorted(design.ranked_by().values())
+    assert design.chosen == (next(iter(design.tests)),)
+    # The terminal shows the same values, in the same order, and names the criterion.
+    text = design_text(design)
+    assert "Criterion: " in text
+    lines = text.splitlines()
+    heading = next(k for k, line in enumerate(lines) if line.startswith("test") and "criterion [%]" in line)
+    printed = [[float(cell) for cell in line.split()[-3:]] for line in lines[heading + 1 : heading + 1 + len(rows)]]
+    for cells, (test, row) in zip(printed, rows.items(), strict=True):
+        assert cells == pytest.approx([*row, design.ranked_by()[test]], rel=0.06), test
+
+
+def test_errors_at_the_assumed_values_can_contradict_the_mean_over_the_priors(tmp_path: Path) -> None:
+    """Rank by the mean over the priors; a table of errors at the assumed values only would have another order."""
+    design = compute_design(tmp_path, f"fits = 0\n{RANKED}")
+    at_assumed = [float(np.mean(np.log([p.standard_error for p in row.values()]))) for row in design.tests.values()]
+    assert at_assumed[0] > min(at_assumed)
+    assert all(p.standard_error <= p.largest for row in design.tests.values() for p in row.values())
+
+
+def test_criterion_of_the_joint_region_is_a_mean_of_semi_axes(tmp_path: Path) -> None:
+    design = compute_design(tmp_path, f'criterion = "volume"\nfits = 0\n{FREE}{SENSORS}')
+    p = design.together[CONDUCTANCE]
+    assert design.ranked_by() == {"the test": pytest.approx(100.0 * 1.96 * p.standard_error / 1e-8, rel=1e-9)}
+
+
+def test_free_offset_without_prior_is_eliminated(tmp_path: Path) -> None:
+    free = '[sensors]\n"tank.pressure" = { noise = "300 Pa", offset = "free" }\n'
+    prediction = compute_design(tmp_path, f"fits = 0\n{FREE}{free}").together[CONDUCTANCE]
+    slopes = np.column_stack([choked_sensitivity(), np.full(TIME.size, 1.0 / 300.0)])
+    covariance = np.linalg.inv(slopes.T @ slopes + np.diag([1e16, 0.0]))
+    assert prediction.standard_error == pytest.approx(math.sqrt(covariance[0, 0]), rel=1e-3)
+
+
+def test_simulated_fits_agree_with_the_prediction_if_there_is_one_optimum(tmp_path: Path) -> None:
+    design = compute_design(tmp_path, f"select = 2\nfits = 3\n{RANKED}")
+    for name, p in design.together.items():
+        fitted = design.simulated[name]
+        assert (fitted.fits, fitted.determined, fitted.verdict) == (3, 3, "determined"), name
+        assert fitted.standard_error == pytest.approx(p.standard_error, rel=0.15), name
+        assert fitted.deviation < 4.0 * p.standard_error, name
+    assert "design.fits_differ" not in [r.code for r in design.remarks]
+    assert "simulated fits" in design_text(design)
+
+
+CHARGE = """
+[parts.supply]
+kind = "reservoir"
+pressure = "8 bar"
+[parts.tank]
+kind = "chamber"
+volume = "10 l"
+initial_pressure = "1 bar"
+wall_conductance = "1 mW/K"
+[parts.valve]
+kind = "orifice"
+from = "supply"
+to = "tank"
+sonic_conductance = "1e-8 m^3/(s Pa)"
+critical_ratio = 0.3
+[run]
+duration = "8 s"
+"""
+
+
+def test_simulated_fits_find_the_other_optimum_of_an_adiabatic_charge(tmp_path: Path) -> None:
+    """The sensitivities at the assumed values do not show that an isothermal tank has the same pressure."""
+    (tmp_path / "bench.toml").write_text(CHARGE)
+    (tmp_path / "design.toml").write_text(
+        'circuit = "bench.toml"\nsample_time = "0.04 s"\nfits = 3\nstart = { "tank.initial_pressure" = "free" }\n'
+        "[free]\n"
+        '"valve.sonic_conductance" = "1e-8 m^3/(s Pa)"\n"valve.critical_ratio" = 0.3\n'
+        '"tank.wall_conductance" = "1 mW/K"\n[sensors]\n"tank.pressure" = { noise = "1 kPa", offset = "1 kPa" }\n'
+    )
+    design = identify_design(tmp_path / "design.toml")
+    assert design.together["valve.sonic_conductance"].verdict == "determined"
+    assert design.simulated["valve.sonic_conductance"].verdict == "weak"
+    remark = next(r for r in design.remarks if r.code == "design.fits_differ")
+    assert (remark.address, remark.facts["determined"]) == ("valve.sonic_conductance", 0)
+    assert remark.facts["times"] > 50.0
+
+
+def test_fits_are_not_simulated_with_an_earlier_result(tmp_path: Path) -> None:
+    (tmp_path / "known.toml").write_text(
+        f'method = "fit"\ntitle = "before"\n[parameters."{CONDUCTANCE}"]\nvalue = 1e-8\nunit = "m^3/(s Pa)"\n'
+        'standard_error = 1e-10\nlow = 0.9e-8\nhigh = 1.1e-8\nverdict = "determined"\n'
+    )
+    assert compute_design(tmp_path, f'known = "known.toml"\n{FREE}{SENSORS}').simulated == {}
+    assert compute_design(tmp_path, FREE + SENSORS).simulated[CONDUCTANCE].fits == 5
+
+
+def test_interruption_of_the_simulated_fits_keeps_the_ranking(tmp_path: Path) -> None:
+    compute_design(tmp_path, f"fits = 0\n{FREE}{SENSORS}")
+    (tmp_path / "design.toml").write_text((tmp_path / "design.toml").read_text().replace("fits = 0", "fits = 4"))
+
+    def stop(done: int, total: int, name: str) -> None:
+        if "simulated" in name and done == 1:
+            raise KeyboardInterrupt
+
+    design = identify_design(tmp_path / "design.toml", progress=stop)
+    assert design.interrupted
+    assert list(design.tests) == ["the test"]
+    assert design.simulated == {}

@@ -34,6 +34,14 @@ def alone(part, duration=0.2, **signals):
     return series | {name.partition(".")[2]: recording[name][1::2] for name in outputs} | {"time": recording.time[1::2]}
 
 
+def limited_increment(increment, command, low, high):
+    """Increment of the integral that moves the command at most to a margin beyond a limit."""
+    margin = min(abs(increment), 0.1 * (high - low))
+    if increment > 0.0:
+        return min(increment, max(high + margin - command, 0.0))
+    return max(increment, min(low - margin - command, 0.0))
+
+
 def plain_loop(series, *, low=-1.0, high=1.0, gains=None, beta=1.0, band=0.0, bias=0.0, tracking=0.0):
     """The same law as a program of a microcontroller would have it; commands at each instant."""
     integral = derivative = 0.0
@@ -54,7 +62,7 @@ def plain_loop(series, *, low=-1.0, high=1.0, gains=None, beta=1.0, band=0.0, bi
         floor = max(low, -1.0 / phi) if low == -1.0 and phi > 1.0 else low / phi
         u = min(max(v, floor), high)
         if auto > 0.5:
-            integral += gain * T / ti * e + T / (tracking or ti) * (u - v)
+            integral += limited_increment(gain * T / ti * e, v, floor, high) + T / (tracking or ti) * (u - v)
         else:
             u = 0.3
             integral = u - (v - integral)
@@ -147,9 +155,10 @@ def test_the_integral_does_not_wind_up():
     series = alone(part, measurement=Steps([0.0], [2e5]), setpoint=Steps([0.0, 1.4998], [6e5, 1.9e5]), duration=2.0)
     k = int(np.searchsorted(series["time"], 1.4998))
     assert np.all(series["command"][:k] == 1.0)
-    # Back-calculation holds it at the limit; left alone it would have grown to K e t / T_i = 120.
-    assert abs(series["integral"][k - 1] - 1.0) < 1e-6
-    assert abs(series["command"][k] - (1.0 - 1e-5 * 1e4)) < 1e-6
+    # The command before its limit, K e + I with K e = 4, exceeds the limit by one increment, K e T / T_i = 0.08.
+    # Without anti-windup the integral would have grown to K e t / T_i = 120.
+    assert abs(series["integral"][k - 1] + 4.0 - 1.08) < 2e-3
+    assert series["command"][k] == -1.0
 
 
 def test_a_lagging_sensor_shows_the_past():

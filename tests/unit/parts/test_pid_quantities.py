@@ -62,7 +62,7 @@ def test_a_pressure_loop_is_what_it_was_declared():
 
 
 def plain_loop(w, y, feed, gain, *, ti, td, tf, low, high, beta, band, quiet, bias):
-    """The law as a program of a microcontroller would have it, with clamps and back-calculation."""
+    """The law as a program of a microcontroller would have it, with clamps and anti-windup."""
     integral = derivative = 0.0
     origin = last = y[0]
     commands = []
@@ -73,7 +73,11 @@ def plain_loop(w, y, feed, gain, *, ti, td, tf, low, high, beta, band, quiet, bi
         last = measured
         v = bias + gain * (e - (1.0 - beta) * (setpoint - origin)) + integral + derivative + ahead
         u = min(max(v, low), high)
-        integral += gain * T / ti * (e if abs(e) > quiet else 0.0) + T / ti * (u - v)
+        increment = gain * T / ti * (e if abs(e) > quiet else 0.0)
+        margin = min(abs(increment), 0.1 * (high - low))
+        increment = min(increment, max(high + margin - v, 0.0)) if increment > 0.0 else increment
+        increment = max(increment, min(low - margin - v, 0.0)) if increment < 0.0 else increment
+        integral += increment + T / ti * (u - v)
         commands.append(u)
     return np.array(commands)
 

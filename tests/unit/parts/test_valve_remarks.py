@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
-from poppet import Chamber, Circuit, Reservoir
+from poppet import Chamber, Circuit, Orifice, Reservoir
 from poppet.core.codes import Note
 from poppet.core.note_groups import grouped
-from poppet.parts import PilotStage, ProportionalValve
+from poppet.parts import PID, PilotStage, ProportionalValve
+from poppet.parts.proportional_valve import _oscillation_notes
 from poppet.signals import Constant, Prbs, Sine, Steps
 
 
@@ -28,6 +30,58 @@ def test_many_missed_plateaus_are_shown_as_one_with_the_worst():
     assert shown.facts["size"] == pytest.approx(
         max(abs(note.facts["outlet_bar"] - note.facts["target_bar"]) for note in said)
     )
+
+
+def small_volume(connections, controllers, signals):
+    valve = ProportionalValve(supply="supply", outlet="tank", exhaust="ambient", data="vppm_6l")
+    parts = {
+        "supply": Reservoir(pressure="7 bar"),
+        "valve": valve,
+        "tank": Chamber(volume="0.03 l", wall_conductance=0.1),
+        **controllers,
+    }
+    return Circuit(parts, signals, connections=connections).simulate(2.0, 2e-3)
+
+
+def test_an_oscillating_outlet_has_a_note_with_and_without_a_controller():
+    alone = small_volume({}, {}, {"valve.setpoint": Constant(3e5)})
+    outer = {
+        "source": Reservoir(pressure="5 bar"),
+        "feed": Orifice(from_="source", to="load", sonic_conductance=1e-11, critical_ratio=0.3),
+        "load": Chamber(volume="10 l"),
+        "c": PID(command_quantity="pressure", gain=2e-5, bias="3 bar", lower_limit="1 bar", upper_limit="6 bar"),
+    }
+    driven = small_volume({"c.measurement": "load.pressure", "valve.setpoint": "c.command"}, outer, {})
+    assert np.count_nonzero(np.diff(driven["valve.target_pressure"])) > 900
+    for recording in (alone, driven):
+        (note,) = [note for note in recording.remarks if note.code == "valve.not_held"]
+        assert note.facts["target_bar"] == pytest.approx(3.0, abs=1e-3)
+        assert 0.1 < note.facts["swing_bar"] < 0.5
+
+
+TIME = np.arange(2000) * 1e-3
+RAMP = 3e5 + 1e4 * TIME
+
+
+@pytest.mark.parametrize(
+    ("outlet", "target", "is_noted"),
+    [
+        (RAMP + 1.5e4 * np.sin(2 * np.pi * 10.0 * TIME), RAMP, True),
+        (RAMP + 1.5e4 * np.exp(-10.0 * TIME) * np.sin(2 * np.pi * 10.0 * TIME), RAMP, False),  # decays
+        (RAMP + 2e3 * np.sin(2 * np.pi * 10.0 * TIME), RAMP, False),  # within 1 % of the span
+        (  # follows with a lag
+            3e5 + 3e4 * np.sin(2 * np.pi * 10.0 * TIME - 0.8),
+            3e5 + 4e4 * np.sin(2 * np.pi * 10.0 * TIME),
+            False,
+        ),
+    ],
+)
+def test_oscillations_about_a_changing_target(outlet, target, is_noted):
+    is_driven = np.ones(TIME.size, dtype=bool)
+    found = _oscillation_notes(TIME, outlet, target, 6e3, is_driven, is_driven)
+    assert [note.code for note in found] == (["valve.not_held"] if is_noted else [])
+    if found:
+        assert found[0].facts["swing_bar"] == pytest.approx(0.3, abs=0.03)  # the ramp adds 25 mbar
 
 
 def test_a_target_missed_without_power_has_a_note():

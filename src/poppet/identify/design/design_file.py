@@ -34,6 +34,7 @@ TOP_LEVEL = {
     "select": Field(type="integer", low=1, high=20, default=1, meaning="number of tests to select"),
     "draws": Field(type="integer", low=0, high=200, default=8, meaning="number of samples of the priors"),
     "seed": Field(type="integer", low=0, high=2**31, default=1),
+    "fits": Field(type="integer", low=0, high=200, meaning="number of simulated fits of the selected tests"),
     **dict.fromkeys(("duration", "sample_time"), Field(unit="s")),
     "criterion": Field(choices=CRITERIA, default=CRITERIA[0]),
 }
@@ -49,7 +50,7 @@ class DesignSensor:
     address: str
     unit: str
     noise: float  # standard deviation of a sample, in `unit`
-    offset: float = 0.0  # standard deviation of the offset, in `unit`
+    offset: float = 0.0  # standard deviation of the offset, in `unit`; infinite for a free offset without prior
     lag: float | None = 0.0  # time constant, None if it is free [s]
 
 
@@ -90,6 +91,8 @@ class DesignPlan:
         Number of samples of the priors, and the seed of their random numbers.
     known : Result, optional
         Result of an earlier identification, used as prior information.
+    fits : int, optional
+        Number of simulated fits of the recommended tests. None selects 5, or 0 if a fit is slow.
     """
 
     title: str
@@ -100,6 +103,7 @@ class DesignPlan:
     draws: int = 8
     seed: int = 1
     known: Result | None = None
+    fits: int | None = None
 
 
 def read_design_file(path: str | Path) -> DesignPlan:
@@ -139,7 +143,7 @@ def read_design_file(path: str | Path) -> DesignPlan:
         known = read_result(file.folder / str(data["known"])) if "known" in data else None
         title = str(data.get("title", circuit.title or Path(file.name).stem))
         options = {key: data[key] for key in ("criterion", "select", "draws", "seed")}
-        return DesignPlan(title, tuple(free), candidates, **options, known=known)
+        return DesignPlan(title, tuple(free), candidates, **options, known=known, fits=data.get("fits"))
 
 
 def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSensor:
@@ -154,12 +158,13 @@ def _read_sensor(address: str, table: Any, units: Mapping[str, str]) -> DesignSe
             deviation, above=0.0, default=None, is_required=True, meaning="standard deviation of a sample",
             example='noise = "300 Pa"',
         ),
-        "offset": replace(deviation, meaning="standard deviation of the offset"),
+        "offset": replace(deviation, choices=("free",), meaning="standard deviation of the offset"),
         "lag": Field(unit="s", choices=("free",), low=0.0, default=0.0, meaning="time constant of the sensor"),
     }  # fmt: skip
     with ErrorCollector() as errors:
         read = read_fields(errors, table, fields, location, table="sensor")
-    return DesignSensor(address, unit, read["noise"], read["offset"], None if read["lag"] == "free" else read["lag"])
+    offset = math.inf if read["offset"] == "free" else read["offset"]
+    return DesignSensor(address, unit, read["noise"], offset, None if read["lag"] == "free" else read["lag"])
 
 
 def _read_candidates(

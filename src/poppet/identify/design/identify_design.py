@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import dataclasses
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -14,17 +13,25 @@ import numpy as np
 from poppet.core.codes import Note
 from poppet.core.toml import ResultFileMixin
 from poppet.identify.design.design_file import DesignPlan, TestCandidate, read_design_file
+from poppet.identify.design.simulated_fits import (
+    SimulatedEstimate,
+    empty_measurement,
+    noise_free_values,
+    simulate_fits,
+    with_values,
+)
 from poppet.identify.fit.experiment import Experiment
-from poppet.identify.fit.fit_plan import recording_parameters
+from poppet.identify.fit.fit_plan import offset_parameters, recording_parameters
 from poppet.identify.fit.statistics import verdict
 from poppet.identify.free_parameter import FreeParameter, by_name
-from poppet.identify.result import Verdict
+from poppet.identify.result import VERDICTS, Verdict
 from poppet.timeseries.checks import FloatArray
-from poppet.timeseries.measurements import Channel, Measurement
 
 TWO_SIDED = 1.96
 ROUNDING = 1e-13
 """Lower limit on the eigenvalues of an information matrix with a unit diagonal."""
+WIDER = 2.0
+"""Ratio of the error in simulated fits to the predicted error above which a finding reports the difference."""
 LOST = 1e-10
 """Relative limit below which a direction of the nuisance parameters counts as singular."""
 
@@ -41,17 +48,23 @@ class Prediction:
         SI unit.
     standard_error : float
         Standard error caused by noise and sensor offsets, in `unit`.
+    typical : float
+        Geometric mean of the standard error at the assumed values and at all samples of the priors, in `unit`.
     largest : float
         Largest standard error over all samples of the priors, in `unit`.
     verdict : str
         Predicted verdict of a fit: `determined`, `weak` or `not determined`.
+    scale : float
+        Reference of relative errors, in `unit`: the assumed value, or the typical size of a parameter that is zero.
     """
 
     value: float
     unit: str
     standard_error: float
+    typical: float
     largest: float
     verdict: Verdict
+    scale: float = field(default=1.0, repr=False)
 
     @property
     def half(self) -> float:
@@ -62,6 +75,11 @@ class Prediction:
     def half_at_most(self) -> float:
         """Half width of the 95 % interval at the least favourable sample of the priors."""
         return TWO_SIDED * self.largest
+
+    @property
+    def half_typical(self) -> float:
+        """Geometric mean of the half widths of the 95 % intervals at all samples of the priors."""
+        return TWO_SIDED * self.typical
 
 
 @dataclass(frozen=True)
@@ -74,7 +92,8 @@ class Design(ResultFileMixin):
         Title of the design.
     criterion : str
         Minimised quantity: `intervals` (geometric mean of the relative standard errors), `worst` (largest relative
-        standard error) or `volume` (volume of the joint confidence region).
+        standard error) or `volume` (volume of the joint confidence region). The errors are the geometric means over
+        the assumed values and the samples of the priors.
     tests : mapping
         Mapping from the name of each candidate to its predictions by parameter, the best candidate first. A prediction
         uses this test and the prior information.
@@ -87,7 +106,10 @@ class Design(ResultFileMixin):
     remarks : tuple of Note
         Findings.
     interrupted : bool
-        True if the user interrupted the ranking before all candidates were evaluated.
+        True if the user interrupted the ranking before all candidates were evaluated, or the simulated fits.
+    simulated : mapping
+        Mapping from each parameter to its estimates in fits to simulated recordings of all recommended tests. It is
+        empty if no fit was simulated.
     """
 
     title: str
@@ -98,6 +120,16 @@ class Design(ResultFileMixin):
     scores: Mapping[str, float]
     remarks: tuple[Note, ...] = field(default=())
     interrupted: bool = False
+    simulated: Mapping[str, SimulatedEstimate] = field(default_factory=dict)
+
+    def ranked_by(self) -> dict[str, float]:
+        """Return the criterion of each candidate in the form of a relative 95 % half width [%].
+
+        For `intervals` it is the geometric mean of the typical half widths of all parameters, and for `worst` their
+        maximum. For `volume` it is the geometric mean of the semi-axes of the joint region.
+        """
+        axes = len(self.together) if self.criterion == "volume" else 1
+        return {test: 100.0 * TWO_SIDED * math.exp(score / axes) for test, score in self.scores.items()}
 
     def content(self) -> dict[str, Any]:
         """Return the content of the design file as plain tables."""
@@ -108,6 +140,8 @@ class Design(ResultFileMixin):
             "chosen": list(self.chosen),
             "together": {name: vars(p).copy() for name, p in self.together.items()},
             "scores": dict(self.scores),
+            "ranked_by": self.ranked_by(),
+            "simulated": {name: vars(estimate).copy() for name, estimate in self.simulated.items()},
             "tests": {test: {name: vars(p).copy() for name, p in row.items()} for test, row in self.tests.items()},
             "interrupted": self.interrupted,
             "findings": [str(remark) for remark in self.remarks],
@@ -137,11 +171,14 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
 
     where S is the sensitivity of the noise-free recording to the free parameters, divided by the noise of each sample.
     N is the sensitivity to the nuisance parameters (initial values, lags, offsets of sensors), and P is their prior
-    information. The information of several tests adds up. A parameter without a prior has a prior standard deviation
-    of 100 %. Tests that determine only some of the parameters are then comparable.
+    information. A fit estimates the same nuisance parameters with the same priors. The information of several tests
+    adds up. A parameter without a prior has a prior standard deviation of 100 %. Tests that determine only some of the
+    parameters are then comparable.
 
     The prediction is valid **if the circuit is correct and the assumed values are approximately correct**. The
     sensitivities are also computed at samples of the priors, and the criterion is the mean over all these points.
+    The recommended tests are then simulated with noise and offsets, and fitted. These fits also search for other
+    optima, which the sensitivities do not show.
 
     References
     ----------
@@ -164,6 +201,17 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     tests = {names[k]: _predict(plan, prior + informations[k]) for k in order}
     selection = _select_tests(plan, prior, informations)
     together = _predict(plan, prior + sum(informations[k] for k in selection))
+    interrupted = len(informations) < len(plan.candidates)
+    simulated: dict[str, SimulatedEstimate] = {}
+    if not interrupted:
+        try:
+            simulated = simulate_fits(
+                plan,
+                [plan.candidates[k] for k in selection],
+                lambda done, total: progress and progress(done, total, "simulated fits of the selected tests"),
+            )
+        except KeyboardInterrupt:
+            interrupted = True
     remarks = []
     for f in plan.free:
         joint = together[f.name]
@@ -174,6 +222,12 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
             remarks.append(Note(code, f.name, percent=100.0 * joint.half / f.scale))
         if joint.largest > 2.0 * joint.standard_error:
             remarks.append(Note("design.depends", f.name, times=joint.largest / joint.standard_error))
+        if (fitted := simulated.get(f.name)) is not None:
+            is_wider = fitted.standard_error > WIDER * joint.standard_error
+            if joint.verdict != "not determined" and (is_wider or _is_worse(fitted.verdict, joint.verdict)):
+                times = fitted.standard_error / joint.standard_error
+                facts = {"fits": fitted.fits, "determined": fitted.determined, "times": times}
+                remarks.append(Note("design.fits_differ", f.name, **facts))
     return Design(
         plan.title,
         plan.criterion,
@@ -182,8 +236,13 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
         together,
         {names[k]: scores[k] for k in order},
         tuple(remarks),
-        len(informations) < len(plan.candidates),
+        interrupted,
+        simulated,
     )
+
+
+def _is_worse(verdict: Verdict, other: Verdict) -> bool:
+    return VERDICTS.index(verdict) > VERDICTS.index(other)
 
 
 def _priors(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
@@ -216,38 +275,16 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
 
     The nuisance parameters of the test (initial values, lags, offsets) are eliminated.
     """
-    time = candidate.sample_time * np.arange(candidate.samples, dtype=np.float64)
-    measurement = Measurement(
-        "test",
-        tuple(Channel(s.address, time, np.zeros(time.size), s.unit, lag=s.lag) for s in candidate.sensors),
-        start=candidate.start,
-        ambient_pressure=candidate.circuit.surroundings.pressure,
-        duration=candidate.duration,
-    )
-    instance = candidate.circuit.instance
-    values = by_name(free, point)
-    if candidate.start:
-        # A free initial value starts from the first value of the noise-free recording.
-        lags = [f for f in recording_parameters([measurement], [candidate.circuit], ["fit"]) if f.role == "lag"]
-        noise_free = Experiment(instance, dataclasses.replace(measurement, start={}), (*free, *lags))
-        outputs = noise_free.outputs({**values, **by_name(lags, [f.start for f in lags])})
-        channels = zip(measurement.channels, outputs, strict=True)
-        measurement = dataclasses.replace(
-            measurement, channels=tuple(dataclasses.replace(c, values=row) for c, row in channels)
-        )
-    nuisances = recording_parameters([measurement], [candidate.circuit], ["fit"])
-    experiment = Experiment(instance, measurement, (*free, *nuisances))
+    measurement, values = empty_measurement("test", candidate), by_name(free, point)
+    if candidate.start or any(math.isinf(sensor.offset) for sensor in candidate.sensors):
+        measurement = with_values(measurement, noise_free_values(measurement, candidate, values, free))
+    arguments = [measurement], [candidate.circuit], ["fit"]
+    nuisances = recording_parameters(*arguments) + offset_parameters(*arguments)
+    experiment = Experiment(candidate.circuit.instance, measurement, (*free, *nuisances))
     slopes = experiment.slopes({**by_name(nuisances, [f.start for f in nuisances]), **values})
     whitened = np.vstack([slope / sensor.noise for slope, sensor in zip(slopes, candidate.sensors, strict=True)])
-    # Each uncertain offset of a sensor is a column.
-    offsets, row = [np.zeros((len(whitened), 0))], 0
-    for slope, sensor in zip(slopes, candidate.sensors, strict=True):
-        column = np.zeros((len(whitened), 1))
-        column[row : row + len(slope)] = 1.0 / sensor.noise
-        offsets += [column] if sensor.offset > 0.0 else []
-        row += len(slope)
-    priors = [0.0] * len(nuisances) + [sensor.offset**-2 for sensor in candidate.sensors if sensor.offset > 0.0]
-    shared, nuisance = whitened[:, : len(free)], np.hstack([whitened[:, len(free) :], np.hstack(offsets)])
+    shared, nuisance = whitened[:, : len(free)], whitened[:, len(free) :]
+    priors = np.array([f.prior.sd**-2 if f.prior else 0.0 for f in nuisances])
     information = shared.T @ shared
     if nuisance.shape[1]:
         # Nuisance parameters of different units can be correlated: scale them before the inversion.
@@ -281,7 +318,9 @@ def _criterion(plan: DesignPlan, information: FloatArray) -> float:
     if plan.criterion == "volume":
         return float(np.mean(0.5 * volumes))
     logarithms = np.log(errors)
-    return float(np.mean(np.max(logarithms, axis=1) if plan.criterion == "worst" else np.mean(logarithms, axis=1)))
+    # The same means over the points as in the table, so that the criterion agrees with the table.
+    typical = np.mean(logarithms, axis=0)
+    return float(np.max(typical) if plan.criterion == "worst" else np.mean(typical))
 
 
 def _select_tests(plan: DesignPlan, prior: FloatArray, informations: Sequence[FloatArray]) -> list[int]:
@@ -314,5 +353,7 @@ def _predict(plan: DesignPlan, information: FloatArray) -> dict[str, Prediction]
     predictions = {}
     for f, errors in zip(plan.free, _errors(plan, information)[0].T, strict=True):
         error, largest = f.scale * float(errors[0]), f.scale * float(np.max(errors))
-        predictions[f.name] = Prediction(f.start, f.unit, error, largest, verdict(f, f.start, TWO_SIDED * error))
+        typical = f.scale * float(np.exp(np.mean(np.log(errors))))
+        level = verdict(f, f.start, TWO_SIDED * error)
+        predictions[f.name] = Prediction(f.start, f.unit, error, typical, largest, level, f.scale)
     return predictions

@@ -12,23 +12,22 @@ import numpy as np
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
-from poppet.core.tables import Field
 from poppet.identify.fit.experiment import start_values
-from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
+from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameters, plan_fit, recording_parameters
 from poppet.identify.fit.fit_series import driving_signals
 from poppet.identify.fit.identify_fit import Progress, identify_fit
 from poppet.identify.fit.intervals import Stages
 from poppet.identify.fit.search import SearchSettings
-from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
+from poppet.identify.free_parameter import FreeParameter, read_free
 from poppet.identify.result import Result, fitted_number
 from poppet.timeseries.checks import FloatArray, split_heading
-from poppet.timeseries.measurements import Channel, Measurement, read_measurement
-from poppet.timeseries.measurements.mapping import DIFFERENCE_KINDS
+from poppet.timeseries.measurements import Measurement, read_measurement
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.table import Table, seconds
 
 DISCRETE = ("regime", "contact", "friction")
 """Last words of the names of outputs that are state codes. They are compared only if `outputs` contains them."""
+OFFSET_MOMENTS = ("mean", "sd")
 CARRIED = ("table", "measured", "doubt", "series")
 """Prefixes of the codes of notes on how a recording was read."""
 
@@ -150,12 +149,7 @@ def fit_circuit(
                 parameters.append(read_free(address, limits[address], circuit, where=address))
     circuits = [circuit] * len(measurements)
     parameters += recording_parameters(measurements, circuits, roles, limits)
-    parameters += [
-        offset_parameter(measurement.name, channel, reader.offset_prior(channel))
-        for measurement, role in zip(measurements, roles, strict=True)
-        for channel in measurement.channels
-        if role == "fit" and channel.address in reader.offsets
-    ]
+    parameters += offset_parameters(measurements, circuits, roles)
     if not parameters:
         raise InputError("fit.nothing_free", "free")
     settings = SearchSettings(loss, starts, seed, kicks)
@@ -255,19 +249,6 @@ class _RecordingReader:
                         )  # fmt: skip
         return measurements
 
-    def offset_prior(self, channel: Channel) -> NormalPrior | None:
-        """Return the prior of the offset of a sensor, or None for an offset that is free or not given."""
-        prior = self.offsets.get(channel.address, "free")
-        if prior == "free":
-            return None
-        pair = (0.0, prior) if isinstance(prior, str | int | float) else tuple(prior)
-        kind = DIFFERENCE_KINDS.get(channel.unit, "plain")
-        mean = Field(unit=channel.unit, kind=kind, meaning="mean of the offset")
-        sd = Field(unit=channel.unit, kind=kind, above=0.0, meaning="standard deviation of the offset")
-        return NormalPrior(
-            *(field.read(v, f"offsets.{channel.address}") for field, v in zip((mean, sd), pair, strict=True))
-        )
-
     def _read(self, name: str, data: Data, recordings: Iterable[str]) -> Measurement:
         """Return one recording as a measurement in SI units."""
         location = f"recordings.{name}"
@@ -284,16 +265,11 @@ class _RecordingReader:
         shared = {address: value for address, value in self.start.items() if address not in recordings}
         fields["start"] = shared | dict(self.start.get(name, {}))
         measurement = read_measurement(name, fields, Path(), ambient_pressure=ambient_pressure, source=table)
-        channels = []
-        for channel in measurement.channels:
-            prior = self.offset_prior(channel)
-            channels.append(dataclasses.replace(channel, offset=prior.sd) if prior else channel)
         notes = [note for note in table.notes if note.code.partition(".")[0] in CARRIED]
         notes += [Note("fit.not_compared", names=tuple(omitted))] if omitted else []
         doubts = [note for note in table.notes if note.code.startswith("suspicion.")]
         return dataclasses.replace(
             measurement,
-            channels=tuple(channels),
             notes=(*notes, *measurement.notes),
             findings=(*doubts, *measurement.findings),
         )
@@ -329,6 +305,8 @@ class _RecordingReader:
             fields[address] = {"column": table.names.index(address), "unit": unit}
             if address in self.noise:
                 fields[address]["noise"] = self.noise[address]
+            if address in self.offsets:
+                fields[address]["offset"] = _offset_field(self.offsets[address], address)
         for address in (address for address in recorded if address in self.inputs):
             default, unit = self.inputs[address].default, self.inputs[address].unit
             if isinstance(default, str):
@@ -339,6 +317,16 @@ class _RecordingReader:
                 column = {"column": table.names.index(address), "unit": units[address] or unit, "hold": self.hold}
                 fields["inputs"][address] = column
         return fields, omitted
+
+
+def _offset_field(argument: Any, address: str) -> Any:
+    """Return the argument for the offset of a sensor in the form of a fit file; a pair becomes a table."""
+    if isinstance(argument, str | int | float | Mapping):
+        return argument
+    if not isinstance(argument, Sequence) or len(argument) != 2:
+        first, second = OFFSET_MOMENTS
+        raise InputError("fit.no_pair", f"offsets.{address}", value=argument, first=first, second=second)
+    return dict(zip(OFFSET_MOMENTS, argument, strict=True))
 
 
 def _frame_table(frame: DataFrame, location: str) -> Table:

@@ -170,7 +170,7 @@ def error_model_of(plan: FitPlan, optimum: Optimum) -> ErrorModel:
         sizes.append(channel.time.size)
         # A constant reading gives no limit on the offset of the sensor.
         range_limit = LARGEST_OFFSET * float(np.ptp(channel.values)) or np.inf
-        largest = range_limit if channel.offset is None else SURELY * channel.offset
+        largest = range_limit if channel.offset in (None, np.inf) else SURELY * channel.offset
         steps = None
         if quantum > 0.0:
             # Both contain the rounding; only the residuals contain a lack of fit.

@@ -30,6 +30,8 @@ LARGEST_OFFSET = 0.1
 """Largest offset of a sensor without a stated offset, as a fraction of the range of the recording."""
 SURELY = 3.0
 """Largest offset of a sensor, in stated standard deviations."""
+FARTHEST = 5.0
+"""Bounds of an offset in a fit, in stated standard deviations: at a bound, the other parameters would be biased."""
 SEARCH = ("loss", "starts", "seed", "kicks")
 CIRCUIT_FIELDS = {
     "circuit": Field(is_required=True, meaning="circuit file", example='circuit = "bench.toml"'),
@@ -109,6 +111,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
                     free.append(read_free(address, table, circuit))
         circuits = [circuit] * len(roles)
         free += recording_parameters(measurements, circuits, roles)
+        free += offset_parameters(measurements, circuits, roles)
         title = str(data.get("title", circuit.title or Path(file.name).stem))
         return plan_fit(circuits, measurements, roles, free, settings=settings, title=title)
 
@@ -258,13 +261,45 @@ def recording_parameters(
     return parameters
 
 
-def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None) -> FreeParameter:
-    """Return the free offset of a sensor, limited to three standard deviations of its prior.
+def offset_parameters(
+    measurements: Sequence[Measurement], circuits: Sequence[BaseCircuit], roles: Sequence[str]
+) -> list[FreeParameter]:
+    """Return the free offsets of the channels that state an offset, for all recordings that are fitted.
 
-    Without a prior, the limits are plus and minus a tenth of the range of the recorded channel.
+    Raises
+    ------
+    InputErrors
+        If the first sample of such a channel is a start value: it would contain the unknown offset.
     """
-    mean = 0.0 if prior is None else prior.mean
-    largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else SURELY * prior.sd
+    parameters: list[FreeParameter] = []
+    fitted = [pair for pair, role in zip(zip(measurements, circuits, strict=True), roles, strict=True) if role == "fit"]
+    with ErrorCollector() as errors:
+        for measurement, circuit in fitted:
+            for address, start in measurement.start.items():
+                channel = starting_channel(address, circuit.instance, measurement)[1]
+                if start == "first" and channel is not None and channel.offset is not None:
+                    location = f"recordings.{measurement.name}.start.{address}"
+                    errors.add("fit.first_of_offset", location, channel=channel.address)
+            parameters += [
+                offset_parameter(measurement.name, channel, NormalPrior(0.0, channel.offset), FARTHEST)
+                for channel in measurement.channels
+                if channel.offset is not None
+            ]
+    return parameters
+
+
+def offset_parameter(
+    recording: str, channel: Channel, prior: NormalPrior | None, farthest: float = SURELY
+) -> FreeParameter:
+    """Return the free offset of a sensor, limited to `farthest` standard deviations of its prior.
+
+    The mean of the prior is relative to the expected offset that the channel states. Without a prior, the limits are
+    plus and minus a tenth of the range of the recorded channel.
+    """
+    prior = None if prior is None or not math.isfinite(prior.sd) else prior
+    prior = None if prior is None else NormalPrior(prior.mean + channel.offset_mean, prior.sd)
+    mean = channel.offset_mean if prior is None else prior.mean
+    largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else farthest * prior.sd
     name, address = f"{recording}.{channel.address}.offset", channel.address
     bounds = mean - largest, mean + largest
     return FreeParameter(name, address, channel.unit, mean, *bounds, "offset", recording, prior)

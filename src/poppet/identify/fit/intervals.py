@@ -15,7 +15,7 @@ from poppet.identify.fit.fit_findings import error_model_of
 from poppet.identify.fit.fit_plan import FitPlan, refit
 from poppet.identify.fit.search import Optimum
 from poppet.identify.fit.statistics import influences
-from poppet.identify.free_parameter import by_name, with_starts
+from poppet.identify.free_parameter import NormalPrior, by_name, with_starts
 from poppet.identify.result import CONFIDENCE, Result, mark_interrupted
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.measurements import Channel
@@ -161,7 +161,12 @@ def add_bootstrap(plan: FitPlan, optimum: Optimum, result: Result, repeats: int,
                 e.with_samples([*map(resample, e.measurement.channels, series)], start)
                 for e, series in zip(plan.experiments, models, strict=True)
             )
-            estimates.append(refit(replace(plan, experiments=resampled), optimum.x, optimum.sigmas).x)
+            # A prior is a measurement as well: with fixed means, the intervals would be too narrow.
+            free = tuple(
+                replace(f, prior=NormalPrior(generator.normal(x, f.prior.sd), f.prior.sd)) if f.prior else f
+                for f, x in zip(start, optimum.x, strict=True)
+            )
+            estimates.append(refit(replace(plan, experiments=resampled, free=free), optimum.x, optimum.sigmas).x)
             stages("bootstrap fits", len(estimates), repeats)
     except KeyboardInterrupt:
         result = mark_interrupted(result, Note("finding.stopped.bootstrap", done=len(estimates), asked=repeats))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from poppet.core.message_format import sentence
 from poppet.core.number_format import pretty, readable_unit, scaled
 from poppet.identify import Design, Prediction
+from poppet.identify.design.identify_design import TWO_SIDED
 from poppet.report.html_page import Section, document, findings, head, items, picture, write_page
 from poppet.report.identification.identification_figures import VERDICT_COLOURS
 from poppet.report.tables import Column, ReportTable, numeric
@@ -51,7 +52,8 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
     """
     n_omitted = len(design.tests) - MAX_CANDIDATES
     lines = [design.title, "Make:", *(f"  {k}. {name}" for k, name in enumerate(design.chosen, start=1)), ""]
-    lines += [_joint_table(design).text(), "", _candidate_table(design, MAX_CANDIDATES).text()]
+    lines += [_joint_table(design).text(), "", _ranking_caption(design)]
+    lines += [_candidate_table(design, MAX_CANDIDATES).text()]
     lines += [f"  ({n_omitted} more: the page and the result file)"] if n_omitted > 0 else []
     return "\n".join([*lines, *(f"- {remark}" for remark in design.remarks)])
 
@@ -61,25 +63,40 @@ def _joint_table(design: Design) -> ReportTable:
     rows = []
     for name, p in design.together.items():
         unit = readable_unit(p.unit, p.value)
-        half = scaled(p.value + p.half, p.unit, unit) - scaled(p.value, p.unit, unit)
-        rows.append((name, scaled(p.value, p.unit, unit), "" if unit == "1" else unit, half, p.verdict))
-    columns = "parameter", Column("about", ".4g"), "unit", Column("+/- 95 %", ".2g"), "verdict"
-    return ReportTable(columns, rows, "After these tests, if the circuit is correct")
+
+        def width(half: float, p: Prediction = p, unit: str = unit) -> float:
+            return scaled(p.value + half, p.unit, unit) - scaled(p.value, p.unit, unit)
+
+        fitted = design.simulated.get(name)
+        row = (name, scaled(p.value, p.unit, unit), "" if unit == "1" else unit, width(p.half), p.verdict)
+        rows.append((*row, width(TWO_SIDED * fitted.standard_error), fitted.verdict) if fitted else row)
+    columns: list[Column | str] = ["parameter", Column("about", ".4g"), "unit", Column("+/- 95 %", ".2g"), "verdict"]
+    if design.simulated:
+        columns += [Column("simulated fits +/- 95 %", ".2g"), "their verdict"]
+    return ReportTable(tuple(columns), rows, "After these tests, if the circuit is correct")
 
 
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
     """Return the expected errors of the parameters after each candidate test alone.
 
-    An error is half of the 95 % interval relative to the value. `n_max` limits the number of candidates.
+    An error is half of the 95 % interval relative to the value, as a geometric mean over the assumed values and the
+    samples of the priors. The criterion is computed from these errors. `n_max` limits the number of candidates.
     """
-    names = next(iter(design.tests.values())).keys()
-    rows = [(test, *(_percent(row[name]) for name in names)) for test, row in design.tests.items()]
-    columns = numeric(*(f"{name} [%]" for name in names), digits=".2g")
-    return ReportTable(("test", *columns), rows[:n_max], "Each test alone, +/- 95 % of the parameter")
+    names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
+    rows = [
+        (test, *(_percent(row[name], row[name].half_typical) for name in names), ranked_by[test])
+        for test, row in design.tests.items()
+    ]
+    columns = numeric(*(f"{name} [%]" for name in names), "criterion [%]", digits=".2g")
+    return ReportTable(("test", *columns), rows[:n_max], _ranking_caption(design))
 
 
-def _percent(p: Prediction) -> float:
-    return 100.0 * p.half / (abs(p.value) or 1.0)
+def _percent(p: Prediction, half: float) -> float:
+    return 100.0 * half / p.scale
+
+
+def _ranking_caption(design: Design) -> str:
+    return str(sentence(f"identification.design.ranking.{design.criterion}", {}))
 
 
 def error_figure(design: Design) -> Figure:
@@ -96,7 +113,7 @@ def error_figure(design: Design) -> Figure:
         for row, (test, predictions) in enumerate(tests.items()):
             p = predictions[name]
             colour = VERDICT_COLOURS[p.verdict]
-            ends = [_percent(p), 100.0 * p.half_at_most / (abs(p.value) or 1.0)]
+            ends = [_percent(p, p.half), _percent(p, p.half_at_most)]
             axes.plot(ends, [row, row], color=colour, linewidth=3, alpha=0.35, solid_capstyle="butt")
             axes.plot(ends[0], row, "o", color=colour, markersize=5.5, markeredgewidth=0)
             if k == 0:

@@ -28,6 +28,7 @@ from poppet.timeseries.measurements.measurement import (
 from poppet.timeseries.measurements.verdicts import heading_verdicts, verdicts
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.reading import Table, read_table
+from poppet.timeseries.tables.time_stamps import is_serial
 
 _OPTIONS = {
     "separator": Field(type="string"),
@@ -301,7 +302,13 @@ class _MeasurementReader:
         index = self._named(table, spec["column"], f"{location}.column") if "column" in spec else None
         if index is None:
             return None
-        unit = str(spec.get("unit") or table.units[index] or "s")
+        unit = str(spec.get("unit") or table.units[index])
+        if not unit and is_serial(table.columns[index]):
+            day = float(table.columns[index][0])
+            self.notes[Note("table.serial_days", f"{location}.column", column=table.names[index], first=day)] = None
+            # The difference comes first: a float with the days since 1900 has a resolution of 1 us.
+            return np.round((table.columns[index] - day) * 86400.0, 6)
+        unit = unit or "s"
         stamps = self._attempt(f"{location}.unit", lambda: convert(table.columns[index], unit, "s"))
         if stamps is not None:
             # The caller adds the name of the recording.
@@ -314,9 +321,11 @@ class _MeasurementReader:
         if count < LEAST_SAMPLES:
             self.errors.add("measured.few_samples", column.location, samples=count, least=LEAST_SAMPLES)
         self._refuse_slips(column, samples.time, samples.values)
-        noise, offset = self._deviation(column, "noise"), self._deviation(column, "offset")
+        noise, (mean, offset) = self._deviation(column, "noise"), self._offset(column)
         quantum = quantum_of(samples.values)
-        return Channel(column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset)
+        return Channel(
+            column.address, samples.time, samples.values, column.unit, noise, column.lag, quantum, offset, mean
+        )
 
     def _refuse_slips(self, column: _MappedColumn, time: FloatArray, values: FloatArray) -> None:
         """Add an error if samples exceed the plausibility limit of their quantity.
@@ -336,6 +345,27 @@ class _MeasurementReader:
             return None
         field = Field(unit=column.unit, kind=DIFFERENCE_KINDS.get(column.unit, "plain"), above=0.0)
         return self._attempt(location, lambda: float(field.read(raw, location)))
+
+    def _offset(self, column: _MappedColumn) -> tuple[float, float | None]:
+        """Return the mean and the standard deviation of the sensor offset that a channel states.
+
+        The standard deviation is None if the field is absent, and infinite for a free offset without prior.
+        """
+        raw, location = column.fields.get("offset"), f"{column.location}.offset"
+        if raw == "free":
+            return 0.0, math.inf
+        if not isinstance(raw, Mapping):
+            return 0.0, self._deviation(column, "offset")
+        kind = DIFFERENCE_KINDS.get(column.unit, "plain")
+        fields = {
+            "mean": Field(unit=column.unit, kind=kind, default=0.0, meaning="mean of the offset"),
+            "sd": Field(
+                unit=column.unit, kind=kind, above=0.0, is_required=True, meaning="standard deviation of the offset",
+                example=f'sd = "1 {column.unit}"',
+            ),
+        }  # fmt: skip
+        read = read_fields(self.errors, raw, fields, location, table="offset")
+        return read.get("mean", 0.0), read.get("sd")
 
 
 def read_recording(

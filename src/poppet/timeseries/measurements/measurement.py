@@ -24,7 +24,9 @@ class Channel:
     noise: float | None = None  # stated standard deviation; None: to be estimated
     lag: float | None = 0.0  # time constant of the sensor; None if free [s]
     quantum: float = 0.0  # resolution of the recording; 0 if unknown
-    offset: float | None = None  # stated standard deviation of the sensor offset; None if not stated
+    # Standard deviation of the sensor offset: None if not stated, infinite for a free offset without prior.
+    offset: float | None = None
+    offset_mean: float = 0.0  # expected value of the sensor offset
 
 
 @dataclass(frozen=True, eq=False)
