@@ -45,7 +45,7 @@ def test_file_gives_points_in_si_units_with_uncertainties(write_file):
     assert points.u_mass_flow_rate == Instrument(relative=0.01, calibration=0.005)
     assert points.u_pressure_1 == Instrument(absolute=2e3, offset=1e3)
     assert points.u_pressure_2 == Instrument()
-    assert points.u_temperature_1 == Instrument(absolute=1.0)
+    assert points.u_temperature_1 == Instrument(offset=1.0)  # one value for all points
     assert {k: options[k] for k in ("title", "part", "subsonic_index", "cracking_pressure")} == {
         "title": "valve A",
         "part": "outlet",
@@ -83,7 +83,7 @@ def test_barometer_affects_only_gauge_pressures(write_file):
 
 def test_assumed_ambient_pressure_is_noted(write_file):
     _, options = read_flow_file(write_file(TEXT.replace('ambient_pressure = "1.013 bar"\n', "")))
-    assert options["notes"][-1] == Note("flow.ambient_assumed", "ambient_pressure")
+    assert options["notes"][-1] == Note("flow.ambient_assumed", "ambient_pressure", uncertainty_kpa=2.0)
     _, options = read_flow_file(write_file())
     assert "flow.ambient_assumed" not in [note.code for note in notes_of(options["notes"])]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -22,7 +23,7 @@ LAW_FIELDS = {
 TOP_LEVEL = {
     **FILE_FIELDS,
     **{name: channel_field(name, is_required=True) for name in CHANNELS},
-    "ambient_pressure_uncertainty": Field(unit="Pa", kind="pressure_difference", default=0.0),
+    "ambient_pressure_uncertainty": Field(unit="Pa", kind="pressure_difference"),
     **LAW_FIELDS,
 }
 UNCERTAINTIES = {
@@ -32,6 +33,9 @@ UNCERTAINTIES = {
     "calibration": "calibration",
 }
 """Fields for the uncertainty of a channel, with the parameters of `Instrument`."""
+AMBIENT_UNCERTAINTY = 2e3
+"""Standard uncertainty of an ambient pressure that is not stated: weather and altitudes up to about 300 m [Pa]."""
+MARKED_ABSOLUTE = re.compile(r"(?:[ (]a|abs|bara|psia)\)?\s*$", re.IGNORECASE)
 CHANNEL_FIELDS = ("column", "value", "unit", *UNCERTAINTIES)
 KINDS: dict[str, tuple[Kind, Kind]] = {
     "mass_flow_rate": ("mass_flow", "mass_flow"),
@@ -123,13 +127,16 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
                     instruments[channel] = Instrument(
                         **{parameter: values[key] for key, parameter in UNCERTAINTIES.items() if key in values}
                     )
-        gauge = []
+        gauge, absolute = [], []
         for channel in ("pressure_1", "pressure_2"):
             raw = fields[channel]
             text = raw.get("value") or f"1 {raw.get('unit', '') or table.units[table.index(raw['column'])]}"
             if quantity(text, "Pa", kind="pressure").reference == "gauge":
                 gauge.append(channel)
-        barometer = fields["ambient_pressure_uncertainty"]
+            elif MARKED_ABSOLUTE.search(text):  # absolute also without a mark, but then perhaps by mistake
+                absolute.append(channel)
+        is_assumed = bool(gauge) and "ambient_pressure" not in fields
+        barometer = fields.get("ambient_pressure_uncertainty", AMBIENT_UNCERTAINTY if is_assumed else 0.0)
         if len(gauge) == 1:  # with two gauge pressures, the error of the barometer is common to both
             instrument = instruments[gauge[0]]
             instruments[gauge[0]] = replace(instrument, offset=math.hypot(instrument.offset, barometer))
@@ -138,8 +145,9 @@ def read_flow_file(path: str | Path) -> tuple[FlowPoints, dict[str, Any]]:
             **{f"u_{channel}": instrument for channel, instrument in instruments.items()},
             u_ambient_pressure=barometer if len(gauge) == 2 else 0.0,
             lines=table.lines,
+            is_absolute=len(gauge) + len(absolute) == 2,
         )
-        if gauge and "ambient_pressure" not in fields:
-            notes.append(Note("flow.ambient_assumed", "ambient_pressure"))
+        if is_assumed:
+            notes.append(Note("flow.ambient_assumed", "ambient_pressure", uncertainty_kpa=barometer / 1e3))
         options = {name: fields[name] for name in (*LAW_FIELDS, "part") if name in fields}
         return points, options | {"title": fields.get("title", Path(file.name).stem), "notes": tuple(notes)}

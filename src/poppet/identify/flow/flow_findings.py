@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -11,11 +11,12 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.errors import InputError
-from poppet.identify.flow.flow_fit import DOUBT, FlowFit, FlowModel, fit_flow
-from poppet.identify.flow.points import FlowPoints
+from poppet.identify.flow.flow_fit import BETTER, DOUBT, FlowFit, FlowModel, fit_flow
+from poppet.identify.flow.points import CHANNELS, FlowPoints
 from poppet.identify.flow.standard_formulas import critical_ratio_uncertainty
-from poppet.identify.gum import studentised
+from poppet.identify.gum import leave_one_out, studentised
 from poppet.identify.result import Estimate
+from poppet.timeseries.checks import FloatArray
 
 USUAL_CONDUCTANCE = (1e-12, 1e-5)
 """Plausible sonic conductances, from a pinhole of 5 um to a valve of DN 200 [m^3/(s Pa)]."""
@@ -28,6 +29,10 @@ UNUSUAL_RATIO = 0.1
 """Critical ratio of a long narrow tube, or of gauge pressures that were read as absolute."""
 ALIKE = 1.1
 """Ratio of residuals up to which two interpretations of the pressures (gauge, absolute) fit equally well."""
+USUAL_TEMPERATURES = (278.15, 318.15)
+"""Usual mean temperatures of a flow bench, 5 to 45 degC; 20 degC read as 20 degF is outside [K]."""
+REFERENCES = {"sonic_conductance": ("mass_flow_rate", "pressure_1"), "critical_ratio": ("pressure_1", "pressure_2")}
+"""Instruments whose common errors shift a parameter; other parameters depend on those of b."""
 OUTLYING = 0.01
 """Probability of an outlier in a valid table below which the point is reported."""
 EXACT = 0.01
@@ -40,8 +45,12 @@ def findings(
     tests: Mapping[str, Any],
     influence: Mapping[str, list[float]],
     choked: bool,
+    alternative: tuple[str, FlowFit] | None = None,
 ) -> Iterator[Note]:
-    """Yield the findings that limit the use of the result, the most important first."""
+    """Yield the findings that limit the use of the result, the most important first.
+
+    `alternative` is a better law. Outliers are then residuals of this law.
+    """
     points = fit.model.points
     yield from _choking_notes(fit, estimates, choked)
     for name, estimate in estimates.items():
@@ -56,8 +65,9 @@ def findings(
         yield Note("flow.residuals_too_large", factor=fit.inflation, probability=probability)
     elif probability > 1.0 - 0.1 * DOUBT:
         yield Note("flow.residuals_too_small", probability=probability)
-    if not fit.model.effects:
-        yield Note("flow.scatter_only")
+    channels, names = uncalibrated(points, estimates)
+    if names:
+        yield Note("flow.scatter_only", channels=channels, names=names)
     u_drop = np.zeros(len(points))
     for name in ("pressure_1", "pressure_2"):
         stated, reading = points.instrument(name), getattr(points, name)
@@ -72,10 +82,40 @@ def findings(
     for size, effect in fit.model.common_errors(fit.x):
         if abs(size) > 2.0:
             yield Note("flow.error_needed", size=size, source=effect.source)
-    yield from _point_notes(fit, influence)
+    yield from _point_notes(*_fit_of_points(fit, influence, alternative))
     lowest = float(np.min(points.pressure_2))
-    if lowest < BELOW_ATMOSPHERE:
+    if lowest < BELOW_ATMOSPHERE and not points.is_absolute and not _excludes_gauge(fit):
         yield Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3)
+    temperature = points.temperature_1
+    if not USUAL_TEMPERATURES[0] <= float(np.mean(temperature)) <= USUAL_TEMPERATURES[1]:
+        facts = {"low": float(np.min(temperature)), "high": float(np.max(temperature))}
+        yield Note("flow.unusual_temperature", "temperature_1", **facts, celsius=float(np.mean(temperature)) - 273.15)
+
+
+def uncalibrated(points: FlowPoints, names: Iterable[str]) -> tuple[list[str], list[str]]:
+    """Return the channels without stated common errors, and the parameters that these errors shift."""
+    missing = {channel for channel in CHANNELS if not points.instrument(channel).is_calibrated}
+    if points.u_ambient_pressure:
+        missing -= {"pressure_1", "pressure_2"}
+    by_name = {name: missing & set(REFERENCES.get(name, REFERENCES["critical_ratio"])) for name in names}
+    affected = [name for name, channels in by_name.items() if channels]
+    return [channel for channel in CHANNELS if any(channel in by_name[name] for name in affected)], affected
+
+
+def weakened(estimates: Mapping[str, Estimate], remarks: Iterable[Note]) -> dict[str, Estimate]:
+    """Return estimates whose verdicts agree with the findings, which can limit them to `weak`."""
+    limited: set[str] = set()
+    for note in remarks:
+        limited |= set(note.facts["names"] if note.code == "flow.scatter_only" else ())
+        limited |= set(estimates if note.code in LIMITING else ())
+    return {
+        name: replace(e, verdict="weak") if name in limited and e.verdict == "determined" else e
+        for name, e in estimates.items()
+    }
+
+
+LIMITING = ("flow.residuals_too_large", "flow.below_atmosphere", "flow.unusual_temperature")
+"""Findings with which no parameter is determined: the errors are not those that the intervals assume."""
 
 
 def suspicions(
@@ -160,6 +200,8 @@ def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
     points = fit.model.points
     if min(float(np.min(points.pressure_1)), float(np.min(points.pressure_2))) + shift < 0.0:
         return None
+    if points.is_absolute:
+        return None
     try:
         shifted_points: FlowPoints = replace(
             points, pressure_1=points.pressure_1 + shift, pressure_2=points.pressure_2 + shift
@@ -167,6 +209,47 @@ def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
     except InputError:
         return None
     return fit_flow(FlowModel(shifted_points, fit.model.fixed))
+
+
+def _excludes_gauge(fit: FlowFit) -> bool:
+    """Return True if the points cannot be gauge pressures that were read as absolute."""
+    shifted_fit = _fit_shifted(fit, ATMOSPHERE)
+    if shifted_fit is None:
+        return True
+    worse = _chi_square(shifted_fit, fit.sigma) / max(fit.chi_square, 1e-300)
+    gain = fit.chi_square * (worse - 1.0) if fit.scatter_is_known else len(fit.model.points) * math.log(worse)
+    return gain > 2.0 * BETTER
+
+
+def _chi_square(fit: FlowFit, sigma: FloatArray) -> float:
+    """Return chi-square of a fit for the standard deviations of another fit."""
+    residuals = fit.model.residuals(fit.x, sigma)
+    return float(residuals @ residuals)
+
+
+def _fit_of_points(
+    fit: FlowFit, influence: Mapping[str, list[float]], alternative: tuple[str, FlowFit] | None
+) -> tuple[FlowFit, Mapping[str, list[float]]]:
+    """Return the fit with which single points are tested, and the influence of each point.
+
+    It is the fit of the better law, unless an error of one single point explains the residuals better than this law.
+    """
+    if alternative is None:
+        return fit, influence
+    better, left = alternative[1], 1.0 - np.einsum("ij,ji->i", fit.jacobian, fit.gain[0])
+    squares = fit.residuals**2 / np.where(left > 1e-9, left, np.inf)
+    # Both explanations have one more free parameter than the law.
+    if fit.chi_square - float(np.max(squares[: len(fit.model.points)])) < _chi_square(better, fit.sigma):
+        return fit, influence
+    return better, influence_of(better)
+
+
+def influence_of(fit: FlowFit) -> dict[str, list[float]]:
+    """Return the shift of each parameter if one point is omitted, for each point, in standard errors."""
+    shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:, : len(fit.model.points)]
+    shifts /= np.maximum(np.linalg.norm(fit.gain[0], axis=1), 1e-300)[:, None]
+    # Common errors follow the free parameters and are omitted here.
+    return {name: row.tolist() for name, row in zip(fit.model.free, shifts, strict=False)}
 
 
 def _point_notes(fit: FlowFit, influence: Mapping[str, list[float]]) -> Iterator[Note]:

@@ -247,6 +247,16 @@ class FlowFit:
         """
         return gain(self.jacobian)
 
+    def _robust_error(self, row: FloatArray) -> float:
+        """Return the standard error by scatter if its size differs between the points (HC3).
+
+        `row` contains the derivatives of an estimate by the residuals. An estimated scatter has the same size at all
+        points, but that of many flow meters is proportional to the flow.
+        """
+        n = len(self.model.points)
+        left = 1.0 - np.einsum("ij,ji->i", self.jacobian, self.gain[0])[:n]
+        return float(np.linalg.norm(row[:n] * self.residuals[:n] / np.maximum(left, 0.1)))
+
     @cached_property
     def budgets(self) -> dict[str, dict[str, Any]]:
         """Uncertainty budget of each free parameter by name: scatter is type A, common errors are type B."""
@@ -257,6 +267,9 @@ class FlowFit:
             effects = zip(self.model.effects, row[n:].tolist(), strict=True)
             common = {effect.source: scale * abs(u) for effect, u in effects}
             type_a, type_b = math.hypot(*scatter.values()), math.hypot(*common.values())
+            if not self.scatter_is_known and 0.0 < type_a < (robust := scale * self._robust_error(row)):
+                scatter = {source: u * robust / type_a for source, u in scatter.items()}
+                type_a = robust
             freedom = effective_degrees_of_freedom([(type_a, self.scatter_freedom), (type_b, math.inf)])
             budgets[name] = {
                 "type_a": type_a,

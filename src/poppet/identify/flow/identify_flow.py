@@ -13,7 +13,7 @@ from poppet.core.codes import notes_of
 from poppet.core.errors import ErrorCollector, InputError
 from poppet.identify.data_file import or_file
 from poppet.identify.flow.flow_file import read_flow_file
-from poppet.identify.flow.flow_findings import findings, suspicions
+from poppet.identify.flow.flow_findings import findings, influence_of, suspicions, weakened
 from poppet.identify.flow.flow_fit import (
     UNITS,
     FlowFit,
@@ -27,7 +27,7 @@ from poppet.identify.flow.flow_fit import (
 )
 from poppet.identify.flow.points import CHANNELS, FlowPoints, conductance_of, reject_rising_flow
 from poppet.identify.flow.standard_formulas import Free, evaluate_by_standard, standard_uncertainties
-from poppet.identify.gum import chi_square_probability, correlations, few_runs_probability, leave_one_out
+from poppet.identify.gum import chi_square_probability, correlations, few_runs_probability
 from poppet.identify.result import ResidualSummary, Result, Verdict, replace_uncertain_findings
 from poppet.laws.iso6358.domain import DOMAINS, problem
 
@@ -94,10 +94,13 @@ def identify_flow(
     Examples
     --------
     >>> import numpy as np
+    >>> from poppet.identify.flow.points import Instrument
     >>> from poppet.laws.iso6358 import mass_flow_rate
     >>> p_2 = np.linspace(0.5e5, 6.5e5, 13)
     >>> q = mass_flow_rate(7e5, p_2, 293.15, sonic_conductance=2e-8, critical_ratio=0.3)
-    >>> result = identify_flow(FlowPoints(q, 7e5, p_2, 293.15))
+    >>> scale, sensor = Instrument(relative=0.003, calibration=0.005), Instrument(offset=500.0)
+    >>> points = FlowPoints(q, 7e5, p_2, 293.15, scale, sensor, sensor, is_absolute=True)
+    >>> result = identify_flow(points)
     >>> found = result.parameters
     >>> round(found["sonic_conductance"].value * 1e8, 4), round(found["critical_ratio"].value, 4)
     (2.0, 0.3)
@@ -122,7 +125,7 @@ def identify_flow(
     choked = fit_all_choked(fit)
     estimates = choked_estimates(fit, choked) if choked else law_estimates(fit)
     accepted = choked or fit
-    tests, influence = _tests(accepted), _influence(accepted)
+    tests, influence = _tests(accepted), influence_of(accepted)
     alternative = None if choked else find_other_law(fit)
     if alternative:
         name, better = alternative
@@ -132,11 +135,12 @@ def identify_flow(
         tests["alternatives"] = {name: {"aicc_difference": better.aicc - fit.aicc, "free": row}}
     doubts = tuple(suspicions(fit, estimates, tests, alternative))
     remarks = replace_uncertain_findings(
-        [*doubts, *findings(accepted, estimates, tests, influence, choked is not None)], estimates
+        [*doubts, *findings(accepted, estimates, tests, influence, choked is not None, alternative)], estimates
     )
     if doubts:  # independent of the width of the intervals
         weaker: dict[Verdict, Verdict] = {"determined": "weak"}
         estimates = {name: replace(e, verdict=weaker.get(e.verdict, e.verdict)) for name, e in estimates.items()}
+    estimates = weakened(estimates, remarks)
     evaluation = evaluate_by_standard(points, subsonic_index, cracking_pressure)
     errors_by_standard = standard_uncertainties(points, evaluation, subsonic_index, cracking_pressure)
     is_bound = fit.values["critical_ratio"] < float(np.min(points.pressure_ratio))
@@ -179,14 +183,6 @@ def _tests(fit: FlowFit) -> dict[str, Any]:
         "runs_probability": few_runs_probability(fit.residuals[:n][order]),
         "aicc": fit.aicc,
     }
-
-
-def _influence(fit: FlowFit) -> dict[str, list[float]]:
-    """Return the shift of each parameter if one point is omitted, for each point, in standard errors."""
-    shifts = leave_one_out(fit.jacobian, fit.residuals, fit.gain[0])[:, : len(fit.model.points)]
-    shifts /= np.maximum(np.linalg.norm(fit.gain[0], axis=1), 1e-300)[:, None]
-    # Common errors follow the free parameters and are omitted here.
-    return {name: row.tolist() for name, row in zip(fit.model.free, shifts, strict=False)}
 
 
 def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -20,8 +21,11 @@ CHANNELS = {"mass_flow_rate": "kg/s", "pressure_1": "Pa", "pressure_2": "Pa", "t
 """Quantities of each point, with their SI units."""
 
 UNCERTAINTIES = NumberRange(unit="", low=0.0, below=np.inf)
-TEMPERATURES = (200.0, 450.0)
-"""Plausible temperatures of air; they exclude 20 degC that was read as 20 K [K]."""
+TEMPERATURES = (233.15, 333.15)
+"""Temperatures of a flow bench, -40 to 60 degC; they exclude 20 degC read as 20 K and 68 degF read as 68 degC [K]."""
+
+PRESSURES = (1e4, 5e7)
+"""Range of the largest upstream pressure of a flow bench; it excludes bar or kPa read as Pa, and the reverse [Pa]."""
 
 
 @dataclass(frozen=True)
@@ -65,6 +69,20 @@ class Instrument:
         """True if `absolute` or `relative`, the uncertainties that are independent at each point, are stated."""
         return self.absolute > 0.0 or self.relative > 0.0
 
+    @property
+    def is_calibrated(self) -> bool:
+        """True if `offset` or `calibration`, the uncertainties that all points share, are stated."""
+        return self.offset > 0.0 or self.calibration > 0.0
+
+    def of_one_reading(self) -> Instrument:
+        """Return the instrument for a single reading that all points share.
+
+        All its errors are common to the points.
+        """
+        return Instrument(
+            offset=math.hypot(self.absolute, self.offset), calibration=math.hypot(self.relative, self.calibration)
+        )
+
 
 @dataclass(frozen=True)
 class Effect:
@@ -91,7 +109,8 @@ class FlowPoints:
     pressure_1 : (n,) array
         Absolute upstream stagnation pressure [Pa].
     pressure_2 : (n,) array
-        Absolute downstream pressure, at most `pressure_1` at points with flow [Pa].
+        Absolute downstream pressure, at most `pressure_1` at points with flow [Pa]. The error of a single value for all
+        points is common to all points, also if it is stated as `absolute` or `relative`.
     temperature_1 : (n,) array or float
         Upstream stagnation temperature: one value, or one for each point [K].
     u_mass_flow_rate : Instrument, optional
@@ -106,6 +125,8 @@ class FlowPoints:
         Standard uncertainty of the ambient pressure if both pressures are gauge: its error is common to both [Pa].
     lines : sequence of int, optional
         Line number of each point in the file of the points, starting at 1. Findings refer to it.
+    is_absolute : bool, optional
+        True if the readings are certainly absolute: the fit then does not test if they are gauge pressures.
 
     Raises
     ------
@@ -130,6 +151,7 @@ class FlowPoints:
     u_temperature_1: Instrument = field(default_factory=Instrument)
     u_ambient_pressure: float = 0.0
     lines: Sequence[int] = ()
+    is_absolute: bool = False
 
     def __post_init__(self) -> None:
         arrays = {name: np.atleast_1d(numbers(name, getattr(self, name))) for name in CHANNELS}
@@ -143,16 +165,20 @@ class FlowPoints:
                     errors.add("flow.shape", name, shape=str(array.shape), points=size)
         for name, array in arrays.items():
             object.__setattr__(self, name, np.broadcast_to(array, size).copy())
+            if array.size < size:
+                object.__setattr__(self, f"u_{name}", self.instrument(name).of_one_reading())
         low, high = TEMPERATURES
         flow, p_1, p_2, temperature = (getattr(self, name) for name in CHANNELS)
         is_implausible = np.isfinite(temperature) & ((temperature < low) | (temperature > high))
         with ErrorCollector() as errors:
             for name, unit in CHANNELS.items():
-                values, largest = getattr(self, name), sizes_of(unit)[1]
+                values, largest = getattr(self, name), PRESSURES[1] if unit == "Pa" else sizes_of(unit)[1]
                 is_large = np.isfinite(values) & (np.abs(values) > largest)
                 self._add_error(errors, "flow.not_finite", name, ~np.isfinite(values))
                 self._add_error(errors, "flow.too_large", name, is_large, largest=largest)
             self._add_error(errors, "flow.upstream", "pressure_1", p_1 <= 0.0)
+            is_small = (p_1 > 0.0) & (np.max(p_1) < PRESSURES[0])
+            self._add_error(errors, "flow.too_small", "pressure_1", is_small, least=PRESSURES[0])
             self._add_error(errors, "flow.downstream", "pressure_2", p_2 < 0.0)
             self._add_error(errors, "flow.temperature", "temperature_1", is_implausible, low=low, high=high)
             if np.isfinite(flow).all() and not (flow > 0.0).any():

@@ -19,6 +19,7 @@ from poppet.core.units import quantity
 from poppet.identify.fit.fit_plan import ROLES, FitPlan, offset_parameter, plan_fit, recording_parameters
 from poppet.identify.fit.search import SearchSettings
 from poppet.identify.free_parameter import FreeParameter, NormalPrior, read_free
+from poppet.identify.tank.resting import rest_before_opening
 from poppet.identify.tank.test import DIRECTIONS, TankTest
 from poppet.laws.iso6358.law import REFERENCE_DENSITY, REFERENCE_TEMPERATURE
 from poppet.laws.physics.gas import AIR_GAS_CONSTANT, AIR_ISENTROPIC_EXPONENT
@@ -257,6 +258,10 @@ def _check_run(test: TankTest, run: TankRun, ambient_pressure: float) -> None:
     share = max(6.0 * noise_of(values) / span, 0.002)
     if test.valve_delay != 0.0 or run.opens != 0.0 or share > STIRRED:
         return
+    if test.pressure_lag == 0.0 and channel.lag == 0.0:
+        rest = rest_before_opening(channel.time - channel.time[0], values, max(noise, quantum_of(values) / 12**0.5))
+        if rest > 0.0:
+            raise InputError("tank.rests", location, rest=rest)
     samples = [_index_of_change(channel, fraction) for fraction in (share, 4.0 * share, ONSET, COURSE)]
     stirred, later, onset, course = (float(fraction) for fraction in channel.time[samples] - channel.time[0])
     # The response of a slow sensor starts as a parabola: four times the fraction after twice the time.

@@ -28,6 +28,7 @@ from poppet.timeseries.measurements.measurement import (
 from poppet.timeseries.measurements.verdicts import heading_verdicts, verdicts
 from poppet.timeseries.recording import Recording
 from poppet.timeseries.tables.reading import Table, read_table
+from poppet.timeseries.tables.time_stamps import is_serial
 
 _OPTIONS = {
     "separator": Field(type="string"),
@@ -301,7 +302,13 @@ class _MeasurementReader:
         index = self._named(table, spec["column"], f"{location}.column") if "column" in spec else None
         if index is None:
             return None
-        unit = str(spec.get("unit") or table.units[index] or "s")
+        unit = str(spec.get("unit") or table.units[index])
+        if not unit and is_serial(table.columns[index]):
+            day = float(table.columns[index][0])
+            self.notes[Note("table.serial_days", f"{location}.column", column=table.names[index], first=day)] = None
+            # The difference comes first: a float with the days since 1900 has a resolution of 1 us.
+            return np.round((table.columns[index] - day) * 86400.0, 6)
+        unit = unit or "s"
         stamps = self._attempt(f"{location}.unit", lambda: convert(table.columns[index], unit, "s"))
         if stamps is not None:
             # The caller adds the name of the recording.

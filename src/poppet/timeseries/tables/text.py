@@ -18,6 +18,7 @@ from poppet.core.codes import Note
 from poppet.core.errors import InputError
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.tables.table import Table, heading_of, unit_of
+from poppet.timeseries.tables.time_stamps import CONVERTED, convert_stamps
 
 _NUMBER = {
     ".": re.compile(r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][+-]?\d+)?|[+-]?inf(?:inity)?", re.IGNORECASE),
@@ -85,6 +86,7 @@ def read(
     rest_lines = [line for line in lines if not line[1].lstrip().startswith("#")]
     if not rest_lines:
         raise InputError("table.empty")
+    rest_lines, first_stamp = convert_stamps(rest_lines)
     if decimal not in (None, ".", ","):
         raise InputError("table.decimal", "decimal", value=decimal)
     separators: Sequence[str] = _SEPARATORS
@@ -115,6 +117,12 @@ def read(
         names, units, columns = names[:-1], units[:-1], columns[:-1]  # each line ends with a separator
     names = [name or f"column {k}" for k, name in enumerate(names)]
     numbered = [number for number, _ in body]
+    if first_stamp:
+        cells = layout.cells(body[0][1])
+        stamped = next((k for k, cell in enumerate(cells) if CONVERTED.fullmatch(cell)), None)
+        if stamped is not None and stamped < len(names):
+            units = [*units[:stamped], "s", *units[stamped + 1 :]]
+            notes.append(Note("table.time_stamps", column=names[stamped], first=first_stamp))
     return Table(tuple(names), tuple(columns), tuple(units), (*notes, *cell_notes), lines=numbered)
 
 

@@ -1,0 +1,81 @@
+"""Test for a rest of the tank pressure before the valve opens."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from poppet.timeseries.checks import FloatArray
+
+Basis = Callable[[FloatArray, float], tuple[FloatArray, FloatArray]]
+"""Two functions of time for a trial value."""
+WINDOW = 0.25
+"""Fraction of the total change that limits the window of the test."""
+SAMPLES = 300
+"""Largest number of samples in the window; more are thinned out."""
+TIMES = 60
+"""Number of trial values of the rest and of the lag."""
+EVIDENCE, AGAINST_LAG = 25.0, 10.0
+"""Least decrease of chi-square by a rest, compared with none, and with a first-order lag of the sensor."""
+NEAR, LEAST_NEAR = 3.0, 30
+"""Window of the final estimate, as a multiple of the first one, and its least number of samples."""
+LEAST_REST = 0.01
+"""Shortest rest that is reported, as a fraction of the window; it changes C by less than that."""
+
+
+def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> float:
+    """Return the time for which the pressure is constant before it changes [s].
+
+    The result is 0 if a constant start is not evident. `time` starts at 0, and `noise` is the standard deviation of
+    the samples. A polynomial of degree 2 describes the pressure after the rest. A lag of the sensor, which also starts
+    with a zero slope, must describe the samples worse.
+    """
+    begin = float(np.median(values[: min(3, 1 + time.size // 50)]))
+    change = np.abs(values - begin)
+    end = int(np.argmax(change >= WINDOW * np.max(change))) + 1
+    if end < 10:
+        return 0.0
+    samples = slice(0, end, 1 + end // SAMPLES)
+    t, y = time[samples] / time[end - 1], values[samples] / noise
+    trials = np.linspace(0.0, 0.9, TIMES)[1:]
+    least = _chi_square(t, t**2, y)
+    by_rest = _best(t, y, trials, _after_rest)
+    if least - by_rest[0] < EVIDENCE:
+        return 0.0
+    step = trials[1] - trials[0]
+    by_rest = _best(t, y, np.linspace(max(by_rest[1] - step, 0.0), by_rest[1] + step, TIMES), _after_rest)
+    by_lag = _best(t, y, np.geomspace(0.003, 1.0, TIMES), _with_lag)
+    rest, is_resting = by_rest[1], by_lag[0] - by_rest[0] > AGAINST_LAG
+    if not is_resting or rest < LEAST_REST or np.sum(t < rest) < 3:
+        return 0.0
+    # Close to the end of the rest, the polynomial is more accurate.
+    is_near = t <= NEAR * rest
+    if np.sum(is_near) > LEAST_NEAR:
+        trials = np.linspace(0.8 * rest, 1.2 * rest, TIMES)
+        rest = _best(t[is_near], y[is_near], trials, _after_rest)[1]
+    return float(rest * time[end - 1])
+
+
+def _after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:
+    """Return the first and second power of the time since the end of a rest."""
+    after = np.maximum(t - rest, 0.0)
+    return after, after**2
+
+
+def _with_lag(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
+    """Return the responses of a first-order lag to the time and to its square."""
+    settled = lag * (1.0 - np.exp(-t / lag))
+    return t - settled, t**2 - 2.0 * lag * (t - settled)
+
+
+def _best(t: FloatArray, y: FloatArray, trials: FloatArray, basis: Basis) -> tuple[float, float]:
+    """Return the least chi-square of the trial values, and its trial value."""
+    return min((_chi_square(*basis(t, trial), y), trial) for trial in trials.tolist())
+
+
+def _chi_square(first: FloatArray, second: FloatArray, y: FloatArray) -> float:
+    """Return the sum of squares that a constant and two functions do not explain."""
+    columns = np.linalg.qr(np.column_stack((np.ones_like(y), first, second)))[0]
+    left = y - columns @ (columns.T @ y)
+    return float(left @ left)

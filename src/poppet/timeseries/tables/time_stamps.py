@@ -1,0 +1,94 @@
+"""Calendar times in text files: ISO 8601 and `dd.mm.yyyy hh:mm:ss,fff`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from datetime import UTC, datetime, timedelta, timezone, tzinfo
+
+import numpy as np
+
+from poppet.timeseries.checks import FloatArray
+
+_STAMP = re.compile(
+    r"(?<![\w.:-])(?:(?P<year>\d{4})(?P<sign>[-/])(?P<month>\d\d?)(?P=sign)(?P<day>\d\d?)"
+    r"|(?P<day_first>\d\d?)\.(?P<month_second>\d\d?)\.(?P<year_last>\d{4}))"
+    r"(?:[ T]+)(?P<hour>\d\d?):(?P<minute>\d\d)(?::(?P<second>\d\d)"
+    # A comma is a decimal sign if the stamp ends its cell: the next character is not a comma or a point.
+    r"(?:\.(?P<point>\d{1,9})|,(?P<comma>\d{1,9})(?![\d,.]))?)?"
+    r"[ ]?(?P<zone>Z|[+-]\d\d:?\d\d)?(?![\w:])"
+)
+_MOST = 0.5
+"""Fraction of the last lines that must contain a time stamp."""
+_LAST = 60
+_FORM = "{}e-9"
+"""Form of a stamp in the converted lines; a number in files with a decimal point and with a decimal comma [s]."""
+CONVERTED = re.compile(r"-?\d+e-9")
+
+SERIAL_DAYS = 30000.0, 80000.0
+"""Serial numbers of Excel for the years 1982 to 2119 [d]."""
+LONGEST_DAYS = 31.0
+"""Longest recording in serial numbers [d]."""
+
+
+def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, str]], str]:
+    """Replace the time stamps of lines by seconds since the first one.
+
+    Returns
+    -------
+    lines : list of tuple
+        Line numbers and texts; the texts are unchanged if most of the last lines contain no time stamp.
+    first : str
+        First time stamp; empty if there is none.
+    """
+    last = [text for _, text in lines[-_LAST:]]
+    if sum(_STAMP.search(text) is not None for text in last) < _MOST * len(last) or not last:
+        return list(lines), ""
+    start, first, converted = None, "", []
+    for number, text in lines:
+        match = _STAMP.search(text)
+        nanoseconds = None if match is None else _nanoseconds(match)
+        if match is None or nanoseconds is None:
+            converted.append((number, text))
+            continue
+        if start is None:
+            start, first = nanoseconds, match.group()
+        converted.append((number, f"{text[: match.start()]}{_FORM.format(nanoseconds - start)}{text[match.end() :]}"))
+    return converted, first
+
+
+def _nanoseconds(match: re.Match[str]) -> int | None:
+    """Return the time of a stamp since 1970 [ns]; None if there is no such date."""
+    year, month, day = (
+        int(match[name] or match[other])
+        for name, other in (("year", "year_last"), ("month", "month_second"), ("day", "day_first"))
+    )
+    zone: tzinfo = UTC
+    if match["zone"] and match["zone"] != "Z":
+        digits = match["zone"].replace(":", "")
+        offset = timedelta(hours=int(digits[1:3]), minutes=int(digits[3:5]))
+        zone = timezone(-offset if digits[0] == "-" else offset)
+    try:
+        moment = datetime(
+            year, month, day, int(match["hour"]), int(match["minute"]), int(match["second"] or 0), tzinfo=zone
+        )
+    except ValueError:
+        return None
+    fraction = (match["point"] or match["comma"] or "").ljust(9, "0")
+    since = moment - datetime(1970, 1, 1, tzinfo=UTC)
+    return (since.days * 86400 + since.seconds) * 10**9 + int(fraction)
+
+
+def is_serial(column: FloatArray) -> bool:
+    """Return True if the times of a column without a unit are serial numbers of Excel, in days.
+
+    Examples
+    --------
+    >>> is_serial(45987.25 + np.arange(20) * 0.1 / 86400.0), is_serial(45987.0 + np.arange(200.0))
+    (True, False)
+    """
+    times = column[np.isfinite(column)]
+    if times.size < 3 or not SERIAL_DAYS[0] <= np.min(times) <= np.max(times) <= SERIAL_DAYS[1]:
+        return False
+    # Seconds of a logger that has run for hours are in the same range; 2e-5 d are 1.7 s.
+    return float(np.ptp(times)) < LONGEST_DAYS and 0.0 < float(np.median(np.abs(np.diff(times)))) < 2e-5
