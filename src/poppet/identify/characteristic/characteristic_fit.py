@@ -15,7 +15,7 @@ from poppet.identify.characteristic.stroke_tests import StrokeRecording, StrokeT
 from poppet.identify.fit.experiment import FAILED, Experiment
 from poppet.identify.fit.optima import NEARLY_ADIABATIC, NEARLY_ISOTHERMAL, kappa_of, thermal_units
 from poppet.identify.free_parameter import FreeParameter, by_name
-from poppet.identify.gum import SPREAD, chi_square_probability, corrected_penalty, coverage_factor
+from poppet.identify.gum import SPREAD, chi_square_probability, coverage_factor
 from poppet.timeseries.checks import FloatArray as Array
 
 Shapes = tuple[Shape, Shape]
@@ -140,8 +140,11 @@ class CurveFit:
         return self.shapes[0].size + self.shapes[1].size
 
     def aicc(self) -> float:
-        """Return the corrected Akaike information criterion (AICc) of both curves, for known noise."""
-        return self.chi_square + corrected_penalty(self.size, self.freedom + self.size)
+        """Return the corrected Akaike information criterion (AICc) of both curves, for known noise.
+
+        The correction for small samples comes from an estimated variance. With known variances it is zero.
+        """
+        return self.chi_square + 2.0 * self.size
 
 
 @dataclass

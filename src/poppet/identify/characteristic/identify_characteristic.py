@@ -270,8 +270,7 @@ def _fit_spline(
 ) -> tuple[CurveFit, MonotoneVerdict]:
     """Return the spline with the constraint that C does not fall, and the test of this constraint."""
     decoupled = [e.decoupled() for e in evidence]
-    counts = range(FEWEST_KNOTS, options.strokes.size)
-    candidates = [options.knots] if options.knots else [select_knots(options.strokes, n) for n in counts]
+    candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
     free = min((fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates), key=CurveFit.aicc)
     knots = free.shapes[0].knots  # type: ignore[union-attr]
     constrained = fit_evidence(decoupled, _spline_shapes(options, knots, True), common)
@@ -281,6 +280,14 @@ def _fit_spline(
         else None
     )
     return constrained, judge_monotone(constrained, free, polynomials, decoupled)
+
+
+def _knot_candidates(strokes: Array, evidence: Sequence[TestEvidence]) -> list[tuple[float, ...]]:
+    """Return the selections of knots that the AICc compares, up to all strokes at which tests determine b."""
+    determined = np.unique(determined_values(evidence, 1)[0])
+    candidates = [select_knots(strokes, n) for n in range(FEWEST_KNOTS, strokes.size)]
+    candidates += [select_knots(determined, n) for n in range(FEWEST_KNOTS, determined.size + 1)]
+    return list(dict.fromkeys(candidates))
 
 
 def _spline_shapes(options: _CurveOptions, knots: tuple[float, ...], constrained: bool) -> Shapes:

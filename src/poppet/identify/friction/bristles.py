@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from poppet.identify.friction.motion import BENT, WAYS, RecordedMotion, Reversal
-from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.records import COULOMB, SEAL, SEAL_EXCESS, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import WEAK
 from poppet.laws.physics.friction import sliding_level
@@ -232,9 +232,11 @@ class ReversalData:
 
 def _dry_friction(turn: Reversal, selected: Any, values: Mapping[str, float]) -> FloatArray:
     """Return the dry friction [N] at the speeds of the samples selected after one reversal."""
-    dry = values[COULOMB], values.get(STATIC, values[COULOMB]), values.get(STRIBECK, 1.0)
-    seal_friction = values.get(SEAL, 0.0) * turn.pressure[selected]
-    return np.asarray(np.maximum(sliding_level(turn.velocity[selected], *dry) + seal_friction, 1e-9))
+    pressure, static = turn.pressure[selected], values.get(STATIC, values[COULOMB])
+    coulomb = values[COULOMB] + values.get(SEAL, 0.0) * pressure
+    static = static + (values.get(SEAL, 0.0) + values.get(SEAL_EXCESS, 0.0)) * pressure
+    level = sliding_level(turn.velocity[selected], coulomb, static, values.get(STRIBECK, 1.0))
+    return np.asarray(np.maximum(level, 1e-9))
 
 
 def _find_minimum(grid: FloatArray, sums: FloatArray) -> tuple[float, float, float]:

@@ -10,9 +10,9 @@ import numpy as np
 
 from poppet.core.codes import Note
 from poppet.core.message_format import facts_of
-from poppet.identify.friction.friction_fit import LAWS, FrictionFits, levels_of
+from poppet.identify.friction.friction_fit import GROWING_LAWS, LAWS, FrictionFits, levels_of
 from poppet.identify.friction.motion import FEWEST, HALF_POWER, SHORTEST, stack_rows
-from poppet.identify.friction.records import SEAL, STATIC, STRIBECK, VISCOUS
+from poppet.identify.friction.records import SEAL, SEAL_EXCESS, STATIC, STRIBECK, VISCOUS
 from poppet.identify.gum import clustered, coverage_factor
 from poppet.identify.result import judged
 
@@ -59,7 +59,8 @@ def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
         yield Note("friction.narrow", low=low, high=high, ratio=high / low)
     richer = {VISCOUS: "coulomb_viscous", STATIC: "stribeck", STRIBECK: "stribeck"}
     if VISCOUS in fit.values or STATIC in fit.values:
-        richer = dict.fromkeys(richer, "stribeck_viscous")
+        law = "stribeck_seal_viscous" if analysis.selected in GROWING_LAWS else "stribeck_viscous"
+        richer = dict.fromkeys(richer, law)
     for name, law in richer.items():
         if name not in fit.values and law in fits:
             value, (_, bottom, top) = fits[law].values[name], fits[law].interval(name)
@@ -96,6 +97,15 @@ def _seal_and_bristle_notes(analysis: FrictionFits) -> Iterator[Note]:
         yield Note("friction.between", off=worst["level"] - worst["line"], name=worst["name"], count=len(levels))
         if len(levels) == 2:
             yield Note("friction.two_pressures")
+    if SEAL_EXCESS in analysis.fit.values:
+        value, (_, low, high) = analysis.fit.values[SEAL_EXCESS], analysis.fit.interval(SEAL_EXCESS)
+        pressure = float(np.max(analysis.data.rows.pressure))
+        bounds = {"value": value * pressure, "low": low * pressure, "high": high * pressure, "pressure": pressure}
+        yield Note("friction.seal_excess", **bounds, law=analysis.selected)
+    elif analysis.grows:
+        yield Note("friction.pressure_speed", law=analysis.selected, other=analysis.supported)
+    if analysis.misses_pressure_speed:
+        yield Note("friction.pressure_viscous", law=analysis.selected)
     bidirectional = [row for row in levels if "moves" in row and analysis.records[0].pressure_force is not None]
     crude, level = ([row[name] for row in bidirectional] for name in ("half_of_force", "level"))
     if bidirectional and np.max(np.abs(np.subtract(crude, level))) > UNEVEN * max(level):

@@ -31,7 +31,17 @@ from poppet.identify.friction.motion import (
     rows_of_table,
     stack_rows,
 )
-from poppet.identify.friction.records import COULOMB, SEAL, STATIC, STRIBECK, VISCOUS, Coordinate, FrictionRecord
+from poppet.identify.friction.pressure_terms import term_statistic
+from poppet.identify.friction.records import (
+    COULOMB,
+    SEAL,
+    SEAL_EXCESS,
+    STATIC,
+    STRIBECK,
+    VISCOUS,
+    Coordinate,
+    FrictionRecord,
+)
 from poppet.identify.gum import ClusterCovariance, clustered, coverage_factor
 from poppet.timeseries.checks import FloatArray
 
@@ -62,12 +72,14 @@ class FrictionLaw:
     is_falling: bool = False  # True if friction falls from the static to the Coulomb force as speed rises
     is_viscous: bool = False
     has_pressure: bool = False  # True if the friction of the seals rises with the pressure
+    grows: bool = False  # True if the difference between static and Coulomb force depends on the pressure
 
     @property
     def names(self) -> list[str]:
         """Names of the parameters in the order of the columns, the Stribeck velocity last."""
-        flags = (True, self.is_falling, self.is_viscous, self.has_pressure, self.is_falling)
-        return [n for n, is_in in zip((COULOMB, STATIC, VISCOUS, SEAL, STRIBECK), flags, strict=True) if is_in]
+        flags = (True, self.is_falling, self.is_viscous, self.has_pressure, self.grows, self.is_falling)
+        names = COULOMB, STATIC, VISCOUS, SEAL, SEAL_EXCESS, STRIBECK
+        return [name for name, is_in in zip(names, flags, strict=True) if is_in]
 
 
 LAWS = {
@@ -80,6 +92,14 @@ LAWS = {
     )
 }
 """Friction laws, the simplest first."""
+GROWING_LAWS = {
+    law.name: law
+    for law in (
+        FrictionLaw("stribeck_seal", is_falling=True, has_pressure=True, grows=True),
+        FrictionLaw("stribeck_seal_viscous", is_falling=True, is_viscous=True, has_pressure=True, grows=True),
+    )
+}
+"""Friction laws whose Stribeck excess depends on the pressure, fitted if the residuals show it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -133,6 +153,8 @@ def _design(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Seque
         columns.append(rows.velocity)
     if law.has_pressure:
         columns.append(sign * rows.pressure)
+    if law.grows:
+        columns.append(columns[1] * rows.pressure)
     return np.stack([*columns, *(np.where(rows.record == k, 1.0, 0.0) for k in offsets)], axis=1)
 
 
@@ -175,8 +197,9 @@ class LawSolution:
 
 
 def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> LawSolution | None:
-    """Fit the linear parameters for a given Stribeck velocity; no parameter is negative.
+    """Fit the linear parameters for a given Stribeck velocity.
 
+    No parameter is negative, except the dependence of the Stribeck excess on the pressure.
     The result is None if the rows do not determine the parameters.
     """
     matrix = _design(rows, law, velocity, offsets)
@@ -191,7 +214,7 @@ def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets:
     for _ in range(count):
         linear = np.zeros(is_positive.size)
         linear[is_positive] = np.linalg.solve(gram[np.ix_(is_positive, is_positive)], right_side[is_positive])
-        worst = int(np.argmin(linear[:count]))
+        worst = int(np.argmin(linear[: count - law.grows]))
         if linear[worst] >= 0.0:
             break
         is_positive[worst] = False
@@ -274,15 +297,48 @@ class FrictionLawFit:
             freedom = max(len(masks) - len(values), 1)
             covariance = float(errors @ errors) / freedom * np.linalg.inv(table.T @ table)
             return ClusterCovariance(covariance, np.full(len(values), float(freedom)))
+        root = np.sqrt(rows.weight)
+        return clustered(self.jacobian * root[:, None], self.errors * root, self.data.group, len(values))
+
+    @cached_property
+    def jacobian(self) -> FloatArray:
+        """Derivatives of the modelled force of each row by the parameters of the law and by the force offsets."""
+        rows, values = self.data.rows, self.values
         columns = self.solution.design(rows, [*self.solution.offsets])
-        if law.is_falling:
+        if self.solution.law.is_falling:
             # Parameters are the static force, not its excess, and the Stribeck velocity after the linear parameters.
             ratio, falling = rows.velocity / values[STRIBECK], columns[:, 1].copy()
-            slope = (values[STATIC] - values[COULOMB]) * falling * 2.0 * ratio**2 / values[STRIBECK]
+            excess = values[STATIC] - values[COULOMB] + values.get(SEAL_EXCESS, 0.0) * rows.pressure
+            slope = excess * falling * 2.0 * ratio**2 / values[STRIBECK]
             columns[:, 0] -= falling
             columns = np.insert(columns, len(values) - 1, slope, axis=1)
-        root = np.sqrt(rows.weight)
-        return clustered(columns * root[:, None], self.errors * root, self.data.group, len(values))
+        return columns
+
+    @property
+    def growth(self) -> float:
+        """Statistic of a dependence of the Stribeck excess on the pressure; beyond 1 it is significant at 99 %.
+
+        A viscous coefficient that depends on the pressure is a nuisance parameter of this test.
+        """
+        if not self.solution.law.is_falling or not self.solution.law.has_pressure:
+            return 0.0
+        return self._pressure_statistic(self._falling, self.data.rows.velocity)
+
+    @property
+    def pressure_speed(self) -> float:
+        """Statistic of a viscous coefficient that depends on the pressure; beyond 1 it is significant at 99 %."""
+        nuisances = [self._falling] if self.solution.law.is_falling else []
+        return self._pressure_statistic(self.data.rows.velocity, *nuisances)
+
+    @property
+    def _falling(self) -> FloatArray:
+        rows = self.data.rows
+        return np.asarray(rows.sign * np.exp(-((rows.velocity / self.values[STRIBECK]) ** 2)))
+
+    def _pressure_statistic(self, column: FloatArray, *nuisances: FloatArray) -> float:
+        rows = self.data.rows
+        columns = np.column_stack([self.jacobian, *(nuisance * rows.pressure for nuisance in nuisances)])
+        return term_statistic(rows, columns, column, self.data.group)
 
     @cached_property
     def together(self) -> float:
@@ -319,7 +375,7 @@ class FrictionLawFit:
                 low, high = (0.0, high) if name == STRIBECK else (low, math.inf)
             if name in (STRIBECK, COULOMB) and self._is_open(-1):
                 low, high = (low, math.inf) if name == STRIBECK else (0.0, high)
-        return error, max(low, 0.0), high
+        return error, low if name == SEAL_EXCESS else max(low, 0.0), high
 
     def _is_open(self, end: int) -> bool:
         """Return True if the Stribeck velocity has no limit at one end of the search range.
@@ -405,6 +461,7 @@ class FrictionFits:
     fits: Mapping[str, FrictionLawFit]
     requested: str  # requested law, `best` or `lugre`
     is_offset_known: bool  # True if the offset of the force is given or free
+    grows: bool = False  # True if the Stribeck excess depends on the pressure beyond chance
 
     @property
     def coordinate(self) -> Coordinate:
@@ -424,8 +481,9 @@ class FrictionFits:
     @cached_property
     def equivalent(self) -> list[str]:
         """Names of the laws that the best law does not improve significantly, the simplest first."""
-        best = self.ranked[0]
-        return [name for name, fit in self.fits.items() if name == best or not is_better(self.fits[best], fit)]
+        candidates = [name for name in self.ranked if (name in GROWING_LAWS) == self.grows]
+        best = self.fits[candidates[0]]
+        return [n for n, fit in self.fits.items() if n in candidates and (fit is best or not is_better(best, fit))]
 
     @property
     def supported(self) -> str:
@@ -462,6 +520,11 @@ class FrictionFits:
     def bristles(self) -> Bristles | None:
         """Estimates of bristle stiffness and damping; None if there are too few reversals."""
         return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
+
+    @cached_property
+    def misses_pressure_speed(self) -> bool:
+        """True if the residuals depend on the product of pressure and speed beyond chance."""
+        return SEAL in self.fit.values and abs(self.fit.pressure_speed) > 1.0
 
     @property
     def reversals(self) -> int:
@@ -526,10 +589,25 @@ def fit_records(
     fits = {name: fit for name, candidate in candidates.items() if (fit := fit_friction_law(data, candidate))}
     if not fits:
         raise InputError("friction.no_law", records[0].coordinate.effort, count=len(rows))
-    if law not in ("best", LUGRE, *fits):
-        raise InputError("friction.law_not_told", "law", value=law)
     is_offset_known = offset is not None or any(record.is_motion for record in records)
-    return FrictionFits(records, tuple(motions), data, distance, fits, law, is_offset_known)
+    analysis = FrictionFits(records, tuple(motions), data, distance, fits, law, is_offset_known)
+    analysis = _with_growing_laws(analysis, has_pressure)
+    if law not in ("best", LUGRE, *analysis.fits):
+        raise InputError("friction.law_not_told", "law", value=law)
+    return analysis
+
+
+def _with_growing_laws(analysis: FrictionFits, has_pressure: bool) -> FrictionFits:
+    """Add fits of the laws whose Stribeck excess depends on the pressure, if the residuals show it.
+
+    The test uses the richest fitted law. A law of this kind that the caller requests is fitted in any case.
+    """
+    falling = [fit for fit in analysis.fits.values() if fit.solution.law.is_falling]
+    grows = bool(falling) and abs(falling[-1].growth) > 1.0
+    if not has_pressure or not (grows or analysis.requested in GROWING_LAWS):
+        return analysis
+    fits = {name: fit for name, law in GROWING_LAWS.items() if (fit := fit_friction_law(analysis.data, law))}
+    return replace(analysis, fits={**analysis.fits, **fits}, grows=grows and bool(fits))
 
 
 def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:

@@ -15,13 +15,14 @@ from poppet.identify.data_file import or_file
 from poppet.identify.friction.bristles import usable_reversals
 from poppet.identify.friction.friction_file import read_friction_file
 from poppet.identify.friction.friction_findings import findings
-from poppet.identify.friction.friction_fit import LAWS, LUGRE, FrictionFits, fit_records, levels_of
+from poppet.identify.friction.friction_fit import GROWING_LAWS, LAWS, LUGRE, FrictionFits, fit_records, levels_of
 from poppet.identify.friction.motion import HALF_POWER
 from poppet.identify.friction.records import (
     BRISTLES,
     COULOMB,
     DAMPING,
     SEAL,
+    SEAL_EXCESS,
     STATIC,
     STRIBECK,
     TURNING,
@@ -61,7 +62,8 @@ def identify_friction(
         Tables or recordings, possibly at several pressures, or a file for `read_friction_file`.
     law : str, optional
         `best` (default) is the simplest law that no other law improves significantly. Alternatives are `coulomb`,
-        `coulomb_viscous`, `stribeck`, `stribeck_viscous`, and `lugre` for the best of these with bristles.
+        `coulomb_viscous`, `stribeck`, `stribeck_viscous`, `stribeck_seal` and `stribeck_seal_viscous`, whose static
+        friction has a dependence on pressure of its own, and `lugre` for the best of these with bristles.
     offset : float or str, optional
         Offset of the force [N] or torque [N m]; `free` estimates it for each recording. The default is `free` for
         recordings and 0 for tables.
@@ -110,7 +112,7 @@ def identify_friction(
     >>> {name: round(found.value, 6) for name, found in result.parameters.items()}
     {'friction.coulomb_force': 20.0, 'friction.viscous_coefficient': 30.0}
     """
-    Field(choices=("best", *LAWS, LUGRE)).read(law, "law")
+    Field(choices=("best", *LAWS, *GROWING_LAWS, LUGRE)).read(law, "law")
     assert not isinstance(records, str | Path)  # `or_file` has read a file
     record_list = [records] if isinstance(records, FrictionRecord) else [*records]
     coordinate = record_list[0].coordinate
@@ -128,12 +130,13 @@ def identify_friction(
         raise InputError("friction.no_bristles", "law", reversals=analysis.reversals)
 
     def addressed(name: str) -> str:
-        owner = cylinder if name == SEAL else part
+        owner = cylinder if name in (SEAL, SEAL_EXCESS) else part
         return f"{owner}.{coordinate.name(name)}" if owner else coordinate.name(name)
 
     estimates = {addressed(name): estimate for name, estimate in _estimates(analysis, pulley_radius or 1.0).items()}
+    seal_excess = estimates.pop(addressed(SEAL_EXCESS), None)  # not a parameter of circuits
     covariance, order = analysis.fit.spread.covariance, [addressed(name) for name in analysis.fit.values]
-    is_finite = np.isfinite(np.diag(covariance))
+    is_finite = np.isfinite(np.diag(covariance)) & np.array([name != addressed(SEAL_EXCESS) for name in order])
     finite_names = [name for name, is_in in zip(order, is_finite, strict=True) if is_in]
     rows, solution = analysis.data.rows, analysis.fit.solution
     modelled = solution.friction(rows) + solution.zero(rows)
@@ -147,7 +150,8 @@ def identify_friction(
         parameters=estimates,
         residuals=residuals,
         correlation=correlations(finite_names, covariance[np.ix_(is_finite, is_finite)]) if finite_names else {},
-        comparison=_comparison(analysis, estimates),
+        comparison=_comparison(analysis, estimates)
+        | ({"seal_excess": vars(seal_excess).copy()} if seal_excess else {}),
         remarks=(*findings(analysis), *notes_of(notes)),
         conditions=_conditions(analysis, mass or inertia),
         series=_curves(analysis),
@@ -166,12 +170,15 @@ def _estimates(analysis: FrictionFits, radius: float) -> dict[str, Estimate]:
         if name == COULOMB and analysis.is_narrow and VISCOUS not in analysis.fit.values:
             # In a narrow range of speeds, viscous and static parts look like Coulomb friction.
             viscous = analysis.fits.get("coulomb_viscous")
-            is_told = viscous is not None and any(LAWS[candidate].is_falling for candidate in analysis.fits)
+            is_told = viscous is not None and any(fit.solution.law.is_falling for fit in analysis.fits.values())
             low = min(low, viscous.interval(name)[1]) if viscous is not None and is_told else 0.0
         verdict = judged(max(high - value, value - low), value) if value > 0.0 else "at bound"
         if name in (COULOMB, STATIC) and analysis.is_one_way and not analysis.is_offset_known:
             verdict = max(verdict, "weak", key=VERDICTS.index)  # an offset of the force counts as friction
-        lever = radius if name == SEAL else 1.0  # seals act at the radius of the pulley
+        misses_pressure = (analysis.grows and SEAL_EXCESS not in analysis.fit.values) or analysis.misses_pressure_speed
+        if misses_pressure and name != SEAL_EXCESS:
+            verdict = max(verdict, "weak", key=VERDICTS.index)  # the law lacks an effect of the pressure
+        lever = radius if name in (SEAL, SEAL_EXCESS) else 1.0  # seals act at the radius of the pulley
         sizes = value / lever, analysis.coordinate.unit(name), error / lever, low / lever, high / lever
         estimates[name] = Estimate(*sizes, verdict)
     bristles = analysis.bristles
@@ -253,11 +260,13 @@ def _curves(analysis: FrictionFits) -> dict[str, Any]:
     speed, selected = np.abs(rows.velocity), _select_points(len(rows))
     x = np.linspace(0.0, 1.02 * float(speed.max()), 120)
     dry = parameters[COULOMB], parameters.get(STATIC, parameters[COULOMB]), parameters.get(STRIBECK, 1.0)
+    pressure_part = parameters.get(SEAL, 0.0) * rows.pressure
+    pressure_part += parameters.get(SEAL_EXCESS, 0.0) * rows.pressure * np.exp(-((speed / dry[2]) ** 2))
     curves["speed.friction"] = {
         "x": x,
         "y": sliding_level(x, *dry) + parameters.get(VISCOUS, 0.0) * x,
         "points_x": speed[selected],
-        "points_y": (rows.sign * measured - parameters.get(SEAL, 0.0) * rows.pressure)[selected],
+        "points_y": (rows.sign * measured - pressure_part)[selected],
         "x_unit": analysis.coordinate.speed,
         "x_name": "speed",
     }

@@ -13,6 +13,8 @@ from poppet.timeseries.checks import FloatArray, first_bad_time, numbers
 
 COULOMB, STATIC = "friction.coulomb_force", "friction.static_force"
 STRIBECK, VISCOUS, SEAL = "friction.stribeck_velocity", "friction.viscous_coefficient", "seal_friction"
+SEAL_EXCESS = "seal_friction_excess"
+"""Stribeck excess per pressure difference; circuits have no such parameter."""
 BRISTLES, DAMPING = "friction.bristle_stiffness", "friction.bristle_damping"
 
 
@@ -47,7 +49,7 @@ class Coordinate:
     def unit(self, number: str) -> str:
         """Return the SI unit of a friction parameter for this kind of body."""
         effort, length = self.effort_unit, self.length
-        units = {STRIBECK: self.speed, SEAL: "N/Pa", BRISTLES: f"{effort}/{length}"}
+        units = {STRIBECK: self.speed, SEAL: "N/Pa", SEAL_EXCESS: "N/Pa", BRISTLES: f"{effort}/{length}"}
         units |= dict.fromkeys((VISCOUS, DAMPING), f"{effort} s/{length}")
         return units.get(number, effort)
 

@@ -1,0 +1,79 @@
+"""Independent friction tests whose Stribeck excess grows with the pressure; NumPy only, no code of `poppet`.
+
+The friction of steady sliding is F(v, p) = Fc + (Fs - Fc + ks p) exp(-(v/vs)^2) + k p + d v. With ks = 0, seals
+add the same friction at each speed.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+
+def draw_truth(generator: np.random.Generator, growth: float) -> dict[str, float]:
+    """Draw the parameters of a cylinder; the Stribeck excess at 6 bar is 1 + `growth` times that without pressure."""
+    coulomb = generator.uniform(5.0, 30.0)
+    excess = coulomb * generator.uniform(0.3, 0.8)
+    return {
+        "coulomb": coulomb,
+        "excess": excess,
+        "stribeck": np.exp(generator.uniform(np.log(0.01), np.log(0.05))),
+        "viscous": generator.uniform(20.0, 80.0),
+        "seal": coulomb * generator.uniform(0.3, 1.0) / 6e5,
+        "seal_excess": growth * excess / 6e5,
+    }
+
+
+def steady_friction(speed: np.ndarray, pressure: np.ndarray | float, truth: dict[str, float]) -> np.ndarray:
+    """Return the friction against the motion at positive speeds [N]."""
+    excess = truth["excess"] + truth["seal_excess"] * pressure
+    fading = np.exp(-((speed / truth["stribeck"]) ** 2))
+    return truth["coulomb"] + truth["seal"] * pressure + excess * fading + truth["viscous"] * speed
+
+
+def draw_table(seed: int, growth: float) -> tuple[dict[str, float], dict[str, np.ndarray]]:
+    """Return the truth and a table of pulls at three to five pressures and 10 to 20 speeds in both directions."""
+    generator = np.random.default_rng(seed)
+    truth = draw_truth(generator, growth)
+    pressures = np.linspace(generator.uniform(0.0, 1e5), generator.uniform(5e5, 8e5), generator.integers(3, 6))
+    speeds = np.geomspace(0.1 * truth["stribeck"], 0.5, generator.integers(10, 21))
+    speed, pressure = (grid.ravel() for grid in np.meshgrid(speeds, pressures))
+    friction = steady_friction(speed, pressure, truth)
+    speed, friction, pressure = np.r_[speed, -speed], np.r_[friction, -friction], np.r_[pressure, pressure]
+    noise = generator.uniform(0.005, 0.03) * truth["coulomb"]
+    force = friction + noise * generator.standard_normal(friction.size)
+    return truth, {"force": force, "velocity": speed, "pressure": pressure}
+
+
+def draw_recordings(seed: int, growth: float) -> tuple[dict[str, float], list[dict[str, Any]]]:
+    """Return the truth and recordings of strokes at eight speeds, one recording for each of four or five pressures.
+
+    The bristles bend over 20 um after each reversal. The friction of recordings varies by 1 % (standard deviation).
+    """
+    generator = np.random.default_rng(seed)
+    truth = draw_truth(generator, growth)
+    pressures = np.linspace(generator.uniform(0.0, 1e5), generator.uniform(5e5, 8e5), generator.integers(4, 6))
+    speeds = np.geomspace(0.2 * truth["stribeck"], 0.4, 8)
+    recordings, noise = [], generator.uniform(0.01, 0.03) * truth["coulomb"]
+    for pressure in pressures:
+        level = 1.0 + 0.01 * generator.standard_normal()
+        time, position, force, now = [], [], [], 0.0
+        for speed in speeds:
+            for sign in (1.0, -1.0):
+                travel = 0.02
+                t = np.linspace(0.0, travel / speed, 200, endpoint=False)
+                distance = speed * t
+                friction = level * steady_friction(np.array([speed]), pressure, truth)[0]
+                bent = friction * (1.0 - 2.0 * np.exp(-distance / 2e-5))
+                time.append(now + t)
+                position.append(distance if sign > 0.0 else travel - distance)
+                force.append(sign * bent)
+                now += travel / speed
+        columns = [np.concatenate(parts) for parts in (time, position, force)]
+        columns[1] = columns[1] + 2e-6 * generator.standard_normal(columns[1].size)
+        columns[2] = columns[2] + noise * generator.standard_normal(columns[2].size) + generator.normal()
+        recordings.append(
+            dict(zip(("time", "position", "force"), columns, strict=True)) | {"pressure": float(pressure)}
+        )
+    return truth, recordings
