@@ -93,7 +93,7 @@ def test_a_loop_is_tuned_for_responses_to_sines(poppet, tmp_path):
     sines = "--form", "p", "--at", "100 mm", "--amplitude", "0.1", "--report", "page.html", "-o", "gains.toml"
     code, out, err = poppet("control", "tune", "position_control.toml", *sines)
     assert code == 0
-    assert err.startswith("note: position: the step at 100 mm, sines of 0.1")
+    assert err.startswith("note: position (100 mm, sines of 0.1): the step response does not settle")
     (step,) = [line for line in out.splitlines() if line.startswith("100 mm, sines of 0.1")][1:]
     assert "never" in step
     gains = tomllib.loads((tmp_path / "gains.toml").read_text())["parts"]["position"]

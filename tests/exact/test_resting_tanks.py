@@ -50,7 +50,7 @@ def tank_test(time, pressure, **recording):
 
 
 def test_a_rest_is_rejected_and_its_proposal_gives_the_truth():
-    """Without `opens`, C is 1.5 % too low, and its interval does not contain the truth."""
+    """The proposed time as `opens` gives C within 0.5 % and b within 0.03."""
     time, pressure = charge(1.0)
     with refused("tank.rests") as caught:
         identify_tank(tank_test(time, pressure))

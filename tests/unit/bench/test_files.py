@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from poppet.bench.iso10094.bench_result import BenchResult, compared, is_result, read_bench_result
+from poppet.bench.iso10094.bench_result import TESTS, BenchResult, compared, is_result, read_bench_result
 from poppet.bench.iso10094.evaluation import CharacteristicValue, PlottedCurve
 from poppet.bench.iso10094.scale import listed, pressure, pressure_range, setpoint_scale
 from poppet.bench.iso10094.valve_recordings import recorded
@@ -224,6 +224,68 @@ def test_outlet_outside_full_scale_is_reported(folder):
     assert (note.facts["peak"], note.facts["full"]) == (pytest.approx(87e5, rel=1e-3), pytest.approx(6e5))
     write_staircase(folder)
     assert "recordings.outlet_beyond" not in {note.code for note in read(folder).notes}
+
+
+def write_series(folder: Path, time: np.ndarray, setpoint: np.ndarray, outlet: np.ndarray) -> None:
+    columns = np.stack([time, setpoint, outlet], axis=1)
+    np.savetxt(folder / "a.csv", columns, "%.9g", ",", header="t,w,p", comments="")
+
+
+def series_of_steps() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return time [s], setpoint [V] and outlet [bar] of two steps up and two steps down, with noise of 2 mbar."""
+    time = np.arange(0.0, 8.0, 0.002)
+    setpoint, outlet = np.full(time.size, 1.0), np.full(time.size, 0.6)
+    for start, size in ((1.0, 8.0), (3.0, -8.0), (5.0, 8.0), (7.0, -8.0)):
+        setpoint += size * (time >= start)
+        outlet += 0.6 * size * (1.0 - np.exp(-np.maximum(time - start - 0.01, 0.0) / 0.06))
+    return time, setpoint, outlet + np.random.default_rng(5).normal(0.0, 0.002, time.size)
+
+
+SUSPICIONS = {
+    "none": (lambda t, w, p: (t, w, p), "step", set()),
+    "dead": (lambda t, w, p: (t, w, 3.0 + np.random.default_rng(6).normal(0.0, 0.002, t.size)), "step", {"dead"}),
+    "inverted": (lambda t, w, p: (t, w, 6.0 - p), "step", {"inverted"}),
+    "psi": (lambda t, w, p: (t, w, 14.5 * p), "step", {"outlet_beyond"}),
+    "bar read as psi": (lambda t, w, p: (t, w, p / 14.5), "step", {"outlet_small"}),
+    "exchanged": (lambda t, w, p: (t, p, w), "step", {"leads", "outlet_beyond", "clipped"}),
+    "milliseconds": (lambda t, w, p: (1000.0 * t, w, p), "step", {"slow"}),
+    "seconds": (lambda t, w, p: (t / 1000.0, w, p), "step", {"fast"}),
+    "spike": (lambda t, w, p: (t, w, np.where(np.arange(t.size) == 777, 60.0, p)), "step", {"spikes"}),
+}
+
+
+@pytest.mark.parametrize("case", SUSPICIONS)
+def test_probable_errors_of_recordings_are_named(folder, case):
+    change, test, expected = SUSPICIONS[case]
+    write_series(folder, *change(*series_of_steps()))
+    notes = read(folder, recording={"test": test}).notes
+    assert {n.code.partition(".")[2] for n in notes if n.code.startswith("recordings.") and str(n)} == expected
+
+
+def test_spike_is_replaced(folder):
+    time, setpoint, outlet = series_of_steps()
+    outlet[1777] = 60.0
+    write_series(folder, time, setpoint, outlet)
+    (record,) = read(folder).records["step"]
+    assert float(np.max(record.outlet)) < 6.6e5
+
+
+def test_steps_declared_as_characteristic_give_no_values(folder):
+    write_series(folder, *series_of_steps())
+    recordings = read(folder, recording={"test": "characteristic"})
+    evaluation = TESTS["characteristic"].evaluated(recordings.records["characteristic"], recordings.scale)
+    assert not {"hysteresis", "linearity", "accuracy", "repeatability"} & set(evaluation.figures)
+    assert "bench.characteristic.jumps" in {note.code for note in evaluation.notes if str(note)}
+
+
+@pytest.mark.parametrize("value", [0.0, 2.1])
+def test_dead_sensor_gives_no_frequency_response(folder, value):
+    time = np.arange(0.0, 8.0, 0.005)
+    write_series(folder, time, 5.0 + np.sin(2.0 * np.pi * time), np.full(time.size, value))
+    recordings = read(folder, recording={"test": "frequency"})
+    evaluation = TESTS["frequency"].evaluated(recordings.records["frequency"], recordings.scale)
+    assert evaluation.figures == {}
+    assert "bench.frequency.lost" in {note.code for note in evaluation.notes}
 
 
 def test_lag_of_sensor_is_reported(folder):

@@ -53,6 +53,7 @@ FEWEST_STAIRS = 8
 ZERO_STEP, ZERO_SPAN, JUMP = 0.5, 3.5, 5.0
 # Number of lags after which the start of the sweep has decayed, and remaining error relative to the lag.
 STARTED, UNDER_WAY = 3.0, 0.04
+WIDEST = 5.0  # largest change of the setpoint between two samples of a sweep [% FS]
 SHORT = 5.0  # deviation above which the setpoint is not reached [% FS]
 STOPPING = 70.0  # setpoint above which clipped samples exclude a sweep from the lag [% FS]
 
@@ -115,7 +116,9 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     all_sweeps = [replace(item, late=caught_up(item.time, item.x, lags)) for item in all_sweeps]
     # The evaluated range must not contain clipped samples.
     evaluated = [s for s in all_sweeps if not np.any(s.cut & (s.x >= RANGE[0]) & (s.x <= RANGE[1]))]
-    sweep = _branch_curves(evaluated)
+    sweep, jump = _branch_curves(evaluated)
+    if jump > WIDEST:
+        evaluation.note("characteristic.jumps", jump=jump, widest=WIDEST)
     up, down = (rows.mean(axis=0) if rows.size else np.full(GRID.size, np.nan) for rows in (sweep.up, sweep.down))
     rates = []  # of the setpoint [% FS/s]
     for setpoint_sweep, branch in ((s, branch) for s in evaluated for branch in s.parts):
@@ -129,7 +132,8 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         "sweep_rate": float(np.median(rates)) if rates else math.nan, "noise": sweep.error,
     }  # fmt: skip
     lag_change, uncertainty = moved_by(lags) if lags else (0.0, Uncertainty(0.0))
-    _deviations(evaluation, sweep, up, down, uncertainty.standard)
+    shift_error = float(np.linalg.norm([lag.shift_error for lag in lags])) / len(lags) if lags else 0.0
+    _deviations(evaluation, sweep, up, down, shift_error)
     _ends(evaluation, all_sweeps, lag_change, uncertainty.standard)
     if lags:
         delay = max(0.0, float(np.mean([lag.time for lag in lags])))
@@ -149,9 +153,10 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         evaluation.limit_to_bounds("linearity", "hysteresis", "repeatability", "accuracy")
 
 
-def _branch_curves(swept: Sequence[SetpointSweep]) -> Branches:
+def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
+    """Return the curves of all branches, and the largest change of the setpoint between samples of omitted branches."""
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
-    shares = [1]
+    shares, largest_jump = [1], 0.0
     for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
         x, y = sweep.late[branch.samples], sweep.y[branch.samples]
         holds = stairs(x)
@@ -161,6 +166,9 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> Branches:
             order = np.argsort(setpoints)
             value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
             share = max(1, round(float(np.median(np.diff(setpoints[order])))))  # grid points per stair
+        elif (jump := _jump(sweep.x[branch.samples])) > WIDEST:
+            largest_jump = max(largest_jump, jump)
+            continue
         else:
             value, share = at_places(x, y, GRID, HALF)[0], 1
         if np.mean(np.isfinite(value[INSIDE])) >= COVERED:
@@ -168,7 +176,13 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> Branches:
             shares.append(share)
     up, down = (np.array(rows[sign]).reshape(-1, GRID.size) for sign in (1, -1))
     share = max(shares)
-    return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share)
+    return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share), largest_jump
+
+
+def _jump(x: FloatArray) -> float:
+    """Return the largest change of the setpoint between two samples within the evaluated range."""
+    is_inside = (np.maximum(x[1:], x[:-1]) >= RANGE[0]) & (np.minimum(x[1:], x[:-1]) <= RANGE[1])
+    return float(np.max(np.abs(np.diff(x)), where=is_inside, initial=0.0))
 
 
 def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:

@@ -34,6 +34,7 @@ SINE_DRAWS = 100  # number of noise draws for the scatter of a bandwidth
 BETWEEN = 0.15  # interpolation error of the monotone cubic, relative to that of a straight line
 IN_DB = 20.0 / math.log(10.0)
 FAINT = 4.0  # detection limit of a fundamental, in standard errors
+UNMOVED = 1e-9  # smallest gain of an outlet that moves
 
 
 def frequency_trial(
@@ -196,7 +197,8 @@ def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: 
         distortion = 100.0 * setpoint_wave.distortion
         evaluation.note("frequency.impure", record.name, frequency=frequency, distortion=distortion)
         return None
-    if abs(outlet_wave.value) < FAINT * outlet_wave.error:
+    # Rounding gives a dead sensor a tiny fundamental.
+    if abs(outlet_wave.value) <= max(FAINT * outlet_wave.error, UNMOVED * abs(setpoint_wave.value)):
         evaluation.note("frequency.lost", record.name, frequency=frequency)
         return None
     size, outlet_size = abs(setpoint_wave.value), abs(outlet_wave.value)

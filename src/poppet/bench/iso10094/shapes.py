@@ -197,10 +197,15 @@ def rested(time: FloatArray, part: slice, fraction: float) -> slice:
 
 
 NEAR, FAR = 0.05, 0.6  # section of a sweep for a line fit in time, as relative distances from its end
-COMING = (0.005, 0.25)  # section for the outlet shortly before the end of the sweep
+# Sections for the outlet shortly before the end of the sweep, and the degrees of polynomials in them, in the order of
+# increasing uncertainty by noise. A curved characteristic requires a narrow section or a high degree.
+COMING, SECTIONS = 0.005, ((0.25, 2), (0.25, 3), (0.12, 2), (0.12, 3), (0.06, 2), (0.06, 3))
+WIDE = 3  # sections for the rate
+AGREES = 1.0  # permitted difference of two polynomials, in standard deviations of the difference
 FEWEST = 6
 EXTENDED = 1.6  # uncertainty of a line at the end of a sweep, relative to that of the mean of the last quarter
 CHOSEN = 1.3  # factor for the selection of the samples by a noisy sweep
+SELECTED = 1.5  # factor for the selection of the section before the end of a sweep as well
 MOST = 0.1  # largest lag, relative to the duration of the sweep
 
 
@@ -211,6 +216,7 @@ class Lag:
     time: float  # delay, negative for a lead [s]
     moved: float  # change of the outlet after the end of the sweep, negative for a lead; unit of the outlet
     error: float  # standard uncertainty of `moved`, from noise
+    shift_error: float  # standard uncertainty of the delay, as a change of the outlet
     rate: float  # change of the swept quantity per change of the outlet
 
 
@@ -247,29 +253,73 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
         is_still = (time > stop) & (time < go)
         level = float(np.mean(x[is_still])) if is_still.sum() > FEWEST else level
     is_held = (time > stop + 0.8 * (go - stop)) & (time < go)
-    distance = np.abs(x - level) / extent
-    is_coming = (distance > COMING[0]) & (distance < COMING[1]) & (time < stop) & (time >= time[branch.first])
     step = float(np.median(np.diff(time)))
-    if not go - stop > FEWEST * step or min(is_held.sum(), is_coming.sum()) < FEWEST:
+    distance = np.abs(x - level) / extent
+    is_before = (distance > COMING) & (time < stop) & (time >= time[branch.first])
+    if not go - stop > FEWEST * step or is_held.sum() < FEWEST:
         return None
-    # A parabola, because the characteristic can be curved.
-    clock = (time[is_coming] - stop) / max(stop - time[is_coming][0], step)
-    matrix = np.vander(clock, 3)
-    inverse = np.linalg.pinv(matrix)
-    _, rate, at_stop = (inverse @ y[is_coming]).tolist()
-    rate /= max(stop - time[is_coming][0], step)
-    change = float(np.mean(y[is_held]) - at_stop)
+    held, held_error = float(np.mean(y[is_held])), noise_about([y[is_held]]).mean(int(is_held.sum()))
+    sections = ((is_before & (distance < width), degree) for width, degree in SECTIONS)
+    ends = [_end_of_sweep(time, x, y, stop, held, is_coming, degree) for is_coming, degree in sections]
+    valid_ends = [end for end in ends if end is not None]
+    if not valid_ends:
+        return None
+    end = valid_ends[_agreeing([(end.moved, end.error) for end in valid_ends])]
+    # The rate needs less accuracy than the motion, but varies more in a narrow section.
+    wide_ends = valid_ends[:WIDE]
+    steady = wide_ends[_agreeing([(end.rate, end.rate_error) for end in wide_ends])]
+    delay = end.moved / steady.rate
+    span = abs(float(time[branch.end - 1] - time[branch.first]))
+    error = SELECTED * math.hypot(held_error, end.error)
+    shift_error = math.hypot(error, delay * steady.rate_error)
+    lag = Lag(delay, end.moved, error, shift_error, abs(steady.sweep / steady.rate))
+    return lag if abs(lag.time) < MOST * span else None
+
+
+@dataclass(frozen=True)
+class SweepEnd:
+    """Motion and rate of the outlet at the end of a sweep, from a section before it."""
+
+    moved: float  # change of the outlet after the end
+    error: float  # standard uncertainty of `moved`
+    rate: float  # of the outlet per second
+    rate_error: float  # standard uncertainty of `rate`
+    sweep: float  # of the swept quantity per second
+
+
+def _end_of_sweep(
+    time: FloatArray, x: FloatArray, y: FloatArray, stop: float, held: float, is_coming: Mask, degree: int
+) -> SweepEnd | None:
+    """Return the end of a sweep from a polynomial in a section.
+
+    `held` is the outlet in the hold. The result is None without enough samples or if the outlet is constant.
+    """
+    if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
+        return None
+    duration = max(stop - float(time[is_coming][0]), float(np.median(np.diff(time))))
+    clock = (time[is_coming] - stop) / duration
+    inverse = np.linalg.pinv(np.vander(clock, degree + 1))
+    coefficients = inverse @ y[is_coming]
+    rate, sweep = float(coefficients[-2]) / duration, float(np.polyfit(clock, x[is_coming], 1)[0]) / duration
     if rate == 0.0:
         return None
-    delay = change / float(rate)
-    span = abs(float(time[branch.end - 1] - time[branch.first]))
-    held_error = noise_about([y[is_held]]).mean(int(is_held.sum()))
-    error = math.hypot(held_error, noise_about([y[is_coming]], 3).of(inverse[2]))
-    # The uncertainty of the line also affects the stop.
-    stopped = EXTENDED * noise_of(x) * abs(float(rate)) / math.sqrt(float(is_coming.sum()))
-    sweep = float(np.polyfit(clock, x[is_coming], 1)[0]) / max(stop - time[is_coming][0], step)
-    error = CHOSEN * math.hypot(error, stopped / max(abs(sweep), 1e-300))
-    return Lag(delay, change, error, abs(sweep / float(rate))) if abs(delay) < MOST * span else None
+    # The uncertainty of the line of the swept quantity also affects the stop.
+    stopped = EXTENDED * noise_of(x) * abs(rate) / math.sqrt(float(is_coming.sum())) / max(abs(sweep), 1e-300)
+    noise, moved = noise_about([y[is_coming]], 3), held - float(coefficients[-1])
+    error, rate_error = math.hypot(noise.of(inverse[-1]), stopped), noise.of(inverse[-2]) / duration
+    return SweepEnd(moved, error, rate, rate_error, sweep)
+
+
+def _agreeing(estimates: Sequence[tuple[float, float]]) -> int:
+    """Return the index of the first estimate that agrees with all later ones.
+
+    The estimates are values with their standard uncertainties, with decreasing error by curvature.
+    """
+    for k, (value, error) in enumerate(estimates[:-1]):
+        differences = ((abs(other - value), max(e**2 - error**2, 0.0) ** 0.5) for other, e in estimates[k + 1 :])
+        if all(difference <= AGREES * deviation for difference, deviation in differences):
+            return k
+    return len(estimates) - 1
 
 
 def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:

@@ -123,7 +123,8 @@ def _add_times(
     response = smoothed(record.time[section] - jump.time, (y[section] - start) / (end - start), noise)
     response = response.since(jump.before - section.start)
     start_error, end_error = (noise.mean(hold.stop - hold.start) for hold in holds)
-    instant = Uncertainty(0.0, 0.0 if record.is_exact else 0.5 * jump.duration)
+    # A setpoint from the clock of the recording changes exactly at a sample, in all repetitions alike.
+    instant = Uncertainty(0.0, common=0.0 if record.is_exact else 0.5 * jump.duration)
     errors = [math.hypot((1.0 - level) * start_error, level * end_error) for level in (LOW, HIGH)]
     (low, low_doubt), (high, high_doubt) = map(response.crossing, (LOW, HIGH), errors)
     if math.isfinite(low_doubt.standard) and math.isfinite(high_doubt.standard):

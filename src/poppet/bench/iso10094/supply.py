@@ -125,7 +125,7 @@ def _one(evaluation: Evaluation, record: Record) -> None:
         gap_error = sigma * math.sqrt(sum(1.0 / len(values) for values in values_by_sign.values() if values))
         gap = smooth(grid[inner], (means[1] - means[-1])[inner], gap_error)
         widest, uncertainty = unbiased([gap], lambda draws: np.max(np.abs(draws[0]), axis=1))
-        lag = float(np.linalg.norm([lag_of_branch.error for lag_of_branch in lags])) / len(lags) if lags else 0.0
+        lag = float(np.linalg.norm([lag_of_branch.shift_error for lag_of_branch in lags])) / len(lags) if lags else 0.0
         evaluation.set_value(row, "hysteresis", widest, uncertainty.wider(2.0 * lag))
 
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -36,18 +36,20 @@ class Uncertainty:
     even: float = 0.0
     # Ends of an asymmetric 95 % interval.
     ends: tuple[float, float] | None = None
+    # Half width of a range of equal values in all repetitions, whose ends are as probable as its middle.
+    common: float = 0.0
 
     @property
     def standard(self) -> float:
         """Standard uncertainty of the sum of both distributions."""
-        return math.hypot(self.normal, self.even / math.sqrt(3.0))
+        return math.hypot(self.normal, self.even / math.sqrt(3.0), self.common / math.sqrt(3.0))
 
     def wider(self, normal: float) -> Uncertainty:
         """Return the uncertainty with an additional independent normal contribution.
 
         `normal` is the standard deviation of the contribution.
         """
-        return Uncertainty(math.hypot(self.normal, normal), self.even, self.ends)
+        return Uncertainty(math.hypot(self.normal, normal), self.even, self.ends, self.common)
 
     def plus(self, addend: Uncertainty) -> Uncertainty:
         """Return the uncertainty of the sum or difference of two independent values.
@@ -55,9 +57,10 @@ class Uncertainty:
         The larger uniform distribution stays uniform. The smaller one is treated as normal.
         """
         small, even = sorted((self.even, addend.even))
-        margin = NORMAL * addend.standard
+        margin = NORMAL * math.hypot(addend.normal, addend.even / math.sqrt(3.0))
         ends = None if self.ends is None else (self.ends[0] - margin, self.ends[1] + margin)
-        return Uncertainty(math.hypot(self.normal, addend.normal, small / math.sqrt(3.0)), even, ends)
+        normal = math.hypot(self.normal, addend.normal, small / math.sqrt(3.0))
+        return Uncertainty(normal, even, ends, self.common + addend.common)
 
     def interval(self, value: float) -> tuple[float, float]:
         """Return the limits of the 95 % confidence interval about an estimated value.
@@ -68,7 +71,7 @@ class Uncertainty:
         [-1.96, 1.96, -0.95, 0.95]
         """
         if self.ends is not None:
-            return self.ends
+            return self.ends[0] - self.common, self.ends[1] + self.common
         half = NORMAL * self.normal
         if self.even > 0.0:
             normal = self.normal / self.even
@@ -79,6 +82,7 @@ class Uncertainty:
                 probability = np.mean([_phi((half - u) / normal) - _phi((-half - u) / normal) for u in offsets])
                 low, high = (half, high) if probability < COVERAGE else (low, half)
             half *= self.even
+        half += self.common
         return value - half, value + half
 
 
@@ -282,9 +286,10 @@ def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tu
     """
     if len(values) == 1:
         return float(values[0]), uncertainties[0]
-    variance = float(np.mean([uncertainty.standard**2 for uncertainty in uncertainties]))
+    common = float(np.mean([uncertainty.common for uncertainty in uncertainties]))
+    variance = float(np.mean([replace(uncertainty, common=0.0).standard ** 2 for uncertainty in uncertainties]))
     excess = float(np.var(values, ddof=1)) - variance * SCATTER
-    return float(np.mean(values)), Uncertainty(math.sqrt((variance + max(0.0, excess)) / len(values)))
+    return float(np.mean(values)), Uncertainty(math.sqrt((variance + max(0.0, excess)) / len(values)), common=common)
 
 
 SCATTER = 3.0  # ratio of scatter to noise variance that can occur by chance in a few repetitions
@@ -305,7 +310,9 @@ def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> t
     >>> round(greatest([1.0, 2.0, 9.0], [Uncertainty(0.1), Uncertainty(0.1), Uncertainty(0.1)])[0], 2)
     9.0
     """
-    spread = np.array([uncertainty.standard for uncertainty in uncertainties])
+    # A common range shifts all values alike.
+    common = max(uncertainty.common for uncertainty in uncertainties)
+    spread = np.array([replace(uncertainty, common=0.0).standard for uncertainty in uncertainties])
     array = np.array(values, dtype=np.float64)
     top = int(np.argmax(array))
     if array.size == 1 or not spread.min() > 0.0:
@@ -320,4 +327,4 @@ def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> t
     k = int(np.argmax(shrunk))
     shift = 0.5 * (1.0 - weight[k]) * (array[k] - mean)
     error = math.hypot(math.sqrt(weight[k]) * spread[k], (1.0 - weight[k]) * total**-0.5, shift)
-    return float(shrunk[k]), Uncertainty(error), k
+    return float(shrunk[k]), Uncertainty(error, common=common), k

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from poppet.bench.iso10094.bench_result import TESTS
+from poppet.bench.iso10094.plausibility import suspicions, without_spikes
 from poppet.bench.iso10094.scale import FloatArray, Mask, Record, Scale, pressure_range, setpoint_scale
 from poppet.bench.iso10094.shapes import stairs
 from poppet.core.codes import Note
@@ -147,7 +148,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     own_names = tuple(OF_RECORDING)
     other_fields = {key: value for key, value in table.items() if key not in own_names}
     measurement = read_measurement(name, other_fields, folder, ambient_pressure=ambient, other_fields=own_names)
-    record = _joined(name, measurement, fields, address, scale)
+    record, n_spikes = _joined(name, measurement, fields, address, scale)
     # Clipping is checked here with the meaning of the channels: an outlet follows the setpoint, a command has limits.
     findings = [finding for finding in measurement.findings if finding.code != "suspicion.clipped"]
     # If the outlet is at rest while the setpoint is constant, the steps of the setpoint are commands and not the
@@ -163,6 +164,9 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     notes = [note.within(name) for note in (*measurement.notes, *findings)]
     for series, mask in record.clipped.items():
         notes.append(Note("recordings.clipped", f"{name}.{SERIES[series]}", samples=int(mask.sum())))
+    if n_spikes:
+        notes.append(Note("recordings.spikes", f"{name}.{OUTLET}", samples=n_spikes))
+    notes += suspicions(record, scale)
     lagging = [channel.address for channel in measurement.channels if channel.lag != 0.0]
     notes += [Note("recordings.lag", name, channel=channel) for channel in lagging]
     low, high = (float(scale.setpoint_percent(end)) for end in (record.setpoint.min(), record.setpoint.max()))
@@ -175,8 +179,10 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     return record, notes
 
 
-def _joined(name: str, measurement: Measurement, fields: Mapping[str, Any], address: str, scale: Scale) -> Record:
-    """Return a record with all channels interpolated at the samples of the outlet pressure.
+def _joined(
+    name: str, measurement: Measurement, fields: Mapping[str, Any], address: str, scale: Scale
+) -> tuple[Record, int]:
+    """Return a record with all channels at the samples of the outlet pressure, and the number of replaced spikes.
 
     The record covers the time that all channels have in common. `fields` contains the fields that only valve recordings
     have.
@@ -196,10 +202,12 @@ def _joined(name: str, measurement: Measurement, fields: Mapping[str, Any], addr
         raise InputError("recordings.unit", f"{address}.{SETPOINT}", unit=unit, wanted=scale.setpoint_unit)
     if "setpoint" in fields:
         series["setpoint"] = np.full(clock.size, fields["setpoint"])
+    series["outlet"], is_spike = without_spikes(series["outlet"])
     volume = fields.get("volume", math.nan)
     percent = {"setpoint": scale.setpoint_percent(series["setpoint"]), "outlet": scale.percent(series["outlet"])}
     cut = clipped({**series, **percent})
-    return Record(name, fields["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
+    record = Record(name, fields["test"], clock - clock[0], **series, volume=volume, is_exact=False, clipped=cut)
+    return record, int(is_spike.sum())
 
 
 SHORTEST = 5  # smallest number of equal samples at an extreme value
@@ -211,6 +219,7 @@ BELOW, ONWARD = 0.3, 1.0
 RETURNED = 0.003  # excursion of the outlet while its driver seems constant, relative to the range of the outlet
 LOADED = 0.02  # change of the flow while the outlet is constant, relative to the range of the flow
 CLEAR, RAMP = 6.0, 12.0  # smallest change of a ramp, in standard deviations of the noise and in resolution steps
+ROUGH = 6.0  # smallest excursion, in standard deviations of means about a smooth curve
 FLOOR = 1.0  # outlet near its lower limit, where a constant outlet is normal [% FS]
 MOST_LOOKED_AT = 200  # maximum number of samples before a run that are examined
 
@@ -302,5 +311,8 @@ def _goes_on(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
     y = np.convolve(outlet[run], np.full(width, 1.0 / width), "valid")
     peak = int(np.argmax(np.abs(y - y[0])))
     rise, fall = abs(y[peak] - y[0]), abs(y[peak] - y[-1])
-    noise = CLEAR * noise_of(outlet) / width**0.5
+    # Correlated noise: scatter of the means about a smooth curve.
+    clock = np.linspace(-1.0, 1.0, y.size)
+    rough = float(np.std(y - np.polyval(np.polyfit(clock, y, min(4, y.size - 1)), clock)))
+    noise = max(CLEAR * noise_of(outlet) / width**0.5, ROUGH * rough)
     return bool(min(rise, fall) > max(RETURNED * float(np.ptp(outlet)), noise))
