@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import signal
 import threading
 
@@ -159,13 +160,13 @@ def test_interruption_of_runs_on_threads_keeps_the_best_point(monkeypatch):
     free = tuple(read_free(name, {"start": start}, circuit) for name, start in starts.items())
     experiment = Experiment(circuit.instance, Measurement("run", (channel,), duration=float(TIME[19])), free)
     original_run, expected_slopes = RepeatedCall.run, experiment.slopes(starts, 0.1)[0]
-    started_runs, costs = [], []
+    started_runs, costs, numbers = [], [], itertools.count(1)
 
     def run(runs: RepeatedCall) -> np.ndarray:
         if threading.current_thread() is not threading.main_thread():
             started_runs.append(len(costs))
-            # Interrupt the derivatives at the third point of the search.
-            if len(started_runs) == 2 * 4 + 1:
+            # Interrupt the derivatives at the third point of the search. Each run has its own number on all threads.
+            if next(numbers) == 2 * 4 + 1:
                 signal.pthread_kill(threading.main_thread().ident, signal.SIGINT)
         return original_run(runs)
 
