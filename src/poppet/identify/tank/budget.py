@@ -85,7 +85,7 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
     }
     sizes: dict[str, float] = {}
     with ErrorCollector() as errors:
-        stated = read_fields(errors, test.uncertainties or {}, FIELDS, "uncertainties", table="uncertainties")
+        stated = read_fields(errors, test.uncertainties or {}, FIELDS, "uncertainties", table="table of uncertainties")
         for name, (unit, reference) in references.items():
             with errors.collecting():
                 sizes[name] = _relative(stated[name], name, unit, reference) if name in stated else DEFAULTS[name]
