@@ -224,7 +224,8 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
             remarks.append(Note("design.depends", f.name, times=joint.largest / joint.standard_error))
         if (fitted := simulated.get(f.name)) is not None:
             is_wider = fitted.standard_error > WIDER * joint.standard_error
-            if joint.verdict != "not determined" and (is_wider or _is_worse(fitted.verdict, joint.verdict)):
+            is_worse = VERDICTS.index(fitted.verdict) > VERDICTS.index(joint.verdict)
+            if joint.verdict != "not determined" and (is_wider or is_worse):
                 times = fitted.standard_error / joint.standard_error
                 facts = {"fits": fitted.fits, "determined": fitted.determined, "times": times}
                 remarks.append(Note("design.fits_differ", f.name, **facts))
@@ -239,10 +240,6 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
         interrupted,
         simulated,
     )
-
-
-def _is_worse(verdict: Verdict, other: Verdict) -> bool:
-    return VERDICTS.index(verdict) > VERDICTS.index(other)
 
 
 def _priors(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:

@@ -268,17 +268,13 @@ def _residual_changes(
     for name, size in (("gauge_scale", uncertainties.gauge_scale), ("gauge_zero", uncertainties.gauge_zero)):
         if size > 0.0:
             readings = np.zeros(sigmas.size)
-            for fitted, e in zip(channels, _experiments(plan), strict=True):
+            experiments = [e for e in plan.experiments for _ in e.measurement.channels]
+            for fitted, e in zip(channels, experiments, strict=True):
                 if fitted.channel.address == PRESSURE:
                     gauge = fitted.channel.values - float(e.measurement.ambient_pressure)
                     readings[fitted.rows] = size * (gauge if name == "gauge_scale" else 1.0)
             changes[name] = -readings / sigmas
     return {name: np.append(change, np.zeros(n_priors)) for name, change in changes.items()}
-
-
-def _experiments(plan: FitPlan) -> list[Experiment]:
-    """Return the experiment of each channel."""
-    return [e for e in plan.experiments for _ in e.measurement.channels]
 
 
 def _scaled(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:

@@ -22,7 +22,6 @@ from poppet.identify.free_parameter import FreeParameter, NormalPrior, by_name
 from poppet.identify.result import DETERMINED, Estimate, Result
 from poppet.identify.tank.tank_plan import USUAL_ZERO, TankRun, is_free, plan_tank_fit
 from poppet.identify.tank.test import TankTest
-from poppet.timeseries.checks import FloatArray
 
 LEAK, SUPPLY = 0.015, 0.01
 """Assumed standard uncertainties of the leak, as a fraction of C, and of the stated supply pressure, as a fraction."""
@@ -82,13 +81,14 @@ def fit_thermal_limits(
     unit = next(iter(units.values()))
 
     def search(start: Mapping[str, float], fixed: Mapping[str, float] | None = None) -> UncertainFit:
+        start_point = [np.clip(start.get(f.name, f.start), f.low, f.high) for f in uncertain.free]
         optimum = optimise(
             uncertain.experiments,
             uncertain.free,
             SearchSettings(plan.settings.loss, kicks=0),
             sigmas=sigmas,
             fixed=fixed,
-            start_point=_point(uncertain.free, start),
+            start_point=np.array(start_point),
         )
         return UncertainFit(uncertain, replace(optimum, fixed=dict(fixed or {})))
 
@@ -167,7 +167,3 @@ def _uncertain_plan(
         return replace(f, prior=NormalPrior(f.start, SUPPLY * f.start)) if f.address == SUPPLY_ADDRESS else f
 
     return replace(uncertain, free=tuple(map(with_prior, uncertain.free)))
-
-
-def _point(free: Sequence[FreeParameter], values: Mapping[str, float]) -> FloatArray:
-    return np.array([np.clip(values.get(f.name, f.start), f.low, f.high) for f in free])
