@@ -488,8 +488,8 @@ def rising(rows):
 REFUSED = [
     (with_pressure("nan"), "contains no numbers"),
     (with_pressure("ERROR"), "contains text such as"),
-    (backwards, "the time must not decrease"),
-    (lambda rows: rows[:5], "has 5 samples; at least 8 are required"),
+    (backwards, "must not decrease"),
+    (lambda rows: rows[:5], "has only 5 samples, but at least 8 are required"),
     (lambda rows: [], "contains no lines of numbers"),
 ]
 RECORDINGS = [("fit", "discharge.csv"), ("tank", "tank_discharge.csv"), ("characteristic", "strokes/240.csv")]
@@ -539,7 +539,7 @@ def test_a_tank_fuller_than_its_supply_is_refused(poppet, bench):
 @pytest.mark.parametrize(
     ("change", "message"),
     [
-        (lambda rows: rows[:2], "are too few to check a fit of 2 free parameters"),
+        (lambda rows: rows[:2], "are too few for a fit of 2 free parameters"),
         (with_pressure("nan"), "pressure_1"),
         (lambda rows: [[row[0], row[2], row[1], row[3]] for row in rows], "pressure_2"),
     ],

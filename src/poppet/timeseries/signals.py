@@ -136,7 +136,7 @@ class Points(_Course):
     >>> ramp.evaluate([0.0, 2.0, 9.0]).tolist()
     [0.0, 200000.0, 400000.0]
     >>> print(*ramp.notes(9.0, "valve.pilot_pressure"))
-    valve.pilot_pressure is kept at its last value, 400000, after t = 3 s.
+    valve.pilot_pressure has no values after t = 3 s. From then on, the last value, 400000, is used.
     """
 
     def notes(self, duration: float, name: str, shift: float = 0.0) -> tuple[Note, ...]:

@@ -231,9 +231,9 @@ def test_gaps_repeats_extrapolation_and_missing_b_are_reported():
     tests.append(replace(tests[5], sonic_conductance=1.1 * tests[5].sonic_conductance, name="again"))
     text = " ".join(identify_characteristic(tests, degree_conductance=5, domain=(0.0, 1e-3)).findings)
     assert "1 of 13 tests do not determine b (t3)" in text
-    assert "No test is between" in text
+    assert "The curve is interpolated between" in text
     assert "(t5 and again)" in text
-    assert "The domain extends to 0 mm, but the tests only to 0.05 mm" in text
+    assert "between 0.05 mm, the last tested stroke, and 0 mm, the end of the domain" in text
 
 
 # Recordings --------------------------------------------------------------------------------------------------------
