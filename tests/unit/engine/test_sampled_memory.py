@@ -310,7 +310,7 @@ def test_stalled_run_is_repeated_with_its_initial_memory(monkeypatch):
     kernel = simulate.run_kernel
     monkeypatch.setattr(simulate, "run_kernel", lambda *given: replace(kernel(*given), outcome=Outcome.STALLED))
     again = circuit.simulate(1.0, 0.1)
-    assert any("repeated with cvodes" in note for note in again.notes)
+    assert any("repeated with the solver cvodes" in note for note in again.notes)
     np.testing.assert_allclose(again["tank.pressure"], whole["tank.pressure"], rtol=1e-6)
     assert np.array_equal(again["control.count"], whole["control.count"])
 

@@ -145,7 +145,7 @@ class TestProgress:
 
         recording = self.circuit().simulate("2000 s", "1 s", 1e-9, progress=interrupt, throw=False)
         assert recording.outcome.startswith("The run was interrupted after t = ")
-        assert recording.outcome.endswith("The rows up to that time are kept.")
+        assert recording.outcome.endswith("The results up to that time are kept.")
         assert 0.0 <= recording.time[-1] < 2000.0
         assert np.all(np.isfinite(recording.values))
 

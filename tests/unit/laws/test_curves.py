@@ -487,7 +487,7 @@ def test_read_table_with_options():
         (POLYNOMIAL, {"argument_unit": "kg"}, "kg"),
         (POLYNOMIAL, {"sonic_conductance": [-2e-8, 1e-8]}, "sonic_conductance = -1e-08"),
         (POLYNOMIAL, {"sonic_conductance": []}, "A polynomial must have at least one coefficient."),
-        (TABLE, {"stroke": ["0 mm", "1 mm", "1 mm"]}, "stroke 3 = 1 mm, after 1 mm, must be larger than"),
+        (TABLE, {"stroke": ["0 mm", "1 mm", "1 mm"]}, "Stroke 3 = 1 mm must be larger than"),
         (TABLE, {"stroke": "0 mm"}, "stroke = '0 mm' must be a list of strokes."),
         (TABLE, {"stroke": ["0 mm", "x", "1 mm"]}, 'stroke[1] = "x"'),
         (TABLE, {"stroke": [], "sonic_conductance": []}, "stroke has 0 points: a table must have at least two points."),
