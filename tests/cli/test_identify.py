@@ -585,7 +585,7 @@ def test_a_rising_pressure_in_a_discharge_gives_a_finding(bench):
 def test_gauge_read_as_absolute_gives_a_finding(bench):
     path = bench / "fit.toml"
     path.write_text(path.read_text().replace('"bar g"', '"bar"'))
-    assert "If it is a gauge pressure" in " ".join(doubtful(path).findings)
+    assert "If the channel is a gauge pressure" in " ".join(doubtful(path).findings)
 
 
 def test_repeated_stamps_are_merged_and_counted(bench):

@@ -23,7 +23,7 @@ SIZES = {
 
 
 def grouped(notes: Iterable[Note | str]) -> list[Note]:
-    """Combine three or more notes with the same code into one note for display.
+    """Combine three or more notes with the same code into one note.
 
     Parameters
     ----------

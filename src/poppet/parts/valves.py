@@ -161,7 +161,10 @@ class DirectionalValve(FlowPath):
 
 @dataclass(frozen=True)
 class Silencer(FlowPath):
-    """Silencer at an exhaust; clogging reduces its flow capacity."""
+    """Parameters of a silencer at an exhaust port.
+
+    Clogging reduces its flow capacity.
+    """
 
     kind: ClassVar[str] = "silencer"
     symbol: ClassVar[symbols.Symbol | str] = symbols.SILENCER
