@@ -33,8 +33,13 @@ def section(title: str) -> str:
 
 
 def documented(title: str) -> dict[str, Row]:
-    rows = re.findall(r"^\| `([\w.]+)` \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE)
-    return {name: (unit, default, limits) for name, unit, default, limits, _ in rows}
+    """Return the rows of a section by field; fields with equal cells share a row."""
+    rows = re.findall(
+        r"^\| ((?:`[\w.]+`(?:, )?)+) \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE
+    )
+    cells = [(name, (unit, default, limits)) for names, unit, default, limits, _ in rows for name in names.split(", ")]
+    assert len(cells) == len(dict(cells)), f"a field of {title} has two rows"
+    return {name.strip("`"): row for name, row in cells}
 
 
 def limits(spec: NumberSpec) -> str:
