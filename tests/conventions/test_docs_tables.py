@@ -33,13 +33,17 @@ def section(title: str) -> str:
 
 
 def documented(title: str) -> dict[str, Row]:
-    """Return the rows of a section by field; fields with equal cells share a row."""
+    """Return the rows of a section by field; a row has one or more fields, or refers to those of another section."""
     rows = re.findall(
         r"^\| ((?:`[\w.]+`(?:, )?)+) \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE
     )
-    cells = [(name, (unit, default, limits)) for names, unit, default, limits, _ in rows for name in names.split(", ")]
-    assert len(cells) == len(dict(cells)), f"a field of {title} has two rows"
-    return {name.strip("`"): row for name, row in cells}
+    fields = [(name.strip("`"), row) for names, *row in rows for name in names.split(", ")]
+    assert len(fields) == len(dict(fields)), f"a field of {title} has two rows"
+    found: dict[str, Row] = {}
+    for name, (unit, default, limits, meaning) in fields:
+        other = re.fullmatch(r"as in \[(`\w+`)\]\(#\w+\)", meaning)
+        found[name] = documented(other[1])[name] if other and not unit else (unit, default, limits)
+    return found
 
 
 def limits(spec: NumberSpec) -> str:
