@@ -33,8 +33,17 @@ def section(title: str) -> str:
 
 
 def documented(title: str) -> dict[str, Row]:
-    rows = re.findall(r"^\| `([\w.]+)` \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE)
-    return {name: (unit, default, limits) for name, unit, default, limits, _ in rows}
+    """Return the rows of a section by field; a row has one or more fields, or refers to those of another section."""
+    rows = re.findall(
+        r"^\| ((?:`[\w.]+`(?:, )?)+) \| (.*?) \| (.*?) \| (.*?) ?\| (.+?) \|$", section(title), re.MULTILINE
+    )
+    fields = [(name.strip("`"), row) for names, *row in rows for name in names.split(", ")]
+    assert len(fields) == len(dict(fields)), f"a field of {title} has two rows"
+    found: dict[str, Row] = {}
+    for name, (unit, default, limits, meaning) in fields:
+        other = re.fullmatch(r"as in \[(`\w+`)\]\(#\w+\)", meaning)
+        found[name] = documented(other[1])[name] if other and not unit else (unit, default, limits)
+    return found
 
 
 def limits(spec: NumberSpec) -> str:
