@@ -47,8 +47,8 @@ def documented(title: str) -> dict[str, Row]:
 
 
 def limits(spec: NumberSpec) -> str:
-    low = f"at least {spec.low:g}" if spec.low > -math.inf else f"> {spec.above:g}"
-    high = f"at most {spec.high:g}" if spec.high < math.inf else f"< {spec.below:g}"
+    low = f"≥ {spec.low:g}" if spec.low > -math.inf else f"> {spec.above:g}"
+    high = f"≤ {spec.high:g}" if spec.high < math.inf else f"< {spec.below:g}"
     return ", ".join(text for text in (low, high) if "inf" not in text) or "any"
 
 
@@ -65,7 +65,7 @@ def declared(kind: Any, prefix: str = "", from_data: bool | None = None) -> Iter
             yield f"{prefix}{name}", ("one of", spec.choices[0], choices)
         elif isinstance(spec, PortSpec):
             need = "optional" if spec.optional else "required"
-            yield f"{prefix}{name}", ("port", need, "a store or `ambient`")
+            yield f"{prefix}{name}", ("port", need, "")
         elif isinstance(spec, BodySpec):
             yield f"{prefix}{name}", ("body", "required", "a mass, joint or guide")
         elif isinstance(spec, MemberSpec) and spec.part.kind not in KINDS:  # which stands nowhere else
