@@ -161,10 +161,7 @@ class DirectionalValve(FlowPath):
 
 @dataclass(frozen=True)
 class Silencer(FlowPath):
-    """Parameters of a silencer at an exhaust port.
-
-    Clogging reduces its flow capacity.
-    """
+    """Silencer at an exhaust, a flow path whose capacity decreases by clogging."""
 
     kind: ClassVar[str] = "silencer"
     symbol: ClassVar[symbols.Symbol | str] = symbols.SILENCER
