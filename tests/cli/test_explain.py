@@ -12,7 +12,7 @@ def test_an_error_has_cause_example_and_remedy(poppet):
     assert first == "fields.out_of_range"
     assert [line.split()[0] for line in lines] == ["cause:", "example:", "remedy:"]
     assert "<meaning>" in lines[0]
-    assert "duration = 0 s is not valid" in lines[1]
+    assert "duration = 0 s is out of range" in lines[1]
 
 
 def test_several_codes_are_explained(poppet):
