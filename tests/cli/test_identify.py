@@ -517,7 +517,7 @@ def test_empty_files_are_refused(poppet, bench, way, file):
     ("change", "message"),
     [
         (with_pressure("5.0"), "is almost constant"),
-        (rising, "which contradicts direction = \"discharge\""),
+        (rising, 'which contradicts direction = "discharge"'),
         (with_pressure("nan"), "contains no numbers"),
     ],
 )

@@ -329,7 +329,8 @@ def test_a_stalled_run_is_first_repeated_with_a_tighter_tolerance(monkeypatch):
 
     monkeypatch.setattr(simulate, "run_kernel", stalling)
     run = circuit.simulate(1.0, 0.1)
-    assert any("stopped after 1 s, because the step size became too small. The run was repeated with a relative tolerance of 1e-08." in n for n in run.notes)
+    repeated = "The run was repeated with a relative tolerance of 1e-08."
+    assert any("stopped after 1 s, because" in n and repeated in n for n in run.notes)
 
 
 def test_run_does_not_change_the_memory_of_its_problem():

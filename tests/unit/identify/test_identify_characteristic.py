@@ -261,7 +261,9 @@ def test_points_among_recordings_are_reported():
     tests = [simulate_recording(x, k) for k, x in enumerate((0.2e-3, 0.5e-3, 0.8e-3))]
     number = StrokePoint(1e-3, 1.5e-8, 0.4, 1.5e-10, 0.01, name="flow bench")
     mixed = identify_characteristic([*tests, number], degree_conductance=1, degree_ratio=0, joint=False)
-    sentences = [sentence for sentence in mixed.findings if "1 of 4 tests contribute only their values of C and b" in sentence]
+    sentences = [
+        sentence for sentence in mixed.findings if "1 of 4 tests contribute only their values of C and b" in sentence
+    ]
     assert len(sentences) == 1
     assert "(flow bench)" in sentences[0]
     recordings_only = identify_characteristic(tests, degree_conductance=1, degree_ratio=0, joint=False)

@@ -483,7 +483,7 @@ def test_read_table_with_options():
             'source = "messured" must begin with the kind of the source. Did you mean',
         ),
         (CONSTANT, {"source": 3}, "source = 3 must be text."),
-        (CONSTANT, {"critical_ratio": 1.2}, "critical_ratio = 1.2 at a stroke of 0 mm is physically impossible: b of valve.characteristic must not be 1 or more"),
+        (CONSTANT, {"critical_ratio": 1.2}, "critical_ratio = 1.2 at a stroke of 0 mm is physically impossible: b of"),
         (POLYNOMIAL, {"domain": ["0 mm"]}, "domain = ['0 mm'] must be a list of two values."),
         (POLYNOMIAL, {"argument_unit": "kg"}, "kg"),
         (POLYNOMIAL, {"sonic_conductance": [-2e-8, 1e-8]}, "sonic_conductance = -1e-08"),
