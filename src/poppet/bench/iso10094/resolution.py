@@ -100,12 +100,12 @@ def _one(evaluation: Evaluation, record: Record) -> None:
 
 
 def _largest_changes(level: FloatArray, answer: FloatArray, least: float) -> dict[bool, float]:
-    """Return the largest changes of the setpoint without motion of the outlet [% FS].
+    """Return the changes of the setpoint that were necessary to move the outlet.
 
-    The key False has the change since the previous motion, and the key True the change since a reversal of the
-    setpoint. `level` is the setpoint and `answer` the outlet on each step of the staircase. A change of the outlet by
-    `least` or more counts as a motion. The first motion is omitted unless it follows a reversal, because the setpoint
-    change before it is unknown.
+    The result contains the largest changes [% FS]. The key False has the change since the previous motion, and the key
+    True the change since a reversal of the setpoint. `level` is the setpoint and `answer` the outlet on each step of
+    the staircase. A change of the outlet by `least` or more counts as a motion. The first motion is omitted unless it
+    follows a reversal, because the setpoint change before it is unknown.
     """
     changes: dict[bool, float] = {}
     since, direction, is_known, has_turned = 0, 0, False, False
