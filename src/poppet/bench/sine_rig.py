@@ -244,12 +244,14 @@ def agreement(
     edges = np.flatnonzero(np.diff(np.concatenate([[0], (differences <= tolerance).astype(int), [0]])))
     if edges.size:
         first, end = max(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[1] - run[0])
-        low = 0.0 if first == 0 else _edge(difference, candidates[first], candidates[first - 1], tolerance)
-        high = np.inf if end == SCANNED else _edge(difference, candidates[end - 1], candidates[end], tolerance)
+        low = 0.0 if first == 0 else _end_of_agreement(difference, candidates[first], candidates[first - 1], tolerance)
+        high = (
+            np.inf if end == SCANNED else _end_of_agreement(difference, candidates[end - 1], candidates[end], tolerance)
+        )
     return Agreement(low, high, frequency, tolerance, tuple(candidates.tolist()), tuple(differences.tolist()))
 
 
-def _edge(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
+def _end_of_agreement(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
     """Return the amplitude at which the agreement with the linear model ends.
 
     `difference` is a function that returns the deviation from the linear model. The bisection starts with the amplitude

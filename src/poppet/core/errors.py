@@ -96,7 +96,7 @@ class InputError(PoppetError, ValueError):
 
     # By default, an exception is restored from its `args` and would lose its facts between processes.
     def __reduce__(self) -> Any:
-        return _restore, (type(self), self.__dict__)
+        return _create_from_state, (type(self), self.__dict__)
 
     def at(self, address: str) -> InputError:
         """Set the address of the error, and return the error.
@@ -300,7 +300,7 @@ class NameSuggestion:
         return message_format.sentence(code, {"names": self.names or self.valid_names})
 
 
-def _restore(kind: type[InputError], state: dict[str, Any]) -> InputError:
+def _create_from_state(kind: type[InputError], state: dict[str, Any]) -> InputError:
     """Create an error from its stored attributes, for example in another process.
 
     `kind` is the class of the error, and `state` contains the attributes.

@@ -25,7 +25,7 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(target.parent))
-    start = f".{target.name}.{_host()}-"
+    start = f".{target.name}.{_hash_of_host()}-"
     # In the same folder: a rename across file systems is a copy, which is not atomic.
     aside = target.with_name(f"{start}{os.getpid()}-{uuid.uuid4().hex[:12]}")
     with os.scandir(target.parent) as entries:
@@ -47,7 +47,7 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     return path
 
 
-def _host() -> str:
+def _hash_of_host() -> str:
     """Return a hash of the name of this computer.
 
     The hash becomes part of the names of temporary files, because several computers can write to a shared folder, and a

@@ -260,7 +260,7 @@ def find_impacts(
         if k > 1 and gap * impact[1] > 0.0:
             # Plain floats are faster than arrays here.
             previous = [(float(time[i]) - impact[0], float(velocity[i])) for i in (k - 2, k - 1)]
-            wait, speed = _extrapolate(previous, impact[1], gap)
+            wait, speed = _extrapolate_motion(previous, impact[1], gap)
             if 0.0 <= wait <= float(time[k + 1]) - impact[0]:
                 impact = impact[0] + wait, speed
         if abs(impact[1]) > MIN_IMPACT_SPEED:
@@ -268,7 +268,7 @@ def find_impacts(
     return impacts
 
 
-def _extrapolate(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
+def _extrapolate_motion(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
     """Extrapolate the motion of a body until it has travelled the distance `gap`.
 
     The result contains the duration and the final velocity. The velocity follows a parabola through the two pairs of

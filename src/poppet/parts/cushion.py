@@ -91,7 +91,7 @@ class Cushion(MovingGasStore, Passage):
         if "open_conductance" not in values:
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = conductance_from_effective_area(values["spear_area"], **gas)
-            values["open_conductance"] = ambient.stated_size(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
+            values["open_conductance"] = ambient.capacity_as_stated(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
         return values
 
     def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:

@@ -132,14 +132,14 @@ class FlowPath(Passage):
         if self.characteristic is not None:
             return values | {f"characteristic.{k}": v for k, v in self.characteristic.parameters().items()}
         if self._size != "sonic_conductance":
-            size = ambient.stated_size(*self._size_with_gas(values, ambient))
+            size = ambient.capacity_as_stated(*self._capacity_from_size(values, ambient))
             values["sonic_conductance"], values["critical_ratio"] = size
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
 
-    def _size_with_gas(self, values: Mapping[str, float], ambient: Surroundings) -> tuple[float, float]:
-        """Return C and b for the gas of the circuit.
+    def _capacity_from_size(self, values: Mapping[str, float], ambient: Surroundings) -> tuple[float, float]:
+        """Return C and b in the circuit gas from a stated size.
 
-        This applies to all specifications of the flow capacity except C itself and a characteristic.
+        A size is, for example, an area or a flow coefficient. `values` contains the parameters of the flow path.
         """
         name = self._size
         gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
@@ -203,7 +203,7 @@ def iso_flow(
     `ports` and `gas` are the names and the gas states of the two ports. `size` contains C and b. `name` is the output
     of the mass flow rate, and `regime` that of the flow regime.
     """
-    conductance, ratio = scope.surroundings.size_with_gas(*size)
+    conductance, ratio = scope.surroundings.capacity_in_circuit_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
     law_of_size = {"sonic_conductance": conductance, "subsonic_index": scope["subsonic_index"], **law}

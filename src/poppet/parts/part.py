@@ -212,14 +212,17 @@ class Surroundings:
         """Specific heat capacity at constant volume [J/(kg K)]."""
         return self.gas_constant / (self.isentropic_exponent - 1.0)
 
-    def size_with_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
-        """Convert C and b from the basis of the circuit file to the gas of the circuit."""
+    def capacity_in_circuit_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
+        """Convert stated C and b to the gas of the circuit.
+
+        A circuit file can state them as measured with air.
+        """
         return conductance * self.conductance_factor, ratio + (1.0 - ratio) * self.ratio_shift
 
-    def stated_size(self, conductance: float, ratio: float) -> tuple[float, float]:
-        """Convert C and b from the gas of the circuit to the basis of the circuit file.
+    def capacity_as_stated(self, conductance: float, ratio: float) -> tuple[float, float]:
+        """Convert C and b of the circuit gas to their stated form.
 
-        This is the inverse of `size_with_gas`.
+        A circuit file can state them as measured with air. This is the inverse of `capacity_in_circuit_gas`.
         """
         return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 

@@ -79,7 +79,7 @@ class TubeSegment(Passage):
         if self.loss == FRICTION:  # the choked flow is that of the cross-section
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = iso6358.conductance_from_effective_area(0.25 * math.pi * values["bore"] ** 2, **gas)
-            values["sonic_conductance"], _ = ambient.stated_size(nozzle.sonic_conductance, 0.0)
+            values["sonic_conductance"], _ = ambient.capacity_as_stated(nozzle.sonic_conductance, 0.0)
         return values
 
     def states(self) -> tuple[State, ...]:
@@ -107,7 +107,7 @@ class TubeSegment(Passage):
         `mass` is the mass flow rate. `first` and `second` are the gas states of both cells.
         """
         pressures, surroundings = (first.pressure, second.pressure), scope.surroundings
-        conductance, ratio = surroundings.size_with_gas(scope["sonic_conductance"], scope["critical_ratio"])
+        conductance, ratio = surroundings.capacity_in_circuit_gas(scope["sonic_conductance"], scope["critical_ratio"])
         # Times the square root of the temperature, which follows.
         sonic = conductance * iso6358.REFERENCE_DENSITY * sqrt(iso6358.REFERENCE_TEMPERATURE) * maximum(*pressures)
         temperature = iso6358.temperature_of_flow(

@@ -262,7 +262,7 @@ def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
     return figure
 
 
-def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
+def _figure_with_panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
     """Return a figure with a small panel for each title.
 
     There are two or three panels in a row. `draw` draws the panel with a given index.
@@ -290,7 +290,7 @@ def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
             _draw_bounds(ensemble, metric, axes.axvline, axes.get_xlim())
         axes.set(xlabel=usual_unit(metric.unit), ylabel="runs")
 
-    return _panels([metric.name.replace("_", " ") for metric in metrics], draw)
+    return _figure_with_panels([metric.name.replace("_", " ") for metric in metrics], draw)
 
 
 def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], limits: tuple[float, float]) -> None:
@@ -325,7 +325,7 @@ def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping
             _draw_bounds(ensemble, metric, axes.axhline, axes.get_ylim())
         axes.set_xlabel(with_unit(address, units[address]), fontsize=8.5)
 
-    return _panels([with_unit(metric.name.replace("_", " "), metric.unit) for metric in metrics], draw)
+    return _figure_with_panels([with_unit(metric.name.replace("_", " "), metric.unit) for metric in metrics], draw)
 
 
 def tornado_figure(metric: Metric, ranges: list[TornadoRange], indices: list[SobolIndex] | None) -> Figure:

@@ -81,7 +81,7 @@ def suspicions(record: Record, scale: Scale) -> list[Note]:
     elif is_quasistatic and moved < SMALL * driven:
         notes.append(Note("recordings.outlet_small", record.name, **facts))
     else:
-        lead = _lead(record.time, x, y)
+        lead = _lead_of_outlet(record.time, x, y)
         if math.isfinite(lead):
             notes.append(Note("recordings.leads", record.name, lead=lead))
     return notes
@@ -101,7 +101,7 @@ def _time_suspicions(record: Record) -> list[Note]:
     return []
 
 
-def _lead(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
+def _lead_of_outlet(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
     """Return the time by which the outlet changes before the setpoint [s].
 
     `x` is the setpoint, and `y` the outlet. The times at which both series cross the middle of their ranges are

@@ -157,13 +157,13 @@ def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, un
         return Scale(low, high, unit, *full_scale)
     if not isinstance(raw, list | tuple) or len(raw) != 2:
         raise InputError("bench.range.setpoint", "setpoint_range", given=raw)
-    (low, unit), (high, high_unit) = (_setpoint(end, ambient) for end in raw)
+    (low, unit), (high, high_unit) = (_read_setpoint(end, ambient) for end in raw)
     if unit != high_unit:
         raise InputError("bench.range.two_quantities", "setpoint_range", given=raw)
     return Scale(low, high, unit, *full_scale)
 
 
-def _setpoint(raw: Any, ambient: float) -> tuple[float, str]:
+def _read_setpoint(raw: Any, ambient: float) -> tuple[float, str]:
     """Return the value and the SI unit of a setpoint.
 
     A text is read as a pressure if its unit is that of a pressure, and otherwise as an electric signal. A number is a

@@ -250,8 +250,8 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     level = float(np.median(x[max(branch.first, branch.end - 3) : branch.end + 2]))
     extent = float(np.ptp(x[branch.samples]))
     for _ in range(2):  # the hold gives a more accurate level
-        stop = _meets(time, x, branch, level, extent)
-        go = _meets(time, x, following, level, extent) if following is not None else float(time[-1])
+        stop = _time_of_level(time, x, branch, level, extent)
+        go = _time_of_level(time, x, following, level, extent) if following is not None else float(time[-1])
         is_still = (time > stop) & (time < go)
         level = float(np.mean(x[is_still])) if is_still.sum() > FEWEST else level
     is_held = (time > stop + 0.8 * (go - stop)) & (time < go)
@@ -266,10 +266,10 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     valid_ends = [end for end in ends if end is not None]
     if not valid_ends:
         return None
-    end = valid_ends[_agreeing([(end.moved, end.error) for end in valid_ends])]
+    end = valid_ends[_first_consistent_estimate([(end.moved, end.error) for end in valid_ends])]
     # The rate needs less accuracy than the motion, but varies more in a narrow section.
     wide_ends = valid_ends[:WIDE]
-    steady = wide_ends[_agreeing([(end.rate, end.rate_error) for end in wide_ends])]
+    steady = wide_ends[_first_consistent_estimate([(end.rate, end.rate_error) for end in wide_ends])]
     delay = end.moved / steady.rate
     span = abs(float(time[branch.end - 1] - time[branch.first]))
     error = SELECTED * math.hypot(held_error, end.error)
@@ -315,7 +315,7 @@ def _end_of_sweep(
     return SweepEnd(moved, error, rate, rate_error, sweep)
 
 
-def _agreeing(estimates: Sequence[tuple[float, float]]) -> int:
+def _first_consistent_estimate(estimates: Sequence[tuple[float, float]]) -> int:
     """Return the index of the first estimate that agrees with all later ones.
 
     The estimates are values with their standard uncertainties. Their errors by curvature decrease from one to the next.
@@ -327,7 +327,7 @@ def _agreeing(estimates: Sequence[tuple[float, float]]) -> int:
     return len(estimates) - 1
 
 
-def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
+def _time_of_level(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
     """Return the time at which a straight line through a branch reaches a level [s].
 
     `x` is the swept quantity, and `extent` the range of the sweep. The result is NaN if the branch has too few samples.

@@ -53,11 +53,20 @@ def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = 
         at_v, at_u = np.eye(n), np.zeros((n, point.u.size))
         at_v[point.n :] = w_v * size[None, :] / size[point.n :, None]
         at_u[point.n :] = w_u / size[point.n :, None]
-        phases.append(Phase(float(duration), at_v, at_u, rates_v, rates_u, *_flow(rates_v, rates_u, float(duration))))
+        phases.append(
+            Phase(
+                float(duration),
+                at_v,
+                at_u,
+                rates_v,
+                rates_u,
+                *_matrices_over_interval(rates_v, rates_u, float(duration)),
+            )
+        )
     return tuple(phases)
 
 
-def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array]:
+def _matrices_over_interval(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array]:
     """Return the matrices by which variables and constant inputs act over a time interval.
 
     The interval has the length `duration` [s]. `rates_v` and `rates_u` are the derivatives of the rates. The matrices

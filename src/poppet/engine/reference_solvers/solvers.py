@@ -295,7 +295,9 @@ class _Cvodes(_Legs):
         coefficients[6] = start - coefficients[6]
         p = np.concatenate([self.problem.p, [start], self.scale, coefficients.ravel()])
         try:
-            states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start, self.rows))["xf"].full()
+            states = self.integrator(x0=x / self.scale, p=p, u=_offsets_and_lengths(stops - start, self.rows))[
+                "xf"
+            ].full()
         except RuntimeError as error:
             # Only the text of the error contains the reason.
             if "TOO_MUCH_WORK" in str(error):
@@ -307,7 +309,7 @@ class _Cvodes(_Legs):
         return [np.ascontiguousarray(z * self.scale) for z in states.T[: stops.size - 1]]
 
 
-def _warp(stops: Array, rows: int) -> Array:
+def _offsets_and_lengths(stops: Array, rows: int) -> Array:
     """Return offset and length of each interval for the scaled time of CVODES, (2, rows).
 
     The real time is offset plus length times scaled time. For equidistant intervals both are constant, which avoids

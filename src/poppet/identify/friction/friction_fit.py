@@ -142,7 +142,7 @@ class FrictionData:
         return np.unique(self.group)
 
 
-def _design(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
+def _design_matrix(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
     """Return the matrix that gives the friction from the linear parameters of a law.
 
     The matrix has the shape (n_rows, n_parameters). `velocity` is the Stribeck velocity. The columns of the force
@@ -175,7 +175,7 @@ class LawSolution:
 
         The matrix is that for the fitted Stribeck velocity.
         """
-        return _design(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
+        return _design_matrix(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
 
     def friction(self, rows: SlidingRows) -> FloatArray:
         """Return the modelled friction of each row, without force offsets [N]."""
@@ -208,7 +208,7 @@ def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets:
     No parameter is negative, except the dependence of the Stribeck excess on the pressure. The result is None if the
     samples do not determine the parameters.
     """
-    matrix = _design(rows, law, velocity, offsets)
+    matrix = _design_matrix(rows, law, velocity, offsets)
     weighted = matrix * rows.weight[:, None]
     gram, right_side = matrix.T @ weighted, rows.friction @ weighted
     sizes = np.sqrt(np.maximum(np.diag(gram), 1e-300))

@@ -253,11 +253,11 @@ def plot(recording: Columns) -> str:
     start, end = float(recording.time[0]), float(recording.time[-1])
     unit, size = time_unit(end - start)
     times = "".join(f"<span>{text}</span>" for text in (f"{start / size:.5g}", f"time [{unit}]", f"{end / size:.5g}"))
-    body = "".join(_panel(panel, panel_colours(panel, homes), (start, end)) for panel in panels)
+    body = "".join(_panel_html(panel, panel_colours(panel, homes), (start, end)) for panel in panels)
     return f'{body}<div class="poppet-time">{times}</div>' if body else ""
 
 
-def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
+def _panel_html(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
     """Return one panel of the notebook plot as HTML.
 
     It contains legend, limits of the scale and lines. `span` contains both ends of the time axis.
@@ -285,13 +285,13 @@ def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> 
     return (
         f'<div class="poppet-panel"><div class="poppet-key"><b>{html.escape(panel.quantity)}</b> '
         f'{html.escape(axis_unit(panel))}{"".join(keys)}</div><div class="poppet-plot"><div class="poppet-ends">'
-        f"<span>{_end(high, high - low)}</span><span>{_end(low, high - low)}</span></div>"
+        f"<span>{_end_of_scale(high, high - low)}</span><span>{_end_of_scale(low, high - low)}</span></div>"
         f'<svg role="img" aria-label="{label}" viewBox="0 -2 {WIDTH} {HEIGHT + 4}" preserveAspectRatio="none">'
         f"{''.join(paths)}</svg></div></div>"
     )
 
 
-def _end(value: float, span: float) -> str:
+def _end_of_scale(value: float, span: float) -> str:
     """Return the value at one end of a scale as text.
 
     The value is rounded to about a thousandth of `span`.
