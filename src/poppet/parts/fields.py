@@ -248,7 +248,14 @@ def _with_parameters(owner: Any, text: str) -> str:
 
     lines = ["Parameters", "----------"]
     for _, attribute_name, spec in declared(owner):
-        lines += [f"{attribute_name} : {_type_text(spec)}", f"    {_meaning_text(spec)}"]
+        # The meaning with the unit of a number, or the names of the fields of a group.
+        unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
+        meaning = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{spec.doc.removeprefix(spec.meaning)}"
+        if isinstance(spec, GroupSpec):
+            meaning += f": {', '.join(specs(spec.group))}"
+        elif isinstance(spec, MemberSpec):
+            meaning += f": {', '.join(name for name in specs(spec.part) if name not in spec.inherited)}"
+        lines += [f"{attribute_name} : {_type_text(spec)}", f"    {meaning}."]
     head, rule, rest = inspect.cleandoc(text).partition("\n-----")
     if len(lines) == 2:
         return head + rule + rest
@@ -270,21 +277,6 @@ def _type_text(spec: Any) -> str:
         case GroupSpec() | MemberSpec():
             return "mapping, optional" if spec.optional or isinstance(spec, MemberSpec) else "mapping"
     return ("number" if isinstance(spec, NumberSpec) else "str") + (", optional" if spec.optional else "")
-
-
-def _meaning_text(spec: Any) -> str:
-    """Return the meaning of a parameter.
-
-    The text includes the unit of a number, or the names of the fields of a group.
-    """
-    unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
-    details = spec.doc.removeprefix(spec.meaning)
-    text = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{details}"
-    if isinstance(spec, GroupSpec):
-        text += f": {', '.join(specs(spec.group))}"
-    elif isinstance(spec, MemberSpec):
-        text += f": {', '.join(name for name in specs(spec.part) if name not in spec.inherited)}"
-    return f"{text}."
 
 
 def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:

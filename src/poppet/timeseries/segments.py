@@ -145,7 +145,9 @@ def wave(
     Each segment has a start, a frequency and a rate of change of the frequency (`rates`).
     """
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
-    turns = np.append(0.0, _turns(frequency[:-1], rate[:-1], np.diff(start)))
+    tau = np.diff(start)
+    # Without whole turns: a large number of turns would reduce the accuracy of the phase.
+    turns = np.append(0.0, np.remainder((frequency[:-1] + 0.5 * rate[:-1] * tau) * tau, 1.0))
     phases = phase + 2.0 * np.pi * np.cumsum(turns)
     zeros, ones = np.zeros_like(start), np.ones_like(start)
     return SegmentTable(
@@ -388,12 +390,3 @@ def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
     rows, row_of_segment = np.unique(row_of_segment, return_inverse=True)
     names = ("value", "slope", "amplitude", "frequency", "chirp_rate", "phase", "start")
     return np.column_stack([getattr(table, name)[rows] for name in names]), row_of_segment
-
-
-def _turns(frequency: FloatArray, rate: FloatArray, tau: FloatArray) -> FloatArray:
-    """Return the phase of a swept sine after the time tau, as a fraction of a turn.
-
-    `frequency` is the frequency at tau = 0, and `rate` the rate of change of the frequency. The function removes whole
-    turns, because a large number of turns would reduce the accuracy of the phase.
-    """
-    return np.remainder((frequency + 0.5 * rate * tau) * tau, 1.0)

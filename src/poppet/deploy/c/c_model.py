@@ -139,11 +139,8 @@ def enum_members(prefix: str, rows: Sequence[tuple[str, str]]) -> str:
 
 def comment_rows(quantities: Iterable[Any], *, with_value: bool = False) -> list[tuple[str, str]]:
     """Return the identifier of each quantity with a comment: address, unit and optionally the value."""
-    return [
-        (q.identifier, f"{comment_text(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
-        for q in quantities
-    ]
-
-
-def _unit(unit: str) -> str:
-    return comment_text(unit if unit not in ("", "1") else "-")
+    rows = []
+    for q in quantities:
+        unit = comment_text(q.unit if q.unit not in ("", "1") else "-")
+        rows.append((q.identifier, f"{comment_text(q.address)} [{unit}]{f' {q.value:.6g}' if with_value else ''}"))
+    return rows

@@ -306,7 +306,14 @@ class _RecordingReader:
             if address in self.noise:
                 fields[address]["noise"] = self.noise[address]
             if address in self.offsets:
-                fields[address]["offset"] = _offset_field(self.offsets[address], address)
+                offset = self.offsets[address]
+                if not isinstance(offset, str | int | float | Mapping):
+                    first, second = OFFSET_MOMENTS
+                    if not isinstance(offset, Sequence) or len(offset) != 2:
+                        name = f"offsets.{address}"
+                        raise InputError("fit.no_pair", name, value=offset, first=first, second=second)
+                    offset = {first: offset[0], second: offset[1]}
+                fields[address]["offset"] = offset
         for address in (address for address in recorded if address in self.inputs):
             default, unit = self.inputs[address].default, self.inputs[address].unit
             if isinstance(default, str):
@@ -317,16 +324,6 @@ class _RecordingReader:
                 column = {"column": table.names.index(address), "unit": units[address] or unit, "hold": self.hold}
                 fields["inputs"][address] = column
         return fields, omitted
-
-
-def _offset_field(argument: Any, address: str) -> Any:
-    """Return the argument for the offset of a sensor in the form of a fit file; a pair becomes a table."""
-    if isinstance(argument, str | int | float | Mapping):
-        return argument
-    if not isinstance(argument, Sequence) or len(argument) != 2:
-        first, second = OFFSET_MOMENTS
-        raise InputError("fit.no_pair", f"offsets.{address}", value=argument, first=first, second=second)
-    return dict(zip(OFFSET_MOMENTS, argument, strict=True))
 
 
 def _frame_table(frame: DataFrame, location: str) -> Table:
