@@ -5,13 +5,13 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from poppet.cli.commands import COMMANDS
+from poppet.cli.commands import COMMANDS, REPORT
 from poppet.cli.parser import Command
 from poppet.core.command_options import QUIET, SET, WITH
 
 PAGE = Path(__file__).parents[1] / "docs" / "cli.md"
 HEAD = "| option | meaning |\n|---|---|\n"
-COMMON = (WITH, SET, QUIET)
+COMMON = (REPORT, WITH, SET, QUIET)
 
 
 def option_table(command: Command) -> str:
