@@ -393,7 +393,7 @@ def _complete(part: Any, library: Mapping[str, Number], path: str, errors: Error
 
 def _read_field(
     argument: Any, spec: Spec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
-) -> Any:
+) -> object:
     match spec:
         case NumberSpec():
             spec = spec.within(owner)
@@ -423,7 +423,7 @@ def _read_field(
 
 def _read_group(
     argument: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
-) -> Any:
+) -> object:
     valid = specs(spec.group)
     if argument is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
         return None

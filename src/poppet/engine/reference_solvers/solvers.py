@@ -16,12 +16,14 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from poppet.engine.problem import Array, Outcome, Problem, RawRun
 from poppet.engine.reference_solvers.track import Leg, Track, jacobian, rates, rounding, tolerances
+
+_T = TypeVar("_T")
 
 SOLVERS: tuple[str, ...] = ("cvodes", "lsoda", "bdf", "radau")
 
@@ -174,7 +176,7 @@ class _Scipy(_Legs):
                     return
 
     @staticmethod
-    def _quietly(work: Callable[[], Any]) -> Any:
+    def _quietly(work: Callable[[], _T]) -> _T | None:
         """Return the result of a solver call without warnings.
 
         The result is None after a numerical error.

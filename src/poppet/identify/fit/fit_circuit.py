@@ -36,11 +36,11 @@ class DataFrame(Protocol):
     """Table with labelled columns and an index, such as `pandas.DataFrame`."""
 
     @property
-    def columns(self) -> Any:
+    def columns(self) -> Iterable[Any]:
         """Labels of the columns."""
 
     @property
-    def index(self) -> Any:
+    def index(self) -> Iterable[Any]:
         """Labels of the rows."""
 
     def __getitem__(self, key: Any, /) -> Any: ...
