@@ -18,7 +18,8 @@ Choice = TypeVar("Choice")
 def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     """Write a file completely or not at all.
 
-    The function `fill` writes a temporary file, which then replaces the target.
+    The function `fill` receives a temporary file and writes the content into it. The temporary file then replaces the
+    file at `path`.
     """
     # Resolve links: renaming onto a link would replace the link.
     target = Path(os.path.realpath(path))
@@ -61,7 +62,10 @@ def _is_running(process: int) -> bool:
 
 
 def by_suffix(path: Path, choices: Mapping[str, Choice]) -> Choice:
-    """Return the entry of `choices` for the file extension of a path."""
+    """Return the entry of `choices` that belongs to the file extension of a path.
+
+    The keys of `choices` are file extensions. An unknown extension raises an error.
+    """
     suffix = path.suffix.lower()
     if suffix not in choices:
         raise InputError("files.suffix", path=str(path), suffix=path.suffix, near=NameSuggestion(suffix, choices))

@@ -53,7 +53,10 @@ class Stop:
 
 @dataclass(frozen=True)
 class Contact:
-    """Contact of plate and poppet at stroke zero, where the lower spring begins to act."""
+    """Contact between plate and poppet at stroke zero.
+
+    At larger strokes, the lower spring acts on the plate.
+    """
 
     width: NumberLike = number("m", doc="width of the contact", above=0.0)
     dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)

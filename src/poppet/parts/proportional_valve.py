@@ -153,9 +153,10 @@ class ProportionalValve(Compound):
 
 
 def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
-    """Return a note on the first row in which a condition is true.
+    """Return a note with values of the first row in which a condition is true.
 
-    The facts of the note are the values of `series` in this row. Without such a row the list is empty.
+    `is_true` contains the condition for each row. The facts of the note are the values of `series` in the row. If the
+    condition is never true, the list is empty.
     """
     return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(is_true)[:1]]
 
@@ -188,7 +189,10 @@ def _oscillation_notes(
 
 
 def _turning_points(values: list[float], threshold: float) -> list[int]:
-    """Return the indices of the extrema between which the values rise or fall by more than a threshold."""
+    """Return the indices at which a series changes between rising and falling.
+
+    A rise or fall counts if it exceeds `threshold`.
+    """
     turns: list[int] = []
     low = high = 0
     direction = 0

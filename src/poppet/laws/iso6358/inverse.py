@@ -344,9 +344,9 @@ def _choked_flow_per_pressure(number: dict[str, Array]) -> Array:
 
 
 def _drop_for_ratio(ratio: Array, number: dict[str, Array], one_way: bool) -> Array:
-    """Return the pressure drop at which the flow is the fraction `ratio` of the choked flow [Pa].
+    """Return the pressure drop for a given fraction of the choked flow [Pa].
 
-    `ratio` is below 1.
+    `ratio` is this fraction, below 1. `number` contains the parameters of the flow path.
     """
     width = 1.0 - number["laminar_ratio"]
     cracking = number["cracking_pressure"] / number["pressure_1"]
@@ -388,7 +388,10 @@ def _upstream_by_bisection(choking: Array, number: dict[str, Array], one_way: bo
 
 
 def _rising_root(function: Callable[[Array], Array], target: Array, low: Array, high: Array) -> Array:
-    """Return the argument at which an increasing function reaches `target`, by bisection."""
+    """Return the argument at which an increasing function has the value `target`.
+
+    The search is a bisection between `low` and `high`.
+    """
     # Not Newton's method: the slope of the law is zero where a flow path closes.
     for _ in range(60):
         middle = 0.5 * (low + high)
