@@ -81,7 +81,10 @@ class BatchRun:
 
 
 class Worker(Protocol):
-    """Interface of an object that computes some runs of a batch in one thread."""
+    """Interface of an object that computes some runs of a batch.
+
+    Each worker runs in one thread.
+    """
 
     max_runs: int  # of a slice
 

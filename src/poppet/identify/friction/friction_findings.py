@@ -81,7 +81,7 @@ def _seal_and_bristle_notes(analysis: FrictionFits) -> Iterator[Note]:
     bristles, levels = analysis.bristles, levels_of(analysis)
     if bristles is None:
         yield Note("friction.no_reversals", count=analysis.reversals)
-    elif bristles.is_seen:
+    elif bristles.is_resolved:
         facts = {"way": bristles.way, "rms": bristles.rms, "without": bristles.rms_without}
         yield Note("friction.bristles", **facts, count=bristles.reversals, resolution=bristles.resolution)
         if bristles.is_late:

@@ -191,7 +191,7 @@ class LawSolution:
         """Return the offset of the force sensor at each sample [N]."""
         return np.array([self.offsets.get(int(k), 0.0) for k in rows.record])
 
-    def missed(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
+    def residuals_for(self, rows: SlidingRows, unknown: Sequence[int] = ()) -> FloatArray:
         """Return the differences between modelled and measured friction [N].
 
         `unknown` contains the indices of recordings with free offsets. If the solution has no offset for such a
@@ -297,7 +297,7 @@ class FrictionLawFit:
     @cached_property
     def errors(self) -> FloatArray:
         """Residuals of all samples: modelled minus measured friction [N]."""
-        return self.solution.missed(self.data.rows)
+        return self.solution.residuals_for(self.data.rows)
 
     @cached_property
     def spread(self) -> ClusterCovariance:
@@ -442,7 +442,7 @@ def fit_friction_law(data: FrictionData, law: FrictionLaw) -> FrictionLawFit | N
         if not refits:
             return None
         withheld = rows.of(data.group == k)
-        errors.append(refits[0].missed(withheld, data.free_offsets))
+        errors.append(refits[0].residuals_for(withheld, data.free_offsets))
         mean_squares.append(float(np.average(errors[-1] ** 2, weights=withheld.weight)))
     score = float(np.sqrt(np.mean(np.concatenate(errors) ** 2)))
     return FrictionLawFit(data, minima[0], tuple(minima[1:]), np.array(mean_squares), score)
@@ -657,7 +657,7 @@ def levels_of(analysis: FrictionFits) -> list[dict[str, Any]]:
             "name": record.name,
             "pressure": float(np.mean(rows.pressure)),
             "rows": len(rows),
-            "level": line - float(np.mean(rows.sign * solution.missed(rows))),
+            "level": line - float(np.mean(rows.sign * solution.residuals_for(rows))),
             "line": line,
             "offset": solution.offsets.get(k, 0.0),
             "speeds": [float(np.mean(np.abs(one_way.velocity))) for one_way in directions],

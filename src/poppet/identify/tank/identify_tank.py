@@ -300,7 +300,7 @@ def time_unit_notes(runs: Sequence[TankRun]) -> list[Note]:
 def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
     """Change the verdict `determined` to `weak` if there is evidence against the model.
 
-    The item `capped` of the conditions of the result contains the reasons. `missed` contains the channels that the
+    The item `capped` of the conditions of the result contains the reasons. `residuals_for` contains the channels that the
     model does not describe.
     """
     reasons: dict[str, list[str]] = {}
