@@ -144,7 +144,7 @@ def identify_tank(
     result = apply_caps(test, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)
-    result = add_budget(uncertainties, runs, plan, result, widen_for_ambient(test, runs, result))
+    result = add_budget(test, uncertainties, runs, plan, result, widen_for_ambient(test, runs, result))
     return update_parameter_notes(plan, result)
 
 
