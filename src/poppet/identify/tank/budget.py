@@ -21,11 +21,11 @@ from poppet.identify.fit.statistics import influences, verdict
 from poppet.identify.free_parameter import by_name
 from poppet.identify.gum import coverage_factor
 from poppet.identify.result import VERDICTS, Estimate, Result
-from poppet.identify.tank.tank_plan import PRESSURE, SUPPLY, TankRun, is_free, plan_tank_fit
+from poppet.identify.tank.tank_plan import COMMON_RATIO, PRESSURE, SUPPLY, TankRun, is_free, plan_tank_fit
 from poppet.identify.tank.test import TankTest
 from poppet.timeseries.checks import FloatArray
 
-VOLUME, LEAK = "tank.volume", "leak.sonic_conductance"
+VOLUME, LEAK, LEAK_RATIO = "tank.volume", "leak.sonic_conductance", "leak.critical_ratio"
 FIELDS = dict.fromkeys(("volume", "supply_pressure", "leak", "gauge_scale", "gauge_zero"), Field())
 """Keys of the table `uncertainties` of a tank test."""
 DEFAULTS = {"volume": 0.005, "supply_pressure": 0.003, "leak": 0.015, "gauge_scale": 0.003}
@@ -42,6 +42,8 @@ DEFAULT_ZERO = 0.0006
 """Default standard uncertainty of the gauge zero, as a fraction of the range of the recording.
 
 The value is assumed: limits of ±0.1 %, rectangular distribution (GUM 4.3.7)."""
+RATIO = 0.17
+"""Assumed standard uncertainty of the critical ratio of a leak: 0 to 0.6, rectangular distribution."""
 LARGEST = 0.5
 """Largest relative standard uncertainty that the linear propagation accepts."""
 LARGEST_STEP = 0.005
@@ -55,6 +57,7 @@ SOURCES = {
     "volume": "volume",
     "supply_pressure": "supply pressure",
     "leak": "leak",
+    "leak_ratio": "leak",
     "gauge_scale": "gauge scale",
     "gauge_zero": "gauge zero",
 }
@@ -147,7 +150,9 @@ def add_budget(
         if not is_finite or fitted.verdict == "at bound" or f.role == "offset":
             continue
         sizes = _contributions(row @ errors, moments)
-        shares = {SOURCES[name]: float(size) for name, size in zip(changes, sizes, strict=True)}
+        shares = dict.fromkeys((SOURCES[name] for name in changes), 0.0)
+        for name, size in zip(changes, sizes, strict=True):
+            shares[SOURCES[name]] = math.hypot(shares[SOURCES[name]], size)
         sources = {NOISE: fitted.standard_error}
         if estimate.standard_error > fitted.standard_error:
             sources[AMBIENT] = math.sqrt(estimate.standard_error**2 - fitted.standard_error**2)
@@ -291,12 +296,18 @@ def _residual_changes(
     changes = {name: np.append(change, np.zeros(n_priors)) for name, change in changes.items()}
     if uncertainties.leak > 0.0 and not is_free(test.leak_conductance):
         leaky = plan_tank_fit(replace(test, leak_conductance="free"), runs)
-        parameters = plan.experiments[0].instance.parameters
-        conductance = values.get(f"{test.part}.sonic_conductance", parameters[f"{test.part}.sonic_conductance"])
+        parameters, number = plan.experiments[0].instance.parameters, f"{test.part}.sonic_conductance"
+        size = uncertainties.leak * values.get(number, parameters[number])
         x = np.array([values.get(f.name, parameters.get(LEAK, 0.0)) for f in leaky.free])
-        jacobian = FitObjective(leaky.experiments, leaky.free, _sigmas(plan, result)).residual_and_jacobian(x)[1]
         index = [f.address for f in leaky.free].index(LEAK)
-        changes["leak"] = uncertainties.leak * conductance * jacobian[:, index]
+        for name, ratio in (("leak", COMMON_RATIO), ("leak_ratio", COMMON_RATIO + RATIO)):
+            experiments = [
+                Experiment(e.instance.with_values({LEAK_RATIO: ratio}), e.measurement, leaky.free)
+                for e in leaky.experiments
+            ]
+            objective = FitObjective(experiments, leaky.free, _sigmas(plan, result))
+            changes[name] = size * objective.residual_and_jacobian(x)[1][:, index]
+        changes["leak_ratio"] = changes["leak_ratio"] - changes["leak"]
     return changes
 
 
