@@ -7,11 +7,12 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.stats import binom
 
 from exact.independent_edge_tanks import COARSE_CHARGE, LEAKY_ISOTHERMAL, Array, EdgeTank, draw, record, simulate
 from poppet.identify import Result, TankTest, identify_tank
 
-C, HA = "valve.sonic_conductance", "tank.wall_conductance"
+C, B, HA = "valve.sonic_conductance", "valve.critical_ratio", "tank.wall_conductance"
 CLEAN_CHARGES = (1, 4, 6, 13)
 
 
@@ -80,3 +81,20 @@ def test_wrong_verdicts_of_repeated_charges(tank: EdgeTank, limit: int) -> None:
     determined = [e for e in estimates if e.verdict == "determined"]
     print(f"{len(determined)} of 40 determined, {sum(e.low <= tank.conductance <= e.high for e in determined)} covered")
     assert sum(not e.low <= tank.conductance <= e.high for e in determined) <= limit
+
+
+@pytest.mark.slow
+def test_intervals_of_random_tests_cover_truth() -> None:
+    """Half of the tanks leak up to 3 % of C, and half of the charges have a supply that is off by up to 0.5 %."""
+    held: dict[str, list[bool]] = {C: [], B: [], HA: []}
+    for seed in range(2000, 2100):
+        tank = draw(seed)
+        parameters = identify(tank, *record(tank, seed)).parameters
+        for name, truth in ((C, tank.conductance), (B, tank.ratio), (HA, tank.wall)):
+            estimate = parameters[name]
+            if estimate.verdict == "determined":
+                assert abs(estimate.value - truth) < 5.0 * estimate.standard_error
+                held[name].append(estimate.low <= truth <= estimate.high)
+    for name, values in held.items():
+        print(f"{name}: {sum(values)} of {len(values)} determined values covered")
+        assert sum(values) >= binom.ppf(0.001, len(values), 0.93)
