@@ -62,7 +62,7 @@ BOUND = 1e-6
 
 @dataclass(frozen=True)
 class _CurveOptions:
-    """Checked options of `identify_characteristic`."""
+    """Options of `identify_characteristic` after a check of their values."""
 
     form: Form
     degrees: tuple[int, int]
@@ -191,7 +191,7 @@ def identify_characteristic(
     recorded = [k for k, test in enumerate(tests) if not isinstance(test, StrokePoint)]
     if joint and recorded and not (verdict and verdict.rejected):
         fit = fit_histories(tests, evidence, fit, progress)
-    bands = _bands(fit, evidence, options)
+    bands = _confidence_bands(fit, evidence, options)
     remarks = characteristic_findings(fit, by_test, evidence, verdict, options.domain, joint and bool(recorded))
     prefix = f"{part}.characteristic." if part else ""
     estimates = _estimates(fit, options, prefix)
@@ -200,7 +200,7 @@ def identify_characteristic(
         estimates |= {name: widened(estimates[name], ambient.shares[name]) for name in names}
         remarks = (*remarks, ambient.note(("C(x)", *names)))
     if fit.twin:  # the intervals include those of the equivalent curves
-        twin_bands = _bands(fit.twin, evidence, options)
+        twin_bands = _confidence_bands(fit.twin, evidence, options)
         bands = [(np.minimum(a, c), np.maximum(b, d)) for (a, b), (c, d) in zip(bands, twin_bands, strict=True)]
         for name, twin in _estimates(fit.twin, options, prefix).items():
             e = estimates[name]
@@ -210,7 +210,7 @@ def identify_characteristic(
         method="characteristic",
         title=title,
         parameters=estimates,
-        residuals=_residuals(fit, evidence),
+        residuals=_residual_statistics(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
         remarks=(*replace_uncertain_findings(remarks, estimates), *notes_of(notes)),
         conditions=_conditions(options, fit, evidence, fit is not by_test, common),
@@ -228,7 +228,7 @@ def _check_options(
     bootstrap: int,
     seed: int,
 ) -> _CurveOptions:
-    """Check the tests and the options, and return the options."""
+    """Check the tests and the options of an identification, and return the options."""
     with ErrorCollector() as errors:
         if form not in FORMS:
             near = NameSuggestion(str(form), FORMS)
@@ -268,7 +268,10 @@ def _polynomial_shapes(options: _CurveOptions) -> Shapes:
 def _fit_spline(
     options: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
-    """Return the spline with the constraint that C does not fall, and the test of this constraint."""
+    """Return the spline in which C never falls, and the test of this constraint.
+
+    `evidence` contains C and b of the tests, and `common` the errors that they share.
+    """
     decoupled = [e.decoupled() for e in evidence]
     candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
     free = min((fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates), key=CurveFit.aicc)
@@ -283,7 +286,10 @@ def _fit_spline(
 
 
 def _knot_candidates(strokes: Array, evidence: Sequence[TestEvidence]) -> list[tuple[float, ...]]:
-    """Return the selections of knots that the AICc compares, up to all strokes at which tests determine b."""
+    """Return several selections of knots, between which AICc decides.
+
+    The largest selection contains all strokes at which tests determine b.
+    """
     determined = np.unique(determined_values(evidence, 1)[0])
     candidates = [select_knots(strokes, n) for n in range(FEWEST_KNOTS, strokes.size)]
     candidates += [select_knots(determined, n) for n in range(FEWEST_KNOTS, determined.size + 1)]
@@ -329,8 +335,8 @@ def _estimate(value: float, unit: str, error: float, coverage: float, limits: tu
     return Estimate(value, unit, error, max(limits[0], value - half), min(limits[1], value + half), verdict)
 
 
-def _residuals(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
-    """Return statistics of the differences between the curves and C and b of the tests."""
+def _residual_statistics(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
+    """Return statistics of the differences between the curves and the tests."""
     summaries = {}
     for index, name in enumerate(NUMBERS):
         strokes, measured, _ = determined_values(evidence, index)
@@ -351,8 +357,10 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
     return statistics | ({"monotone": asdict(verdict)} if verdict else {})
 
 
-def _bands(fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions) -> list[tuple[Array, Array]]:
-    """Return the 95 % bands of C and b at strokes over the domain."""
+def _confidence_bands(
+    fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions
+) -> list[tuple[Array, Array]]:
+    """Return the 95 % bands of C and b at many strokes in the domain."""
     x = np.linspace(*options.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
     if options.bootstrap:

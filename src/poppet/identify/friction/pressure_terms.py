@@ -23,10 +23,11 @@ FEWEST_CLUSTERS, FEWEST_RECORDS = 6, 3
 
 
 def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArray, group: NDArray[np.int_]) -> float:
-    """Return the significance of a term: a column times the pressure.
+    """Return how significant a dependence on the pressure is.
 
-    `law_columns` contains the derivatives of the friction by the parameters of the law, (n, n_parameters). The result
-    is the coefficient of the term divided by the half width of its interval; it is 0 for a negligible term.
+    The term is one column of the law times the pressure. `law_columns` contains the derivatives of the friction by the
+    parameters of the law, (n, n_parameters). The result is the coefficient of the term divided by the half width of its
+    interval; it is 0 for a negligible term.
 
     The friction of each recording has a free level. Therefore only the differences within recordings test the term.
     Residuals are independent between strokes, and between the points of a table. With at least three recordings, the
@@ -35,7 +36,13 @@ def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArra
     records = [np.where(rows.record == k, 1.0, 0.0) for k in np.unique(rows.record)]
     root = np.sqrt(rows.weight)
     candidates = [*(rows.sign * record for record in records), *records, *law_columns.T]
-    basis = _orthonormal([candidate * root for candidate in candidates])
+    basis = np.zeros((root.size, 0))  # orthonormal, (n, rank)
+    for candidate in candidates:
+        weighted = candidate * root
+        rest = weighted - basis @ (basis.T @ weighted)
+        rest -= basis @ (basis.T @ rest)
+        if np.linalg.norm(rest) > INDEPENDENT * np.linalg.norm(weighted):
+            basis = np.column_stack([basis, rest / np.linalg.norm(rest)])
     term, friction = column * rows.pressure * root, rows.friction * root
     rest = term - basis @ (basis.T @ term)
     freedom = len(rows) - basis.shape[1] - 1
@@ -59,21 +66,14 @@ def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArra
     return min(statistic, between, key=abs)
 
 
-def _orthonormal(columns: Sequence[FloatArray]) -> FloatArray:
-    """Return an orthonormal basis of columns, (n, rank)."""
-    basis = np.zeros((columns[0].size, 0))
-    for column in columns:
-        rest = column - basis @ (basis.T @ column)
-        rest -= basis @ (basis.T @ rest)
-        if np.linalg.norm(rest) > INDEPENDENT * np.linalg.norm(column):
-            basis = np.column_stack([basis, rest / np.linalg.norm(rest)])
-    return basis
-
-
 def _statistic_between_recordings(
     rows: SlidingRows, candidates: Sequence[FloatArray], column: FloatArray, records: Sequence[FloatArray]
 ) -> float:
-    """Return the slope of the coefficient of a column in each recording versus pressure, divided by its half width."""
+    """Return the significance of a pressure dependence between recordings.
+
+    A coefficient is fitted in each recording. The result is the slope of the coefficient over pressure, divided by its
+    half width.
+    """
     root = np.sqrt(rows.weight)
     matrix = np.column_stack([*(column * record for record in records), *candidates]) * root[:, None]
     norms = np.linalg.norm(matrix, axis=0)

@@ -66,7 +66,10 @@ SOURCES = {
 
 @dataclass(frozen=True)
 class Uncertainties:
-    """Standard uncertainties of the stated quantities of a tank test; 0 for an exact quantity."""
+    """Standard uncertainties of the quantities that a tank test states.
+
+    The uncertainty of an exact quantity is 0.
+    """
 
     volume: float  # relative
     supply_pressure: float  # relative, of the absolute pressure
@@ -97,7 +100,9 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
         stated = read_fields(errors, test.uncertainties or {}, FIELDS, "uncertainties", table="table of uncertainties")
         for name, (unit, reference) in references.items():
             with errors.collecting():
-                sizes[name] = _relative(stated[name], name, unit, reference) if name in stated else defaults[name]
+                sizes[name] = (
+                    _relative_uncertainty(stated[name], name, unit, reference) if name in stated else defaults[name]
+                )
         with errors.collecting():
             ranges = [float(np.ptp(c.channel.values)) for c in _gauges(plan)]
             zero = Field(unit="Pa", kind="pressure_difference", low=0.0, meaning="standard uncertainty")
@@ -108,8 +113,11 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
     return Uncertainties(**sizes, assumed=tuple(name for name in FIELDS if name not in stated))
 
 
-def _relative(argument: Any, name: str, unit: str, reference: float) -> float:
-    """Return a standard uncertainty as a fraction of a reference."""
+def _relative_uncertainty(argument: Any, name: str, unit: str, reference: float) -> float:
+    """Return a standard uncertainty as a fraction of a reference value.
+
+    `argument` is the fraction, or an absolute value with the unit `unit`. `name` is the name for messages.
+    """
     location, meaning = f"uncertainties.{name}", "standard uncertainty"
     fraction = Field(unit="1", low=0.0, high=LARGEST, meaning=meaning)
     try:
@@ -130,10 +138,10 @@ def add_budget(
     result: Result,
     ambient: Result,
 ) -> Result:
-    """Add the uncertainty of the stated quantities to the standard errors and intervals of a result.
+    """Add the uncertainties of stated quantities to a result.
 
-    `result` has the intervals of the fit, and `ambient` those that include the ambient temperature. The Jacobian of the
-    fit propagates the errors linearly.
+    They increase the standard errors and intervals. `result` has the intervals of the fit, and `ambient` those that
+    include the ambient temperature. The Jacobian of the fit propagates the errors linearly.
     """
     number = f"{test.part}.sonic_conductance"
     changes = _residual_changes(test, runs, plan, result, uncertainties)
@@ -157,7 +165,7 @@ def add_budget(
         if estimate.standard_error > fitted.standard_error:
             sources[AMBIENT] = math.sqrt(estimate.standard_error**2 - fitted.standard_error**2)
         budget[f.name] = {"sources": sources | shares}
-        wider = _widened(estimate, math.hypot(*shares.values()), f.low, f.high)
+        wider = _widened_estimate(estimate, math.hypot(*shares.values()), f.low, f.high)
         half = max(wider.high - wider.value, wider.value - wider.low)
         joint = max(verdict(f, wider.value, half), estimate.verdict, key=VERDICTS.index)
         parameters[f.name] = replace(wider, verdict=joint)
@@ -187,9 +195,9 @@ def _budget_note(
 
 
 def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
-    """Return a result whose notes on single parameters agree with the final intervals and verdicts.
+    """Return a result whose notes agree with its final intervals and verdicts.
 
-    Limited verdicts have a finding of their own.
+    The notes are those on single parameters. Limited verdicts have a finding of their own.
     """
     capped = result.conditions.get("capped", {})
     free = [f for f in plan.free if f.name not in capped]
@@ -199,8 +207,11 @@ def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
     return replace(result, remarks=tuple(remarks))
 
 
-def _widened(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
-    """Return an estimate that includes a further standard uncertainty, within the bounds `low` and `high`."""
+def _widened_estimate(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
+    """Return an estimate with an additional standard uncertainty, `error`.
+
+    The interval stays within the bounds `low` and `high`.
+    """
     value, half = estimate.value, coverage_factor(math.inf) * error
     return replace(
         estimate,
@@ -245,8 +256,9 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
 
 
 def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray:
-    """Return the contribution of each error to the standard uncertainty of an estimate.
+    """Return the contribution of each error to the standard uncertainty.
 
+    `sensitivities` contains the change of an estimate by each error, and `moments` the second moments of the errors.
     The errors can be correlated: a negative contribution reduces the others.
     """
     products = sensitivities * (moments @ sensitivities)
@@ -258,9 +270,9 @@ def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray
 def _residual_changes(
     test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, uncertainties: Uncertainties
 ) -> dict[str, FloatArray]:
-    """Return the change of the residuals by one standard uncertainty of each quantity.
+    """Return how the residuals change with each stated quantity.
 
-    Quantities that are exact, free or without effect are omitted.
+    A quantity changes by one standard uncertainty. Quantities that are exact, free or without effect are omitted.
     """
     fitted_runs = [run for run in runs if run.use == "fit"]
     is_fixed = {
@@ -279,7 +291,11 @@ def _residual_changes(
             step = min(size, LARGEST_STEP)
             above, below = (
                 np.concatenate(
-                    [series for e in plan.experiments for series in _scaled(e, plan, name, times).outputs(values)]
+                    [
+                        series
+                        for e in plan.experiments
+                        for series in _scaled_experiment(e, plan, name, times).outputs(values)
+                    ]
                 )
                 for times in (1.0 + step, 1.0 - step)
             )
@@ -311,8 +327,11 @@ def _residual_changes(
     return changes
 
 
-def _scaled(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
-    """Return an experiment with a scaled volume or supply pressure; a recorded supply is scaled as well."""
+def _scaled_experiment(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
+    """Return an experiment in which a volume or a supply pressure is scaled.
+
+    `name` is the quantity, and `factor` the factor. A recorded supply pressure is scaled as well.
+    """
     address = VOLUME if name == "volume" else SUPPLY
     parameters, measurement = experiment.instance.parameters, experiment.measurement
     instance = experiment.instance
