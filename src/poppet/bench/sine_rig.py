@@ -36,7 +36,7 @@ MOST_ATTEMPTS = 1_500_000
 
 @dataclass(frozen=True)
 class SineResponse:
-    """Response of an output to a sinusoidal input."""
+    """Response of an output to a sinusoidal input, as gain and phase."""
 
     gain: complex  # fundamental of the output per amplitude of the input, in the units of both
     mean: float  # mean of the output, in the unit of the output
@@ -210,7 +210,10 @@ class Agreement:
 
 
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
-    """Return the circuit with averaged solenoids, without controller bands, delays and quantisation."""
+    """Return the circuit with a controller that acts continuously.
+
+    Solenoids are averaged. The controller has no bands, delays and quantisation.
+    """
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():
         members = part.members if isinstance(part, Compound) else {"": part}

@@ -109,7 +109,10 @@ class ExportModel:
 
     @cached_property
     def functions(self) -> dict[str, casadi.Function]:
-        """CasADi functions of the model by name, from which a code generator (printer) writes code."""
+        """CasADi functions of the model by name.
+
+        A printer (code generator) writes code from them.
+        """
         return trace_functions(self.model)
 
 
@@ -191,7 +194,10 @@ def _export_parameters(circuit: BaseCircuit, instance: Instance, problem: Proble
 
 
 def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declaration of each parameter by address: unit, limits and meaning."""
+    """Return the declarations of all parameters of a circuit by address.
+
+    A declaration contains unit, limits and meaning.
+    """
     specs = number_specs(circuit)
     for section in ("ambient", "gas"):
         specs |= {f"{section}.{key}": spec for key, spec, _ in flatten(getattr(circuit, section))}

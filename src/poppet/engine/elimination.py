@@ -55,9 +55,9 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
 
 
 def solver_functions(sparsity: Any) -> tuple[Any, Any]:
-    """Return CasADi functions that factorise and solve ``(I*s - J) x = b``.
+    """Return CasADi functions that solve the linear system ``(I*s - J) x = b``.
 
-    `sparsity` is the pattern of nonzeros of J.
+    One function factorises the matrix, and the other solves the system. `sparsity` is the pattern of nonzeros of J.
     """
     import casadi as ca
 

@@ -50,7 +50,10 @@ class BodyStop:
 
 @dataclass(frozen=True)
 class JointStop:
-    """End stop of a joint after Hunt and Crossley."""
+    """End stop of a joint by the law of Hunt and Crossley.
+
+    The torque is k d^1.5 with the angle d of penetration, multiplied by a damping factor.
+    """
 
     position: NumberLike = number("rad", doc="angle of the stop")
     stiffness: NumberLike = number("N m/rad^1.5", 1e4, doc="contact stiffness", above=0.0, note="a rubber bumper")
@@ -62,7 +65,10 @@ KINDS = ("none", "viscous", "stribeck", "lugre")
 
 @dataclass(frozen=True)
 class BodyFriction:
-    """Parameters of the friction of a mass; each friction law uses a subset of them."""
+    """Parameters of the friction of a mass.
+
+    Each friction law uses only some of them.
+    """
 
     kind: str = option("viscous", *(k for k in KINDS if k != "viscous"), doc="law of friction")
     coulomb_force: NumberLike = number("N", optional=True, doc="Coulomb friction", low=0.0)
@@ -76,7 +82,10 @@ class BodyFriction:
 
 @dataclass(frozen=True)
 class JointFriction:
-    """Parameters of the friction of a joint; each friction law uses a subset of them."""
+    """Parameters of the friction of a joint.
+
+    Each friction law uses only some of them.
+    """
 
     kind: str = option("viscous", *(k for k in KINDS if k != "viscous"), doc="law of friction")
     coulomb_torque: NumberLike = number("N m", optional=True, doc="Coulomb friction", low=0.0)

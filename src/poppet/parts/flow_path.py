@@ -35,7 +35,10 @@ _FROM_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
 
 
 def read_characteristic(argument: Any, address: str) -> Characteristic:
-    """Read a flow characteristic by library name, from a TOML file or from a table."""
+    """Read a flow characteristic from the library, a TOML file or a table.
+
+    `argument` is the name in the library, the path of the file, or the table.
+    """
     if isinstance(argument, Characteristic):
         return argument
     if isinstance(argument, Mapping):

@@ -54,7 +54,7 @@ Quantities = dict[str, tuple[Any, str]]
 
 @dataclass(frozen=True)
 class State:
-    """Continuous state of a part with its local name and SI unit."""
+    """Declaration of a continuous state of a part, with local name and SI unit."""
 
     name: str
     unit: str
@@ -142,7 +142,10 @@ class BodyDynamics:
 
 @dataclass(frozen=True)
 class Flow:
-    """Gas flow between two ports; it is positive from `source` to `target`."""
+    """Gas flow between two ports.
+
+    It is positive from `source` to `target`.
+    """
 
     name: str  # output of the mass flow rate
     source: str | None  # a port or `SELF`; None is outside the circuit
@@ -163,7 +166,7 @@ class PassageFlows:
 
 @dataclass(frozen=True)
 class GasBalance:
-    """Outputs and state rates of a gas node that result from its flows.
+    """Outputs and state rates that the flows into a gas node cause.
 
     `heat` is the heat from the wall and `work` the work on the gas [W]. `energy` is given only if it is linear in the
     states [J].
@@ -305,7 +308,7 @@ class Part(ABC):
         return {} if data is None else library.numbers(str(data), self.kind, self.variant())
 
     def variant(self) -> str:
-        """Return the variant of the library set that the options of the part select."""
+        """Return the variant of the library set that the options select."""
         return ""
 
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
@@ -318,9 +321,9 @@ class Part(ABC):
         """
 
     def notes(self) -> tuple[Note, ...]:
-        """Return notes on the fields of the part, which accompany every result.
+        """Return notes on the fields of the part.
 
-        The addresses in the notes are relative to the part.
+        They accompany every result. Their addresses are relative to the part.
         """
         return ()
 
@@ -333,7 +336,7 @@ class Part(ABC):
         return ()
 
     def numbers(self) -> dict[str, Number]:
-        """Return the mapping from dotted local names to all numbers of the part."""
+        """Return all numbers of the part by dotted name, for example `lower_spring.rate`."""
         return {name: value for name, _, value in flatten(self)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
@@ -366,9 +369,9 @@ class Part(ABC):
         return {}
 
     def stores(self) -> tuple[str, ...]:
-        """Return the local names of the gas nodes of the part to which ports can be connected.
+        """Return the local names of the gas nodes of the part.
 
-        An empty name is the part itself.
+        Ports can be connected to them. An empty name is the part itself.
         """
         return ()
 
@@ -420,7 +423,7 @@ class Part(ABC):
         return ()
 
     def memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states of the part; timers are not included."""
+        """Return the discrete states of the part, without its timers."""
         return ()
 
     def timers(self) -> tuple[Timer, ...]:
@@ -467,9 +470,10 @@ class Store(Part):
 
     @abstractmethod
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        """Return rates and outputs of the node for all its flows.
+        """Return rates and outputs of the gas node.
 
-        Each flow is a pair of mass flow rate [kg/s] and enthalpy flow rate [W], positive into the node.
+        `flows` contains all its gas flows. Each flow is a pair of mass flow rate [kg/s] and enthalpy flow rate [W],
+        positive into the node.
         """
 
 

@@ -138,7 +138,7 @@ class Profile:
     defaults: Mapping[str, Number]
 
     def numbers(self) -> dict[str, Number]:
-        """Return the initial states as numbers by name and index, such as `pressure_3`."""
+        """Return the initial states by name and index, for example `pressure_3`."""
         return {**self.defaults, **self.specified}
 
     def with_numbers(self, values: Mapping[str, Number]) -> Profile:
@@ -262,11 +262,14 @@ class Tube(Compound):
 
     @property
     def _open_passages(self) -> list[str]:
-        """Names of all flow paths except the one at a closed end."""
+        """Names of all flow paths that are not at a closed end."""
         return [name for name in self._passages if name != "outlet" or self._ends[1] != CLOSED]
 
     def _cell_index(self, passage: str) -> str:
-        """Return the index of the cell upstream of a flow path, which is 0 for the inlet."""
+        """Return the index of the cell upstream of a flow path.
+
+        The index is 0 for the first flow path, `inlet`.
+        """
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
     def _value(self, name: str) -> float:

@@ -67,7 +67,7 @@ def yield_table(ensemble: Ensemble) -> ReportTable:
 
 
 def metric_table(ensemble: Ensemble) -> ReportTable:
-    """Return the mean, the standard deviation and quantiles of every metric."""
+    """Return a table with mean, standard deviation and quantiles of each metric."""
     rows = []
     for s in ensemble.summaries():
         values = s.mean, *(s.quantiles.get(q, math.nan) for q in QUANTILES), s.least, s.greatest
@@ -279,7 +279,10 @@ def _figure_with_panels(titles: list[str], draw: Callable[[int, Any], None], hei
 
 
 def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
-    """Draw the histogram of every metric, with the bounds of the requirements."""
+    """Draw the histogram of each metric, with the bounds of the requirements.
+
+    `rows` contains the metrics of all runs.
+    """
     metrics = ensemble.plan.metrics
 
     def draw(k: int, axes: Any) -> None:
@@ -430,9 +433,9 @@ def _margin_table(sizing: Sizing) -> ReportTable:
 
 
 def curve_figure(sizing: Sizing) -> Figure:
-    """Draw every metric versus the free parameter.
+    """Draw each metric versus the parameter that is sized.
 
-    The yield is also drawn if there are several runs at each value.
+    If there are several runs at each value, the yield is also drawn.
     """
     unit = readable_unit(sizing.unit, float(np.median(sizing.values)))
     x = np.array([scaled(value, sizing.unit, unit) for value in sizing.values])

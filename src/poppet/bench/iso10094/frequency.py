@@ -42,7 +42,8 @@ def frequency_trial(
 ) -> Trial:
     """Return a trial with a sinusoidal setpoint about a mean value.
 
-    `mean` and `amplitude` are in % FS, and `hold` is the settling time of the valve [s].
+    `mean` and `amplitude` are in % FS, and `hold` is the settling time of the valve [s]. `frequency` is that of the
+    sine [Hz].
     """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0

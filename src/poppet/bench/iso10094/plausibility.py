@@ -116,7 +116,10 @@ def _lead_of_outlet(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
 
 
 def _crossings(time: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the times at which a series rises and falls through the middle of its range."""
+    """Return the times at which a series crosses the middle of its range.
+
+    The first item contains the upward crossings, the second the downward ones.
+    """
     low, high = np.percentile(values, EXTREMES)
     middle, zone = 0.5 * (low + high), 0.15 * (high - low)
     side = np.where(values > middle + zone, 1, np.where(values < middle - zone, -1, 0))

@@ -50,12 +50,12 @@ class Scale:
         return self.pressure_high - self.pressure_low
 
     def setpoint(self, percent: float | FloatArray) -> FloatArray:
-        """Return the setpoint, in its unit, for a percentage of the setpoint range."""
+        """Return the setpoint for a percentage of its range, in its unit."""
         part = np.asarray(percent) / PERCENT
         return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
 
     def setpoint_percent(self, setpoint: float | FloatArray) -> FloatArray:
-        """Return a setpoint as a percentage of its range."""
+        """Return a setpoint as a percentage of the setpoint range."""
         width = self.setpoint_high - self.setpoint_low
         return np.asarray(PERCENT * (np.asarray(setpoint) - self.setpoint_low) / width)
 

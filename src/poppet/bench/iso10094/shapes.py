@@ -170,7 +170,7 @@ def stairs(setpoint: FloatArray) -> list[slice]:
 
 
 def _end_mean(values: FloatArray) -> float:
-    """Return the mean of the last third of the values."""
+    """Return the mean of the last third of some values."""
     return float(np.mean(values[-max(1, values.size // 3) :]))
 
 
@@ -223,9 +223,10 @@ class Lag:
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
-    """Return the lags of all rising sweeps that end in a sufficiently long hold.
+    """Return the lags of the outlet behind all rising sweeps.
 
-    `x` is the swept quantity, `y` the outlet, and `parts` the branches of the sweep.
+    Only sweeps that end in a sufficiently long hold are included. `x` is the swept quantity, `y` the outlet, and
+    `parts` the branches of the sweep.
     """
     pairs = zip(parts, [*parts[1:], None], strict=False)
     lags = [lag_of(time, x, y, branch, following) for branch, following in pairs if branch.sign > 0]
@@ -295,9 +296,10 @@ class SweepEnd:
 def _end_of_sweep(
     time: FloatArray, x: FloatArray, y: FloatArray, stop: float, held: float, is_coming: Mask, degree: int
 ) -> SweepEnd | None:
-    """Return the end of a sweep from a polynomial in a section.
+    """Return motion and rate of the outlet at the end of a sweep.
 
-    `held` is the outlet in the hold. The result is None without enough samples or if the outlet is constant.
+    Both come from a polynomial of degree `degree` in a section before the end. `held` is the outlet in the hold. The
+    result is None without enough samples or if the outlet is constant.
     """
     if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
         return None

@@ -96,7 +96,10 @@ class LimitsPlan:
         return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
     def case(self, volume: float, changes: Changes | None = None) -> BaseCircuit:
-        """Return the circuit at the mean pressure with another outlet volume and changed parameters."""
+        """Return the circuit at the mean pressure, with changed parameters.
+
+        `volume` is the outlet volume [m^3], and `changes` are other changed parameters.
+        """
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
         ambient = self.circuit.surroundings.pressure

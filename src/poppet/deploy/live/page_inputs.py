@@ -52,7 +52,7 @@ class Slider:
     delay: float = 0.0  # of the signal [s]
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
-        """Return the factor and the offset of the conversion from SI to the display unit."""
+        """Return factor and offset that convert SI values to the display unit."""
         return affine(self.si, self.unit, ambient_pressure)
 
 

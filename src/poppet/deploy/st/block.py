@@ -89,7 +89,7 @@ class BlockNames:
 def export_st(circuit: BaseCircuit, source: CircuitSource, *, part: str | None = None) -> Export:
     """Export sampled controllers as structured text.
 
-    `part` is the value of the option --part: the names of the controllers.
+    `part` is the value of the option --part, with the names of the controllers.
     """
     if not part:
         controllers = [*find_controllers(circuit)]

@@ -51,7 +51,10 @@ LARGEST_SINGLE = 3e38
 
 
 class Precision(NamedTuple):
-    """Floating-point type in C, with the suffixes of constants and of functions in `math.h`."""
+    """Floating-point type in C, for example double.
+
+    It contains the suffixes of constants and of functions in `math.h`.
+    """
 
     real: str = "double"
     ending: str = ""

@@ -53,7 +53,7 @@ def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
 
 
 def lanes_prelude(kind: Kind) -> str:
-    """Return LLVM IR of all declarations and helper functions for lanes, including `PRELUDE`."""
+    """Return the LLVM IR of all declarations and helper functions for lanes."""
     d, v = kind.number, kind.suffix
     declared = [f"declare {d} @llvm.{name}.{v}({d})" for name in ("sqrt", "fabs", "floor", "ceil")]
     declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
@@ -142,9 +142,9 @@ def _has_estimates(kind: Kind) -> bool:
 
 
 def _begin_with_estimate(kind: Kind, name: str) -> tuple[Text, str]:
-    """Return a text that begins with an estimate, and the name of the estimate.
+    """Return lines of LLVM IR that compute an estimate, and the name of the estimate.
 
-    The estimate is computed from the argument %x by the function `name`.
+    `name` selects the instruction of the processor. The argument of the function is %x. More lines can be added.
     """
     text, d, zero = Text(kind), kind.number, kind.words["zero"]
     return text, text.emit(f"call {d} @llvm.x86.avx512.{name}.pd.512({d} %x, {d} {zero}, i8 -1)")
@@ -266,7 +266,7 @@ def _store_mask(text: Text, flags: str, number: int) -> None:
 
 
 def print_choose(kind: Kind) -> str:
-    """Return LLVM IR of `choose`, which computes lengths and ends of steps.
+    """Return the LLVM IR of the function `choose` for the length of the next step.
 
     The formula is that of `length` in `poppet.engine.stepping`.
     """
@@ -337,7 +337,7 @@ def print_settle(kind: Kind) -> str:
 
 
 def print_commit(n_states: int, kind: Kind) -> str:
-    """Return LLVM IR of `commit`, which completes accepted steps.
+    """Return the LLVM IR of the function `commit`, which completes accepted steps.
 
     Lanes with an accepted step get the new state. Extremes and sums of |change| are updated.
     """

@@ -61,7 +61,7 @@ class FlowModel:
 
     @cached_property
     def free(self) -> tuple[str, ...]:
-        """Names of the free parameters of the law, in the order of `UNITS`."""
+        """Names of the free parameters of the flow law, in the order of `UNITS`."""
         return tuple(name for name in UNITS if name not in self.fixed)
 
     @cached_property
@@ -231,7 +231,7 @@ class FlowFit:
 
     @cached_property
     def chi_square(self) -> float:
-        """Chi-square: sum of the squares of all weighted residuals."""
+        """Sum of the squares of all weighted residuals (chi-square)."""
         return float(self.residuals @ self.residuals)
 
     @property
@@ -244,7 +244,7 @@ class FlowFit:
 
     @property
     def scatter_freedom(self) -> float:
-        """Degrees of freedom of the standard deviations `sigma`."""
+        """Degrees of freedom with which the standard deviations `sigma` are known."""
         return math.inf if self.scatter_is_known else float(max(self.degrees_of_freedom, 1))
 
     @cached_property

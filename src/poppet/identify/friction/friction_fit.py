@@ -138,7 +138,7 @@ class FrictionData:
 
     @property
     def groups(self) -> NDArray[np.int_]:
-        """Indices of the groups for validation."""
+        """Indices of the groups into which samples are divided for validation."""
         return np.unique(self.group)
 
 
@@ -178,7 +178,10 @@ class LawSolution:
         return _design_matrix(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
 
     def friction(self, rows: SlidingRows) -> FloatArray:
-        """Return the modelled friction of each row, without force offsets [N]."""
+        """Return the friction of each sample according to the law [N].
+
+        Force offsets are not included.
+        """
         linear = np.array([self.values[name] for name in self.law.names if name != STRIBECK])
         if self.law.is_falling:
             linear[1] -= linear[0]  # excess of the static force
@@ -317,7 +320,10 @@ class FrictionLawFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivatives of the modelled force of each row by the parameters of the law and by the force offsets."""
+        """Derivatives of the modelled force of each sample by all parameters.
+
+        The parameters are those of the law, and the force offsets.
+        """
         rows, values = self.data.rows, self.values
         columns = self.solution.design(rows, [*self.solution.offsets])
         if self.solution.law.is_falling:
@@ -540,7 +546,10 @@ class FrictionFits:
 
     @cached_property
     def bristles(self) -> Bristles | None:
-        """Estimates of bristle stiffness and damping; None if there are too few reversals."""
+        """Estimates of stiffness and damping of the bristles.
+
+        The value is None if there are too few reversals.
+        """
         return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
 
     @cached_property

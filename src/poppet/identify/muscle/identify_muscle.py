@@ -117,7 +117,7 @@ def identify_muscle(
 
 
 def _doubts(points: MusclePoints, fit: ForceLawFit) -> Iterator[Note]:
-    """Yield findings that cast doubt on all estimates."""
+    """Yield findings that cast doubt on all estimates, for example wrong units."""
     taut = points.taut
     pressure, force = points.pressure[taut], points.force[taut]
     maximum = float(np.max(force))

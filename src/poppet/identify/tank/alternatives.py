@@ -57,7 +57,7 @@ class Alternative:
 
     @property
     def gain(self) -> float:
-        """Decrease of AICc relative to the original fit, per independent sample."""
+        """Decrease of AICc compared with the original fit, per independent sample."""
         return -self.difference / self.samples
 
 

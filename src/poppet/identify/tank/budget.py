@@ -80,9 +80,10 @@ class Uncertainties:
 
 
 def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
-    """Return the standard uncertainties of a tank test, with defaults for those that are not stated.
+    """Return the standard uncertainties of the quantities that a tank test states.
 
-    The volume and the supply pressure accept a fraction or an absolute value.
+    Uncertainties that are not stated have defaults. Those of volume and supply pressure can be fractions or absolute
+    values.
     """
     if isinstance(test.uncertainties, int | float) and test.uncertainties == 0:
         return Uncertainties(0.0, 0.0, 0.0, 0.0, 0.0, ())

@@ -67,7 +67,10 @@ def _after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:
 
 
 def _with_lag(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
-    """Return the responses of a first-order lag to the time and to its square."""
+    """Return how a first-order lag responds to the time and to its square.
+
+    `t` contains the times, and `lag` is the time constant.
+    """
     settled = lag * (1.0 - np.exp(-t / lag))
     return t - settled, t**2 - 2.0 * lag * (t - settled)
 

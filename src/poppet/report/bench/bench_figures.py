@@ -67,7 +67,10 @@ def _cases(curves: Iterable[PlottedCurve]) -> list[str]:
 
 
 def characteristic_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the characteristic (outlet pressure versus setpoint), and the deviation from the nominal line."""
+    """Draw the outlet pressure versus the setpoint, and its deviation from the nominal line.
+
+    `reference` is the result of a reference valve.
+    """
     figure, (left, right) = _figure_with_two_axes()
     colours = {"up": _UP, "down": _DOWN}
     left.plot([0, 100], [0, 100], color=GREY, linewidth=0.8, label="nominal")
@@ -107,7 +110,10 @@ def characteristic_figure(result: BenchResult, reference: BenchResult | None = N
 
 
 def resolution_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw a small staircase of the setpoint, and the outlet pressure that follows it."""
+    """Draw the response of the outlet pressure to a small staircase of the setpoint.
+
+    `reference` is the result of a reference valve.
+    """
     figure, axes = _single(2.4)
     curves = curves_of(result, "resolution")
     for curve in curves:
@@ -140,7 +146,10 @@ def _draw_both_directions(axes: Any, curves: CurveValues, reference: CurveValues
 
 
 def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the outlet pressure versus the forward and the relief flow."""
+    """Draw the outlet pressure versus the forward and the relief flow.
+
+    `reference` is the result of a reference valve.
+    """
     figure, axes = _single(3.4)
     curves = curves_of(result, "flow")
     unit = readable_unit("kg/s", max((float(np.max(np.abs(c.x), initial=0.0)) for c in curves), default=1.0))
@@ -153,7 +162,10 @@ def flow_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
 
 
 def supply_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw the outlet pressure versus the supply pressure."""
+    """Draw the outlet pressure versus the supply pressure.
+
+    `reference` is the result of a reference valve.
+    """
     figure, axes = _single(2.4)
 
     def deviations(curves: list[PlottedCurve]) -> CurveValues:
@@ -216,7 +228,10 @@ def _volume_of(case: str) -> str:
 
 
 def bode_figure(result: BenchResult, reference: BenchResult | None = None) -> Figure:
-    """Draw gain and phase of the valve versus frequency."""
+    """Draw gain and phase of the valve versus frequency.
+
+    `reference` is the result of a reference valve.
+    """
     figure, (gain, phase) = _figure_with_two_axes()
     curves = curves_of(result, "frequency")
     cases = _cases(curves)

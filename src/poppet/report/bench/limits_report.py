@@ -182,7 +182,10 @@ def bandwidth_figure(result: LimitsResult) -> Figure:
 
 
 def response_figure(result: LimitsResult) -> Figure:
-    """Draw the frequency at a phase lag of 90 degrees, and the times of steps up and down."""
+    """Draw the frequency with a phase lag of 90 degrees, and the step times.
+
+    The step times are those of a step up and of a step down.
+    """
     plan = result.plan
     phase, up, down = (_array(result.grid(name)) for name in ("phase_frequency", "rise_up", "rise_down"))
     times = np.concatenate([grid[np.isfinite(grid)] for grid in (up, down)])
@@ -203,9 +206,9 @@ def response_figure(result: LimitsResult) -> Figure:
 
 
 def ideal_figure(result: LimitsResult) -> Figure:
-    """Draw the factor by which the bandwidth increases if one part is ideal.
+    """Draw by which factor the bandwidth increases if one part is ideal.
 
-    Each part has a separate map.
+    Each part has a map of its own.
     """
     plan = result.plan
     height = len(plan.volumes) * 0.36
@@ -243,7 +246,10 @@ def stability_figure(result: LimitsResult) -> Figure:
 
 
 def hum_figure(result: LimitsResult) -> Figure:
-    """Draw the amplitude and the frequency of the limit cycles (self-excited oscillations) of the complete valve."""
+    """Draw amplitude and frequency of the limit cycles of the complete valve.
+
+    Limit cycles are self-excited oscillations.
+    """
 
     def draw(axes: Any, spring: float) -> QuadMesh:
         amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
@@ -416,9 +422,9 @@ def _bar(figure: Figure, mesh: Any, left: float, height: float, label: str) -> N
 
 
 def frequency_text(plan: LimitsPlan, value: float) -> str:
-    """Return a frequency [Hz] as text.
+    """Return a frequency as text.
 
-    A value of 0 is a frequency below the search range, and infinity one above it.
+    `value` is the frequency [Hz]. A value of 0 is below the search range, and infinity is above it.
     """
     if value == 0.0:  # below the range
         return f"< {plan.lowest:g}"

@@ -86,14 +86,14 @@ def card(title: str, lead: str, *blocks: Content) -> str:
 def note_list(notes: Iterable[Note]) -> str:
     """Return notes as an HTML list.
 
-    A long list is folded: the reader can unfold it.
+    The reader can unfold a long list.
     """
     texts = grouped(notes)
     return folded(plural(len(texts), "note"), items(texts), is_open=len(texts) <= 3)
 
 
 def plural(count: int, noun: str) -> str:
-    """Return a count with its noun in singular or plural, such as `2 notes`."""
+    """Return a number with its noun, in singular or plural, such as `2 notes`."""
     return f"{count} {noun}{'s' * (count != 1)}"
 
 
@@ -133,7 +133,10 @@ def _drawing(circuit: BaseCircuit) -> str:
 
 
 def recording_card(recording: Recording) -> str:
-    """Return a recording as HTML: plot, and first, last and extreme values of every output."""
+    """Return a recording as HTML: a plot, and a table of its outputs.
+
+    The table contains first, last and extreme values.
+    """
     rows, columns = recording.time.size, len(recording)
     span = f"{recording.time[0]:.6g} ... {recording.time[-1]:.6g} s" if rows else "no samples"
     lead = f"Recording: {rows} rows, {columns} series, {span}. {recording.outcome}".rstrip()
@@ -162,7 +165,7 @@ def _series_table(recording: Recording, names: Sequence[str]) -> ReportTable:
 
 
 def linear_card(linear: LinearModel) -> str:
-    """Return a linear model as HTML: numbers of states, inputs and outputs, modes, operating point."""
+    """Return a linear model as HTML: sizes, modes and operating point."""
     from poppet.report.result_tables import mode_table
 
     sample_time = getattr(linear, "sample_time", 0.0)

@@ -286,7 +286,10 @@ def data_element(data: dict[str, Any]) -> str:
 
 @cache
 def script() -> str:
-    """Return the JavaScript of the plots: the library uPlot and the script that uses it."""
+    """Return the JavaScript program of the interactive plots.
+
+    It contains the library uPlot.
+    """
     folder = files("poppet.report.plots")
     plots = minify((folder / "plots.js").read_text(encoding="utf-8"))
     library = (folder / "uplot" / "uPlot.iife.min.js").read_text(encoding="utf-8")
@@ -307,9 +310,9 @@ def style() -> str:
 
 
 def policy(*scripts: str, computes: bool = False) -> str:
-    """Return a content security policy that permits only the given scripts.
+    """Return a content security policy (CSP) that permits only the given scripts.
 
-    With `computes`, the policy also permits WebAssembly.
+    If `computes` is True, the policy also permits WebAssembly.
     """
     hashes = (base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() for text in scripts)
     allowed = " ".join(f"'sha256-{digest}'" for digest in hashes) or "'none'"

@@ -88,13 +88,16 @@ class Statement:
 
     @property
     def finding(self) -> str:
-        """Text on the simulation result that supports the verdict."""
+        """Text on the simulation result from which the verdict follows."""
         return sentence(f"{self.code}.finding", self.facts)
 
 
 @dataclass(frozen=True)
 class PaperResult:
-    """Results of `write_paper`: findings, tables, statements and written files."""
+    """Result of a reproduction of the paper by `write_paper`.
+
+    It contains findings, tables, statements and written files.
+    """
 
     folder: Path
     files: tuple[Path, ...]  # `report.html` first

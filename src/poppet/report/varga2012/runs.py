@@ -160,9 +160,9 @@ def find(progress: Callable[[str], Any]) -> Findings:
 
 
 def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> BaseCircuit:
-    """Return the circuit of a tank filling: a supply, the main stage at a fixed stroke, and the tank.
+    """Return a circuit that fills a tank through a main stage.
 
-    It is the right half of fig. 5 of the paper.
+    The stroke of the main stage is constant. The circuit is the right half of fig. 5 of the paper.
     """
     valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
     return _between(supply, valve, tank, "Filling at a fixed stroke")
@@ -191,7 +191,10 @@ def _between(
 
 
 def staircase_circuit(**tank: Any) -> BaseCircuit:
-    """Return the circuit of fig. 6: the pilot pressure sets the required value of the regulator."""
+    """Return the circuit of fig. 6 of the paper.
+
+    The pilot pressure determines the pressure that the regulator maintains.
+    """
     valve: Any = staged("regulator").parts["valve"]
     springs = valve.upper_spring, valve.lower_spring
     # The pilot pressure also balances the springs: the valve closes at the required outlet pressure.
