@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Any
 
 import numpy as np
 import pytest
@@ -16,7 +17,7 @@ C, B, HA = "valve.sonic_conductance", "valve.critical_ratio", "tank.wall_conduct
 CLEAN_CHARGES = (1, 4, 6, 13)
 
 
-def identify(tank: EdgeTank, time: Array, pressure: Array) -> Result:
+def identify(tank: EdgeTank, time: Array, pressure: Array, **changes: Any) -> Result:
     """Identify a recording with the stated quantities of a tank."""
     return identify_tank(
         TankTest(
@@ -27,6 +28,7 @@ def identify(tank: EdgeTank, time: Array, pressure: Array) -> Result:
             ambient_pressure=tank.room,
             ambient_temperature=tank.temperature,
             initial_temperature=tank.temperature,
+            **changes,
         )
     )
 
@@ -36,11 +38,11 @@ def true_pressure(tank: EdgeTank) -> Array:
     return simulate(tank, np.linspace(0.0, tank.duration, tank.samples))
 
 
-def identify_repeat(tank: EdgeTank, seed: int) -> Result:
+def identify_repeat(tank: EdgeTank, seed: int, **changes: Any) -> Result:
     """Identify one of several recordings of the same test, which differ in their noise."""
     shown = true_pressure(tank) + np.random.default_rng([24, seed]).normal(0.0, tank.noise, tank.samples)
     rounded = tank.step * np.round(shown / tank.step) if tank.step else shown
-    return identify(tank, np.linspace(0.0, tank.duration, tank.samples), rounded)
+    return identify(tank, np.linspace(0.0, tank.duration, tank.samples), rounded, **changes)
 
 
 @pytest.mark.parametrize("seed", [2, 3, 5, 7])
@@ -63,6 +65,19 @@ def test_small_leak_does_not_select_a_thermal_limit(seed: int) -> None:
     assert note.address == C
     assert note.facts["value"] == pytest.approx(LEAKY_ISOTHERMAL.conductance, rel=0.02)
     assert note.facts["leak"] == pytest.approx(100.0 * LEAKY_ISOTHERMAL.leak / LEAKY_ISOTHERMAL.conductance, rel=0.2)
+
+
+def test_leak_is_fraction_of_conductance_of_each_limit() -> None:
+    """A leak of 2.9 % of the isothermal C is 4 % of the adiabatic C."""
+    tank = draw(2867)
+    estimate = identify(tank, *record(tank, 2867)).parameters[C]
+    assert estimate.verdict != "determined"
+    assert estimate.low <= tank.conductance <= estimate.high
+
+
+def test_exact_leak_and_supply_leave_one_limit() -> None:
+    result = identify_repeat(LEAKY_ISOTHERMAL, 0, uncertainties={"leak": 0, "supply_pressure": 0})
+    assert "finding.optima.leak" not in {note.code for note in result.remarks}
 
 
 @pytest.mark.parametrize("seed", CLEAN_CHARGES)
