@@ -250,7 +250,8 @@ def load_metrics(run: LoadData) -> LoadMetrics | None:
         unit = run.unit(f"{owner}.{prefix}velocity")
         for time, speed in find_impacts(run.raw.time, position, velocity, run[name], stops):
             arrivals.append(Arrival(owner, run.body_of.get(owner, owner), time, speed, unit))
-    strokes, works = [], []
+    strokes: list[BodyStroke] = []
+    works = []
     for body, integrals in run.bodies:
         changes, motion = run.input_changes(body), (run[f"{body}.position"], np.abs(run[f"{body}.velocity"]))
         rows = find_strokes(run.raw.time, *motion, [change for change, _ in changes])
