@@ -45,6 +45,30 @@ def test_law_without_growth_stays_selected(count):
     assert selected.count("stribeck_viscous") >= 0.94 * count
 
 
+@pytest.mark.parametrize("seeds", [(6022, 6032, 6038), pytest.param(range(6000, 6100), marks=pytest.mark.slow)])
+def test_scatter_of_recordings_selects_no_growth(seeds):
+    selected = Counter(identify(draw_recordings(seed, growth=0.0))[1].comparison["levels"] for seed in seeds)
+    print(selected)
+    assert selected["stribeck_seal_viscous"] + selected["stribeck_seal"] <= 0.04 * len(seeds)
+
+
+@pytest.mark.parametrize(("growth", "count"), [(0.3, 1), pytest.param(0.3, 36, marks=pytest.mark.slow)])
+def test_small_growth_in_recordings_selects_its_law(growth, count):
+    results = [identify(draw_recordings(seed, growth))[1] for seed in range(5000, 5000 + count)]
+    selected = Counter(result.comparison["levels"] for result in results)
+    print(selected)
+    assert selected["stribeck_seal_viscous"] >= 0.95 * count
+
+
+def test_order_of_the_facts_is_that_of_the_units():
+    """Facts in the order of a set of texts would change from run to run."""
+    _, result = identify(draw_recordings(6000, growth=0.0))
+    units = ["effort", "effort_unit", "length", "speed"]
+    orders = [[name for name in note.facts if name in units] for note in result.remarks]
+    assert sum(len(order) > 1 for order in orders) >= 3
+    assert all(order == sorted(order, key=units.index) for order in orders)
+
+
 def test_growth_in_recordings_selects_its_law():
     truth, result = identify(draw_recordings(5003, growth=1.0))
     assert result.comparison["levels"] == "stribeck_seal_viscous"
