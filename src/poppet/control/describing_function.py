@@ -51,8 +51,10 @@ _ALIKE, _CLOSE = 0.01, 0.05
 """Relative difference of two quarters of a response at which a run ends, and above which the response is rejected."""
 _DISTORTED = 0.35
 """Fraction of a response that is not sinusoidal, above which it is rejected: stiction, or an end stop."""
-_SLIDES, _LEAVES = 1.5, 20.0
-"""Minimum amplitude of a sliding body, and minimum verification step, in deflections of the bristles."""
+_SLIDES, _FAST = 20.0, 5.0
+"""Minimum amplitude of a sliding body, and minimum verification step, in deflections of the bristles; minimum velocity
+of a sliding body in transition velocities. A body that creeps near these limits has a response that is up to 100 times
+smaller than that of a sliding body."""
 _SIZE, _TRIES = 0.05, 3
 """Relative tolerance of the size of the command's sine, and maximum count of corrections."""
 _FEWEST, _ENOUGH, _LOST = 8, 3, 2
@@ -183,10 +185,10 @@ class Sticking(NamedTuple):
     def slides(self, amplitude: float, angular_frequency: float) -> bool:
         """Return True if a body that follows a sine slides, and does not stick.
 
-        The amplitude must be larger than the deflection of the bristles, and the speed must reach that of full
-        friction.
+        The amplitude must be much larger than the deflection of the bristles, and the speed must be well above that of
+        full friction.
         """
-        return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > self.velocity
+        return amplitude > _SLIDES * self.deflection and amplitude * angular_frequency > _FAST * self.velocity
 
 
 def _sticking_of(circuit: BaseCircuit, measurement: str) -> Sticking:
@@ -320,7 +322,7 @@ class MeasuredLoop(Plant):
             self.report_progress(f"a step at {label}")
             steady_run, crossover = self.settled[value].rest, margins[label].crossover
             # A step within the deflection of the bristles would verify springs.
-            step = max(size / abs(gains.gain), _LEAVES * self.sticking.deflection)
+            step = max(size / abs(gains.gain), _SLIDES * self.sticking.deflection)
             yield verify_step(circuit, self.controller, steady_run, value, step, gains, crossover, label)
 
     def settle(self, target: float) -> SettledPlant:
