@@ -14,7 +14,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import count
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    import casadi
 
 
 class StateInfo(NamedTuple):
@@ -106,7 +109,7 @@ class Model:
 
     @property
     def size(self) -> int:
-        """Length of the vector x, including quadratures."""
+        """Length of the state vector x, including quadratures (integrals of flows)."""
         return len(self.states) + self.n_quadratures
 
     @property
@@ -151,7 +154,7 @@ class Model:
 
     @cached_property
     def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Addresses of the outputs, and their SI units."""
+        """Addresses of all outputs, and their SI units."""
         return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
 
     @cached_property
@@ -180,8 +183,11 @@ class Model:
         return tuple(balances)
 
     @cached_property
-    def linear_function(self) -> Any:
-        """CasADi function (t, x, u, p) -> (f, y, A, B, C, D) without quadratures."""
+    def linear_function(self) -> casadi.Function:
+        """CasADi function of the linear model without quadratures (integrals of flows).
+
+        The function is (t, x, u, p) -> (f, y, A, B, C, D) with rates f and outputs y.
+        """
         import casadi as ca
 
         s, n = self.symbols, len(self.states)

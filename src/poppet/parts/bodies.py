@@ -56,7 +56,10 @@ class BodyStop:
 
 @dataclass(frozen=True)
 class JointStop:
-    """End stop of a joint after Hunt and Crossley."""
+    """End stop of a joint by the law of Hunt and Crossley.
+
+    The torque is k d^1.5 with the angle d of penetration, multiplied by a damping factor.
+    """
 
     position: NumberLike = number("rad", doc="angle of the stop")
     stiffness: NumberLike = number("N m/rad^1.5", 1e4, doc="contact stiffness", above=0.0, note="a rubber bumper")
@@ -71,7 +74,10 @@ KINDS = ("none", "viscous", *DRY_LAWS)
 
 @dataclass(frozen=True)
 class BodyFriction:
-    """Parameters of the friction of a mass; each friction law uses a subset of them."""
+    """Parameters of the friction of a mass.
+
+    Each friction law uses only some of them.
+    """
 
     kind: str = option("viscous", *(k for k in KINDS if k != "viscous"), doc="law of friction")
     coulomb_force: NumberLike = number("N", optional=True, doc="Coulomb friction", low=0.0)
@@ -86,7 +92,10 @@ class BodyFriction:
 
 @dataclass(frozen=True)
 class JointFriction:
-    """Parameters of the friction of a joint; each friction law uses a subset of them."""
+    """Parameters of the friction of a joint.
+
+    Each friction law uses only some of them.
+    """
 
     kind: str = option("viscous", *(k for k in KINDS if k != "viscous"), doc="law of friction")
     coulomb_torque: NumberLike = number("N m", optional=True, doc="Coulomb friction", low=0.0)
@@ -316,7 +325,7 @@ def find_impacts(
         if k > 1 and gap * impact[1] > 0.0:
             # Plain floats are faster than arrays here.
             previous = [(float(time[i]) - impact[0], float(velocity[i])) for i in (k - 2, k - 1)]
-            wait, speed = _extrapolate(previous, impact[1], gap)
+            wait, speed = _extrapolate_motion(previous, impact[1], gap)
             if 0.0 <= wait <= float(time[k + 1]) - impact[0]:
                 impact = impact[0] + wait, speed
         if abs(impact[1]) > MIN_IMPACT_SPEED:
@@ -324,7 +333,7 @@ def find_impacts(
     return impacts
 
 
-def _extrapolate(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
+def _extrapolate_motion(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
     """Extrapolate the motion of a body until it has travelled the distance `gap`.
 
     The result contains the duration and the final velocity. The velocity follows a parabola through the two pairs of

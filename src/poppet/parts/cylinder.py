@@ -53,7 +53,10 @@ _INHERITED = ("side", "outer_diameter", "inner_diameter", "stroke_length", "offs
 
 @dataclass(frozen=True)
 class CylinderChamber(MovingGasStore):
-    """Gas chamber on one side of the piston; a member of `Cylinder`."""
+    """Gas chamber on one side of the piston.
+
+    It is a member part of `Cylinder`.
+    """
 
     kind: ClassVar[str] = "cylinder_chamber"
     summary: ClassVar[str] = "one side of a cylinder"
@@ -112,7 +115,10 @@ class Leakage:
 
 @dataclass(frozen=True)
 class Piston(Actuator, Passage):
-    """Piston and rod: the force on the body and the leakage; a member of `Cylinder`."""
+    """Piston and rod, which exert a force on the body.
+
+    It is a member part of `Cylinder`, and includes the leakage past the piston.
+    """
 
     kind: ClassVar[str] = "piston"
     summary: ClassVar[str] = "piston and rod of a cylinder"

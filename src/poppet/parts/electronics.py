@@ -50,7 +50,10 @@ class FirstOrderSensor:
 
 @dataclass(frozen=True)
 class Converter:
-    """Analogue-to-digital converter for the sensors of outlet pressure and pilot pressure."""
+    """Parameters of the analogue-to-digital converter for the pressure sensors.
+
+    The sensors measure outlet pressure and pilot pressure.
+    """
 
     bits: NumberLike = number("1", 0.0, doc="bits of the converter", low=0.0, high=32.0, note="no quantisation")
     span: NumberLike = number("Pa", "10 bar", doc="pressure difference at full scale", above=0.0)

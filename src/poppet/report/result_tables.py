@@ -46,7 +46,7 @@ def _motion_text(value: float, unit: str) -> str:
 
 
 def energy_table(metrics: LoadMetrics) -> ReportTable:
-    """Return the air consumption, the work and the efficiency of a run.
+    """Return a table of the air consumption, the work and the efficiency of a run.
 
     Quantities that are not available are omitted.
     """

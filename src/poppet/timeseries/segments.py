@@ -145,7 +145,9 @@ def wave(
     Each segment has a start, a frequency, and a rate of change of the frequency (`rates`).
     """
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
-    turns = np.append(0.0, _turns(frequency[:-1], rate[:-1], np.diff(start)))
+    tau = np.diff(start)
+    # Without whole turns: a large number of turns would reduce the accuracy of the phase.
+    turns = np.append(0.0, np.remainder((frequency[:-1] + 0.5 * rate[:-1] * tau) * tau, 1.0))
     phases = phase + 2.0 * np.pi * np.cumsum(turns)
     zeros, ones = np.zeros_like(start), np.ones_like(start)
     return SegmentTable(
@@ -358,7 +360,7 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
     last_of_group = all_starts[np.append(first_of_group[1:], True)]
     jumps, courses = np.zeros(len(starts), dtype=bool), np.zeros(len(starts), dtype=np.int64)
     rows: list[NDArray[np.int64]] = []  # for each input so far: its coefficient row in every course
-    courses_by_table = [_own_courses(table) for table in tables]
+    courses_by_table = [_distinct_coefficients(table) for table in tables]
     for table, (coefficients, of_segment) in zip(tables, courses_by_table, strict=True):
         k = np.searchsorted(table.start, last_of_group, side="right") - 1
         # The count of jumps increases at a start that has a jump.
@@ -374,7 +376,7 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
     return MergedSegments(starts, courses, np.ascontiguousarray(joined), jumps)
 
 
-def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
+def _distinct_coefficients(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
     """Return the distinct coefficients of a signal, and their index for each segment.
 
     The coefficients have the shape (m, 7). Constant segments with equal values share their coefficients.
@@ -386,12 +388,3 @@ def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
     rows, row_of_segment = np.unique(row_of_segment, return_inverse=True)
     names = ("value", "slope", "amplitude", "frequency", "chirp_rate", "phase", "start")
     return np.column_stack([getattr(table, name)[rows] for name in names]), row_of_segment
-
-
-def _turns(frequency: FloatArray, rate: FloatArray, tau: FloatArray) -> FloatArray:
-    """Return the phase of a sine with variable frequency after the time `tau`.
-
-    The phase is a fraction of a turn. `frequency` is the frequency at tau = 0, and `rate` its rate of change. Whole
-    turns are removed, because a large number of turns would reduce the accuracy of the phase.
-    """
-    return np.remainder((frequency + 0.5 * rate * tau) * tau, 1.0)

@@ -22,11 +22,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.engine.derivatives import differentiate_rates
 from poppet.engine.elimination import solver_functions
 from poppet.engine.model import Model
+
+if TYPE_CHECKING:
+    import casadi
 
 SIGNATURES = {
     "rates": "t x u p -> f",
@@ -73,7 +76,7 @@ def trace_functions(model: Model) -> dict[str, Any]:
     return functions
 
 
-def outputs_function(model: Model) -> Any:
+def outputs_function(model: Model) -> casadi.Function:
     """Return the CasADi function that computes the outputs y of a model."""
     import casadi as ca
 
@@ -100,7 +103,7 @@ class InstructionList(NamedTuple):
 
     @classmethod
     def of(cls, function: Any) -> InstructionList:
-        """Return the instruction list of a CasADi function."""
+        """Return the instructions of a CasADi function as a list."""
         return cls(instructions(function), function.n_in(), function.n_out())
 
     @property
@@ -130,7 +133,7 @@ def _operations() -> dict[int, str]:
 
 
 def instructions(function: Any) -> list[Instruction]:
-    """Return the instructions of a CasADi function in order."""
+    """Return the instructions of a CasADi function in the order of execution."""
     names = _operations()
     result = []
     for k in range(function.n_instructions()):

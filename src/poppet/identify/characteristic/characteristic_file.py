@@ -77,7 +77,7 @@ def write_characteristic(result: Result, path: str | Path, *, closing: float | N
 
 
 def characteristic_table(result: Result, *, closing: float | None = None) -> dict[str, Any]:
-    """Return the content of the file that `write_characteristic` writes, as a table."""
+    """Return the table that `write_characteristic` writes into a file."""
     if result.method != "characteristic":
         raise InputError("characteristic.other_method", method=result.method)
     conditions, is_table = result.conditions, result.conditions["form"] == "spline"

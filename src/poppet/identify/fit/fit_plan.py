@@ -89,7 +89,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
         with ErrorCollector() as errors:
             data = read_fields(errors, file.content, TOP_LEVEL, table="fit file")
         circuit = read_circuit(data, file.folder)
-        settings, tables = _search(data)
+        settings, tables = _read_search_settings(data)
         measurements, roles = [], []
         with ErrorCollector() as errors:
             for name, table in data["recordings"].items():
@@ -131,7 +131,7 @@ def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
         raise relocated(error, "set.{}".format) from None
 
 
-def _search(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
+def _read_search_settings(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
     """Return the search settings of a fit file, and the remaining tables.
 
     The remaining tables are those of the free parameters. Settings can be in several tables, but must agree.

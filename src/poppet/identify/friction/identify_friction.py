@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError
@@ -154,7 +155,7 @@ def identify_friction(
         | ({"seal_excess": vars(seal_excess).copy()} if seal_excess else {}),
         remarks=(*findings(analysis), *notes_of(notes)),
         conditions=_conditions(analysis, mass or inertia),
-        series=_curves(analysis),
+        series=_report_curves(analysis),
     )
 
 
@@ -248,7 +249,7 @@ def _conditions(analysis: FrictionFits, inertia: float) -> dict[str, Any]:
     }
 
 
-def _curves(analysis: FrictionFits) -> dict[str, Any]:
+def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
     """Return the curves for the report by name."""
     rows, solution, parameters = analysis.data.rows, analysis.fit.solution, analysis.fit.values
     bristles, unit = analysis.bristles, analysis.coordinate.effort_unit
@@ -317,5 +318,5 @@ def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, A
     }
 
 
-def _select_points(count: int) -> Any:
+def _select_points(count: int) -> NDArray[np.int_]:
     return np.unique(np.linspace(0, count - 1, min(count, MOST)).round().astype(int))

@@ -74,9 +74,10 @@ class Uncertainties:
 
 
 def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
-    """Return the standard uncertainties of a tank test, with defaults for those that are not stated.
+    """Return the standard uncertainties of the quantities that a tank test states.
 
-    The volume and the supply pressure accept a fraction or an absolute value.
+    Uncertainties that are not stated have defaults. Those of volume and supply pressure can be fractions or absolute
+    values.
     """
     if isinstance(test.uncertainties, int | float) and test.uncertainties == 0:
         return Uncertainties(0.0, 0.0, 0.0, 0.0, ())
@@ -91,7 +92,9 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
         stated = read_fields(errors, test.uncertainties or {}, FIELDS, "uncertainties", table="table of uncertainties")
         for name, (unit, reference) in references.items():
             with errors.collecting():
-                sizes[name] = _relative(stated[name], name, unit, reference) if name in stated else DEFAULTS[name]
+                sizes[name] = (
+                    _relative_uncertainty(stated[name], name, unit, reference) if name in stated else DEFAULTS[name]
+                )
         with errors.collecting():
             ranges = [float(np.ptp(c.channel.values)) for c in _gauges(plan)]
             zero = Field(unit="Pa", kind="pressure_difference", low=0.0, meaning="standard uncertainty")
@@ -102,7 +105,7 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
     return Uncertainties(**sizes, assumed=tuple(name for name in FIELDS if name not in stated))
 
 
-def _relative(argument: Any, name: str, unit: str, reference: float) -> float:
+def _relative_uncertainty(argument: Any, name: str, unit: str, reference: float) -> float:
     """Return a standard uncertainty as a fraction of a reference value.
 
     `argument` is the fraction, or an absolute value with the unit `unit`. `name` is the name for messages.
@@ -147,7 +150,7 @@ def add_budget(
         if estimate.standard_error > fitted.standard_error:
             sources[AMBIENT] = math.sqrt(estimate.standard_error**2 - fitted.standard_error**2)
         budget[f.name] = {"sources": sources | shares}
-        wider = _widened(estimate, math.hypot(*shares.values()), f.low, f.high)
+        wider = _widened_estimate(estimate, math.hypot(*shares.values()), f.low, f.high)
         half = max(wider.high - wider.value, wider.value - wider.low)
         joint = max(verdict(f, wider.value, half), estimate.verdict, key=VERDICTS.index)
         parameters[f.name] = replace(wider, verdict=joint)
@@ -186,7 +189,7 @@ def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
     return replace(result, remarks=tuple(remarks))
 
 
-def _widened(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
+def _widened_estimate(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
     """Return an estimate with an additional standard uncertainty, `error`.
 
     The interval stays within the bounds `low` and `high`.
@@ -270,7 +273,11 @@ def _residual_changes(
             step = min(size, LARGEST_STEP)
             above, below = (
                 np.concatenate(
-                    [series for e in plan.experiments for series in _scaled(e, plan, name, times).outputs(values)]
+                    [
+                        series
+                        for e in plan.experiments
+                        for series in _scaled_experiment(e, plan, name, times).outputs(values)
+                    ]
                 )
                 for times in (1.0 + step, 1.0 - step)
             )
@@ -287,7 +294,7 @@ def _residual_changes(
     return {name: np.append(change, np.zeros(n_priors)) for name, change in changes.items()}
 
 
-def _scaled(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
+def _scaled_experiment(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
     """Return an experiment in which a volume or a supply pressure is scaled.
 
     `name` is the quantity, and `factor` the factor. A recorded supply pressure is scaled as well.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import warnings
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -52,7 +52,7 @@ _DOTS_PER_INCH = 150
 _HINTED = 1.05  # maximum width of letters that are fitted to pixels, relative to their outlines
 
 
-def style(purpose: str, path: str | Path | None = None) -> Any:
+def style(purpose: str, path: str | Path | None = None) -> AbstractContextManager[None]:
     """Return a context manager that applies the common style of all figures.
 
     `purpose` describes the task, for the error message if Matplotlib is not installed. `path` is the file of the
@@ -62,7 +62,8 @@ def style(purpose: str, path: str | Path | None = None) -> Any:
         check_format(path)
     with needed("matplotlib", purpose, "plot"):
         import matplotlib as mpl
-    return mpl.rc_context(_STYLE)
+    context: AbstractContextManager[None] = mpl.rc_context(_STYLE)
+    return context
 
 
 def new_figure(width: float, height: float) -> Figure:
@@ -90,7 +91,7 @@ def axes_in(figure: Figure, left: float, top: float, width: float, height: float
 
 
 @contextmanager
-def _boxes() -> Iterator[None]:
+def _without_font_warnings() -> Iterator[None]:
     """Suppress warnings about characters that the font does not contain.
 
     Matplotlib draws such characters as empty boxes.
@@ -112,7 +113,7 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
     if not text.strip():
         return 0.0
     font = FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal")
-    with _boxes():
+    with _without_font_warnings():
         outline = TextPath((0.0, 0.0), text.replace("$", r"\$"), size=size, prop=font)
     # `get_extents` of the outline takes 100 times longer, because it evaluates each curve separately.
     x, codes = outline.vertices[:, 0], outline.codes
@@ -160,7 +161,7 @@ def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
 
     stream = io.BytesIO()
     # Names of SVG elements are hashes; the salt makes them unique on a page.
-    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}), _boxes():
+    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}), _without_font_warnings():
         figure.savefig(stream, format=file_format, dpi=_DOTS_PER_INCH, metadata=_METADATA[file_format])
     content = stream.getvalue()
     # The SVG file has the texts as comments next to their outlines.
