@@ -160,7 +160,7 @@ class TestFile:
         [
             ({"path": "none.csv"}, "files.unreadable"),
             ({"path": "none.xyz"}, "files.suffix"),
-            ({"column": "q"}, "series.unknown"),
+            ({"column": "q"}, "names.unknown"),
             ({"time": 3}, "inputs.no_column"),
             ({"time": {"colum": "t"}}, "inputs.no_column"),
             ({"time": "tm"}, "series.no_column"),

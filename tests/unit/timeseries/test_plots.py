@@ -415,8 +415,8 @@ def test_missing_package_has_an_installation_hint(monkeypatch):
             "run",
         ),
         ({"run": Recording.from_series([0.0], {})}, {}, InputError, "drawing.no_samples", "run"),
-        ({"run": recording()}, {"select": "tnak.pressure"}, InputError, "drawing.unknown", "tnak.pressure"),
-        ({"run": recording()}, {"select": ["tank.*", "x*"]}, InputError, "drawing.unknown", "x*"),
+        ({"run": recording()}, {"select": "tnak.pressure"}, InputError, "names.unknown", "tnak.pressure"),
+        ({"run": recording()}, {"select": ["tank.*", "x*"]}, InputError, "names.unknown", "x*"),
         ({"run": recording()}, {"units": ["N"]}, InputError, "drawing.unused_unit", "N"),
         ({"run": recording()}, {"units": {"tank.mass": "g"}}, InputError, "drawing.unused_unit", "tank.mass"),
         (
@@ -433,7 +433,7 @@ def test_missing_package_has_an_installation_hint(monkeypatch):
 def test_invalid_arguments_are_rejected(recordings, options, error, code, name):
     with pytest.raises(error) as caught:
         plot_recordings(recordings, **options)
-    assert (caught.value.code, caught.value.facts.get("name")) == (code, name)
+    assert (caught.value.code, caught.value.facts.get("name", caught.value.address)) == (code, name)
 
 
 # --- nothing is cut ---

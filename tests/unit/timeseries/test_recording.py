@@ -47,7 +47,7 @@ def test_series_are_found_by_name(recording):
 def test_unknown_name_has_a_suggestion(recording):
     with pytest.raises(InputError) as caught:
         recording["tank.presure"]
-    assert caught.value.code == "series.unknown"
+    assert caught.value.code == "names.unknown"
     assert caught.value.facts["near"].names[0] == "tank.pressure"
 
 
@@ -83,7 +83,7 @@ def test_select_keeps_the_requested_order(recording):
     assert chosen.notes == recording.notes
     with pytest.raises(InputError) as caught:
         recording.select(["tank.*", "tank.m*"])
-    assert (caught.value.code, caught.value.facts["name"]) == ("series.unknown", "tank.m*")
+    assert (caught.value.code, caught.value.address) == ("names.unknown", "tank.m*")
 
 
 def test_between_includes_both_ends(recording):
