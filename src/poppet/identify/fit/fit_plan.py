@@ -286,26 +286,24 @@ def offset_parameters(
                     location = f"recordings.{measurement.name}.start.{address}"
                     errors.add("fit.first_of_offset", location, channel=channel.address)
             parameters += [
-                offset_parameter(measurement.name, channel, NormalPrior(0.0, channel.offset), FARTHEST)
+                offset_parameter(measurement.name, channel, NormalPrior(0.0, channel.offset))
                 for channel in measurement.channels
                 if channel.offset is not None
             ]
     return parameters
 
 
-def offset_parameter(
-    recording: str, channel: Channel, prior: NormalPrior | None, farthest: float = SURELY
-) -> FreeParameter:
+def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None) -> FreeParameter:
     """Return the free offset of one sensor.
 
-    The offset is limited to `farthest` standard deviations of its prior. The mean of the prior is relative to the
+    The offset is limited to five standard deviations of its prior. The mean of the prior is relative to the
     expected offset that the channel states. Without a prior, the limits are plus and minus a tenth of the range of the
     recorded channel.
     """
     prior = None if prior is None or not math.isfinite(prior.sd) else prior
     prior = None if prior is None else NormalPrior(prior.mean + channel.offset_mean, prior.sd)
     mean = channel.offset_mean if prior is None else prior.mean
-    largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else farthest * prior.sd
+    largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else FARTHEST * prior.sd
     name, address = f"{recording}.{channel.address}.offset", channel.address
     bounds = mean - largest, mean + largest
     return FreeParameter(name, address, channel.unit, mean, *bounds, "offset", recording, prior)
