@@ -361,9 +361,7 @@ class FrictionLawFit:
         return np.asarray(rows.sign * np.exp(-((rows.velocity / self.values[STRIBECK]) ** 2)))
 
     def _pressure_statistic(self, column: FloatArray, *nuisances: FloatArray) -> float:
-        rows = self.data.rows
-        columns = np.column_stack([self.jacobian, *(nuisance * rows.pressure for nuisance in nuisances)])
-        return term_statistic(rows, columns, column, self.data.group)
+        return term_statistic(self.data.rows, self.jacobian, column, nuisances, self.data.group)
 
     @cached_property
     def together(self) -> float:
