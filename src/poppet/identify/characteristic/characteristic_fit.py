@@ -103,6 +103,8 @@ class CurveFit:
     evaluations: int  # number of evaluations of all tests
     cost: float = math.nan  # half the sum of squared residuals
     twin: CurveFit | None = None  # equivalent curves
+    rivals: tuple[CurveFit, ...] = ()  # unconstrained splines with all compared selections of knots, the best one first
+    strokes: tuple[Array, Array] = (np.empty(0), np.empty(0))  # strokes of the tests that determine C and b, ascending
 
     def part(self, index: int) -> slice:
         """Return the slice of `theta` that contains the parameters of C (0), b (1) or the bench (2)."""
@@ -116,13 +118,44 @@ class CurveFit:
     def standard_uncertainty(self, index: int, x: Array) -> Array:
         """Return the standard uncertainty of C (`index` 0) or b (`index` 1) at the strokes `x`, (n,).
 
-        It includes the errors that all tests have in common.
+        It includes the errors that all tests have in common, and for a spline those of its shape.
         """
+        shared = self.common[index] * (self.curve(0, x) if index == 0 else np.ones_like(x))
+        variance = self._variance(index, x) + self.shape_variance(index, x)
+        return np.asarray(np.sqrt(np.maximum(variance, 0.0) + shared**2))
+
+    def _variance(self, index: int, x: Array) -> Array:
+        """Return the variance of C (`index` 0) or b (`index` 1) for the given shape of the curve."""
         part = self.part(index)
         slopes = self.shapes[index].slopes(self.theta[part], x)
-        variance = np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes)
-        shared = self.common[index] * (self.curve(0, x) if index == 0 else np.ones_like(x))
-        return np.asarray(np.sqrt(np.maximum(variance, 0.0) + shared**2))
+        return np.asarray(np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes))
+
+    def shape_variance(self, index: int, x: Array) -> Array:
+        r"""Return the variance that the unknown shape of C (`index` 0) or b (`index` 1) adds; zero for polynomials.
+
+        .. math::
+
+            \sum_k w_k \left[(y_k - y_0)^2 + u_k^2\right] - u_0^2 + (y - \ell)^2, \qquad
+            w_k \propto e^{-(\mathrm{AIC}_k - \mathrm{AIC}_0)/2}
+
+        Notes
+        -----
+        The sum over the compared selections of knots k is the uncertainty of the selection 0. The last term is the
+        uncertainty of the interpolation: the difference between the curve y and straight lines l between the tests.
+
+        References
+        ----------
+        Burnham & Anderson 2002, Model Selection and Multimodel Inference, section 4.3.2.
+        """
+        if not self.rivals:
+            return np.zeros_like(x)
+        aicc = np.array([rival.aicc() for rival in self.rivals])
+        weights = np.exp(-0.5 * (aicc - aicc[0]))
+        best = self.rivals[0]
+        squares = [(rival.curve(index, x) - best.curve(index, x)) ** 2 + rival._variance(index, x) for rival in self.rivals]
+        selection = np.average(squares, axis=0, weights=weights) - best._variance(index, x)
+        lines = np.interp(x, self.strokes[index], self.curve(index, self.strokes[index]))
+        return np.asarray(selection + (self.curve(index, x) - lines) ** 2)
 
     @property
     def chi_square(self) -> float:
@@ -234,7 +267,8 @@ def fit_histories(
     limit = best.cost + ALIKE * best.misfits[0].widening
     curves = {fit: fit.curve(0, objective.strokes) for fit in fits}
     equivalent = [f for f in fits if f.cost < limit and np.max(np.abs(curves[f] / curves[best] - 1.0)) > APART]
-    return replace(best, twin=min(equivalent, key=lambda fit: fit.cost)) if equivalent else best
+    twin = min(equivalent, key=lambda fit: fit.cost, default=None)
+    return replace(best, twin=twin and replace(twin, rivals=first_fit.rivals), rivals=first_fit.rivals)
 
 
 def _fit_curves(
@@ -263,7 +297,8 @@ def _fit_curves(
         max_nfev=200,
     )
     residual, rows = objective(solution.x)
-    n_determined = np.isfinite([e.uncertainty for e in evidence]).sum(axis=0)
+    is_determined = np.isfinite([e.uncertainty for e in evidence])
+    n_determined = is_determined.sum(axis=0)
     sizes = [shape.size for shape in objective.shapes]
     if objective.nuisance or single_cost or any(e.root[0, 1] for e in evidence):  # a test couples C and b
         saved = sum(sum(f in term.nuisance for term in objective.terms) - 1 for f in objective.nuisance)
@@ -279,8 +314,18 @@ def _fit_curves(
     _, s, vt = np.linalg.svd(rows, full_matrices=False)
     s = np.maximum(s, 1e-9 * max(float(s[0]), 1e-300))
     covariance = np.asarray((vt.T / s**2) @ vt) * np.outer(wide, wide)
-    count, cost = objective.evaluations, 0.5 * float(residual @ residual)
-    return CurveFit(objective.shapes, solution.x, objective.nuisance, covariance, misfits, common, count, cost)
+    first_strokes, second_strokes = (np.unique(objective.strokes[mask]) for mask in is_determined.T)
+    return CurveFit(
+        objective.shapes,
+        solution.x,
+        objective.nuisance,
+        covariance,
+        misfits,
+        common,
+        objective.evaluations,
+        cost=0.5 * float(residual @ residual),
+        strokes=(first_strokes, second_strokes),
+    )
 
 
 def bootstrap_bands(

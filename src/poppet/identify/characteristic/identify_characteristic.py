@@ -271,9 +271,11 @@ def _fit_spline(
     """Return the spline with the constraint that C does not fall, and the test of this constraint."""
     decoupled = [e.decoupled() for e in evidence]
     candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
-    free = min((fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates), key=CurveFit.aicc)
+    fits = (fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates)
+    rivals = tuple(sorted(fits, key=CurveFit.aicc))
+    free = rivals[0]
     knots = free.shapes[0].knots  # type: ignore[union-attr]
-    constrained = fit_evidence(decoupled, _spline_shapes(options, knots, True), common)
+    constrained = replace(fit_evidence(decoupled, _spline_shapes(options, knots, True), common), rivals=rivals)
     polynomials = (
         fit_evidence(decoupled, _polynomial_shapes(options))
         if options.strokes.size > max(options.degrees) + 1
