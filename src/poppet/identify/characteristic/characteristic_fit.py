@@ -131,31 +131,33 @@ class CurveFit:
         return np.asarray(np.einsum("ij,jk,ik->i", slopes, self.covariance[part, part], slopes))
 
     def shape_variance(self, index: int, x: Array) -> Array:
-        r"""Return the variance that the unknown shape of C (`index` 0) or b (`index` 1) adds; zero for polynomials.
+        r"""Return the variance that the unknown shape of C (`index` 0) or b (`index` 1) adds at the strokes `x`, (n,).
 
         .. math::
 
-            \sum_k w_k \left[(y_k - y_0)^2 + u_k^2\right] - u_0^2 + (y - \ell)^2, \qquad
+            (y - \ell)^2 + \sum_k w_k \left[(y_k - y_0)^2 + u_k^2\right] - u_0^2, \qquad
             w_k \propto e^{-(\mathrm{AIC}_k - \mathrm{AIC}_0)/2}
 
         Notes
         -----
-        The sum over the compared selections of knots k is the uncertainty of the selection 0. The last term is the
-        uncertainty of the interpolation: the difference between the curve y and straight lines l between the tests.
+        The first term is the uncertainty of the interpolation: the difference between the curve y and straight lines
+        between the tests. It is zero for polynomials that describe the tests. The others are the uncertainty of the
+        selection 0 of knots, from all selections k that were compared.
 
         References
         ----------
         Burnham & Anderson 2002, Model Selection and Multimodel Inference, section 4.3.2.
         """
-        if not self.rivals:
-            return np.zeros_like(x)
-        aicc = np.array([rival.aicc() for rival in self.rivals])
-        weights = np.exp(-0.5 * (aicc - aicc[0]))
-        best = self.rivals[0]
-        squares = [(rival.curve(index, x) - best.curve(index, x)) ** 2 + rival._variance(index, x) for rival in self.rivals]
-        selection = np.average(squares, axis=0, weights=weights) - best._variance(index, x)
-        lines = np.interp(x, self.strokes[index], self.curve(index, self.strokes[index]))
-        return np.asarray(selection + (self.curve(index, x) - lines) ** 2)
+        variance = np.zeros_like(x)
+        if self.rivals or self.misfits[index].widening > 1.0:
+            strokes = self.strokes[index]
+            variance += (self.curve(index, x) - np.interp(x, strokes, self.curve(index, strokes))) ** 2
+        if self.rivals:
+            best, aicc = self.rivals[0], np.array([rival.aicc() for rival in self.rivals])
+            shifts = np.array([rival.curve(index, x) - best.curve(index, x) for rival in self.rivals])
+            sampling = np.array([rival._variance(index, x) for rival in self.rivals])
+            variance += np.average(shifts**2 + sampling, axis=0, weights=np.exp(0.5 * (aicc[0] - aicc))) - sampling[0]
+        return np.asarray(variance)
 
     @property
     def chi_square(self) -> float:

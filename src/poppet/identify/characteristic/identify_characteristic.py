@@ -312,6 +312,8 @@ def _estimates(fit: CurveFit, options: _CurveOptions, prefix: str) -> dict[str, 
         is_shifted = np.zeros_like(values)
         is_shifted[-1 if options.form == "polynomial" else slice(None)] = 1.0
         common_errors = fit.common[index] * (values if index == 0 else is_shifted)
+        if isinstance(shape, SplineShape):
+            variance = variance + fit.shape_variance(index, np.array(shape.table_knots))
         errors = np.sqrt(np.maximum(variance, 0.0) + common_errors**2)
         limits = (-math.inf, math.inf) if options.form == "polynomial" else (0.0, LARGEST_RATIO if index else math.inf)
         for k, (value, error) in enumerate(zip(values, errors, strict=True), start=begin):
@@ -360,6 +362,9 @@ def _bands(fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptio
     if options.bootstrap:
         bootstrap_evidence = [e.decoupled() for e in evidence] if options.form == "spline" else evidence
         bands = list(bootstrap_bands(fit, bootstrap_evidence, x, options.bootstrap, options.seed))
+        for k, ends in enumerate(bands):  # all bootstrap fits have the same knots
+            curve, shape = fit.curve(k, x), 1.96 * np.sqrt(np.maximum(fit.shape_variance(k, x), 0.0))
+            bands[k] = (curve - np.hypot(curve - ends[0], shape), curve + np.hypot(ends[1] - curve, shape))
     else:
         halves = [fit.misfits[k].coverage * fit.standard_uncertainty(k, x) for k in (0, 1)]
         bands = [(fit.curve(k, x) - halves[k], fit.curve(k, x) + halves[k]) for k in (0, 1)]
