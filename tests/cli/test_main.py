@@ -159,7 +159,7 @@ def test_an_old_name_of_an_option_is_accepted_with_a_note(poppet, tanks):
     old = poppet("live", str(tanks), "--number=low.volume=10 l..30 l", "-o", "old.html")
     assert (old.code, old.err) == (
         0,
-        "note: --number is now --parameter; the old name is accepted until version 1.0.\n",
+        "note: The option --number is now called --parameter. The old name works until version 1.0.\n",
     )
     new = poppet("live", str(tanks), "--parameter", "low.volume=10 l..30 l", "-o", "new.html")
     assert (new.code, new.err) == (0, "")

@@ -100,7 +100,10 @@ def test_missing_matplotlib_is_reported_before_the_run(poppet, tanks, monkeypatc
 
 def test_set_on_a_driven_input_replaces_its_signal_with_a_note(poppet, tanks):
     code, _, err = poppet("simulate", "tanks.toml", "--set", "hole.opening=0.5", "-o", "out.csv")
-    assert (code, err) == (0, "note: hole.opening is set to 0.5; the signal of the file is ignored.\n")
+    assert (code, err) == (
+        0,
+        "note: hole.opening is set to 0.5 by this command, so the signal in the file is not used.\n",
+    )
     assert set(house.Recording.read("out.csv")["hole.opening"]) == {0.5}
 
 
@@ -138,7 +141,9 @@ def test_stop_conditions_add_up(poppet, tanks):
 def test_notes_go_to_stderr(poppet, tanks):
     code, out, err = poppet("simulate", "tanks.toml", "--duration", "0.5 s", "--quiet")
     assert (code, out) == (0, "")
-    assert err == "note: hole.opening: 1 of 2 steps are at or after the end of the run, t = 0.5 s.\n"
+    assert err == (
+        "note: hole.opening: 1 of 2 steps have no effect, because they are at or after the end of the run, t = 0.5 s.\n"
+    )
 
 
 MISSING = """

@@ -28,7 +28,7 @@ MIN_TRAVEL = 1e-9
 
 @dataclass(frozen=True)
 class BodyStroke:
-    """Motion of a body from one turning point to the next, with times and speeds."""
+    """One stroke of a body: its motion from one turning point to the next."""
 
     body: str
     unit: str  # of the travel
@@ -52,7 +52,7 @@ class Arrival:
 
 @dataclass(frozen=True)
 class BodyWork:
-    """Energy of a body over a run [J].
+    """Energy balance of a body over a run [J].
 
     The balance is: done - returned = on_load + lost + increase in kinetic energy.
     """
@@ -117,14 +117,14 @@ class LoadMetrics:
 
     @property
     def efficiency(self) -> float:
-        """Work divided by the exergy of the consumed air.
+        """Work on the bodies, divided by the exergy of the consumed air.
 
-        It is NaN if the exergy is not positive.
+        The result is NaN if the exergy is not positive.
         """
         return self.work / self.exergy if self.exergy > 0.0 else math.nan
 
     def met(self, stroke: BodyStroke) -> Arrival | None:
-        """Return the fastest impact on an end stop during a stroke.
+        """Return the fastest impact on an end stop during one stroke.
 
         The result is None if there is no impact.
 
@@ -156,7 +156,7 @@ class LoadMetrics:
 
 @dataclass(frozen=True)
 class LoadData:
-    """Results of a run and properties of the model, from which load metrics are computed."""
+    """Outputs and model properties of a run, from which the load metrics are computed."""
 
     raw: RawRun
     outputs: tuple[tuple[str, str], ...]  # names and units
@@ -169,12 +169,18 @@ class LoadData:
 
     @classmethod
     def of(cls, instance: Instance, raw: RawRun) -> LoadData:
-        """Return the data of a run of an instance."""
+        """Return the load data of a run.
+
+        `raw` contains the result arrays of the run.
+        """
         m, air = instance.model, instance.surroundings
         return cls(raw, m.outputs, m.flows, m.stores, m.bodies, instance.parameters, air, instance.bodies)
 
     def __getitem__(self, address: str) -> Array:
-        """Return the values of an output, or of an ambient quantity, at the output times."""
+        """Return the values of an output at all output times.
+
+        `address` can also be that of an ambient condition, which is constant.
+        """
         for k, (name, _) in enumerate(self.outputs):
             if name == address:
                 row: Array = self.raw.values[k]
@@ -184,14 +190,17 @@ class LoadData:
         return np.full(self.raw.time.size, getattr(self.surroundings, quantity))
 
     def unit(self, address: str) -> str:
-        """Return the unit of an output, or an empty text for an unknown output."""
+        """Return the unit of the output with a given address.
+
+        The text is empty if there is no such output.
+        """
         return dict(self.outputs).get(address, "")
 
     def stops(self) -> Iterator[tuple[str, str, str]]:
-        """Yield each output with an end-stop force, its owner, and a prefix.
+        """Yield each output that is an end-stop force, with its owner and a prefix.
 
-        The prefix is `piston_` if the motion of the owner has the outputs `piston_position` and `piston_velocity`.
-        Otherwise it is empty.
+        The owner is the name of the part. The prefix is `piston_` if the motion of the owner is given by the outputs
+        `piston_position` and `piston_velocity`; otherwise the prefix is empty.
         """
         names = dict(self.outputs)
         for name in names:
@@ -306,10 +315,10 @@ def _work(run: LoadData, body: str, integrals: tuple[int, ...]) -> BodyWork:
 
 
 def _air_and_exergy(run: LoadData) -> tuple[dict[str, float], float, float]:
-    """Return the net air consumption of each reservoir, its exergy, and the increase in stored exergy.
+    """Return air consumption and exergy of each reservoir, and the increase in stored exergy.
 
-    The increase is that of the gas in all volumes [J]. It is NaN if pressure, temperature or mass of a volume is not
-    an output.
+    The increase is that of the gas in all volumes [J]. It is NaN if the pressure, temperature or mass of a volume is
+    not an output.
     """
     stores, air = {store.name for store in run.stores}, run.surroundings
     # Gas density at ANR; that of air is the value of the standard, for moist air.

@@ -31,7 +31,7 @@ _MAPPINGS = {
 
 
 class PartWiring(NamedTuple):
-    """Ports, gas nodes and body of a part."""
+    """Ports, gas nodes and body of a part, for checks of the connections."""
 
     kind: type[Part]
     ports: Mapping[str, str]  # port to the address of the gas node
@@ -45,7 +45,7 @@ class PartWiring(NamedTuple):
 
     @classmethod
     def of_table(cls, kind: type[Part], table: Mapping[str, Any]) -> PartWiring:
-        """Return the wiring of an invalid part from its table in the circuit file."""
+        """Return the wiring of an invalid part from its table in the file."""
         texts = {name: value for name, value in table.items() if isinstance(value, str)}
         fields = specs(kind)
         ports = {name: texts[name] for name, spec in fields.items() if isinstance(spec, PortSpec) and name in texts}
@@ -138,7 +138,10 @@ def check_wiring(errors: ErrorCollector, wiring: Wiring) -> None:
 
 
 def connect_tube_cells(parts: Mapping[str, Part]) -> dict[str, Part]:
-    """Return parts whose ports at tube ends are joined to the end cells."""
+    """Return all parts, with ports at tube ends connected to the end cells.
+
+    An end cell is the first or the last cell of a tube.
+    """
     result = dict(parts)
     for name, part in parts.items():
         for end, cell in part.outer_ports().items():
@@ -225,7 +228,10 @@ def check_signals(
 def check_starts(
     errors: ErrorCollector, parts: Mapping[str, Part], signals: Mapping[str, Signal], section: str = ""
 ) -> None:
-    """Collect an error for each actuator that cannot reach the initial position of its body."""
+    """Collect an error for each actuator that cannot reach the initial position of its body.
+
+    `signals` and `section` are the signals and the ambient section of the circuit.
+    """
     for name, part in parts.items():
         body = parts.get(part.body_name() or "")
         if not isinstance(body, Body):

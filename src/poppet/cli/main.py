@@ -32,9 +32,9 @@ PROGRAM = Command(
 
 
 def run(arguments: Sequence[str] | None = None) -> int:
-    """Run the command line with the given arguments, and return the exit code.
+    """Run poppet with command-line arguments, and return the exit code.
 
-    The default arguments are those of the program.
+    By default, the arguments are those of the running program.
 
     Examples
     --------
@@ -98,7 +98,9 @@ def command_parser(name: str) -> CommandParser:
 
 
 def split_command(arguments: list[str]) -> tuple[str, list[str]]:
-    """Split arguments into the name of the command, of one or two words, and the remaining arguments.
+    """Split arguments into the name of the command and the remaining arguments.
+
+    The name of a command has one or two words.
 
     Examples
     --------
@@ -131,7 +133,10 @@ def _dispatch(arguments: list[str]) -> int:
 
 
 def _run_program(arguments: list[str]) -> int:
-    """Print the help or the version of the program, and return the exit code."""
+    """Run poppet without a command: print the help or the version.
+
+    The result is the exit code.
+    """
     parser, commands = CommandParser("", PROGRAM), all_commands()
     width = max(map(len, commands))
     lines = (f"{name:<{width}}  {command.summary}" for name, command in commands.items())

@@ -45,7 +45,7 @@ _RUN_OPTIONS = {
 
 
 def execute(options: argparse.Namespace) -> int:
-    """Simulate a circuit file, and print or write the recording."""
+    """Run the command `simulate`, and print or write the recording."""
     import numpy as np
 
     from poppet.circuit.file import load
@@ -91,7 +91,7 @@ def execute(options: argparse.Namespace) -> int:
 
 
 def _write(recording: Recording, selection: OutputSelection, options: argparse.Namespace, circuit: BaseCircuit) -> None:
-    """Write the output files that the options specify, and print the summary of the run."""
+    """Write the output files of a simulation, and print the summary of the run."""
     selected = selection.apply(recording)
     if options.output and not selected.time.size:
         text = f"{options.output}: not written, there are no rows. {recording.outcome}"

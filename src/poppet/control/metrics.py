@@ -22,7 +22,10 @@ OPEN = 1e-3
 
 @dataclass(frozen=True)
 class StepMetric:
-    """Unit and meaning of a metric; a smaller value of the metric is better."""
+    """Unit and meaning of one metric of a step response.
+
+    A smaller value of the metric is better.
+    """
 
     unit: str
     meaning: str
@@ -46,7 +49,9 @@ def readable_unit_of(unit: str) -> str:
 
 
 def metrics_in(unit: str, command_unit: str = "1") -> dict[str, StepMetric]:
-    """Return unit and meaning of each metric for given units of a loop.
+    """Return the unit and the meaning of each metric of a control loop.
+
+    `unit` is the SI unit of the measured quantity, and `command_unit` that of the command.
 
     Parameters
     ----------
@@ -144,7 +149,10 @@ def _integral(time: Array, values: Array) -> float:
 
 
 def _step(time: Array, measured: Array, initial: float, final: float) -> tuple[float, float, float]:
-    """Return rise time [s], settling time [s] and overshoot [%] of one step."""
+    """Return rise time [s], settling time [s] and overshoot [%] of one step.
+
+    `initial` and `final` are the setpoints before and after the step.
+    """
     progress = (measured - initial) / (final - initial)
     if not np.all(np.isfinite(progress)):
         return np.inf, np.inf, np.inf
@@ -156,9 +164,10 @@ def _step(time: Array, measured: Array, initial: float, final: float) -> tuple[f
 
 
 def _first(time: Array, progress: Array, level: float) -> float:
-    """Return the time at which `progress` first reaches a level, linearly interpolated [s].
+    """Return the time at which a step response first reaches a level [s].
 
-    The result is infinite if the level is not reached.
+    `progress` is the response, interpolated linearly between samples. The result is infinite if the level is not
+    reached.
     """
     rows_above = np.flatnonzero(progress >= level)
     if not rows_above.size:

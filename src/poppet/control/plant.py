@@ -58,7 +58,7 @@ class OperatingPoint:
 
 @dataclass(frozen=True, eq=False)
 class Plant:
-    """Circuit from which one controller is removed.
+    """Circuit without one controller, whose inputs the controller would drive.
 
     Parameters
     ----------
@@ -93,14 +93,14 @@ class Plant:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Sides on which the command acts, such as `fill` and `vent`."""
+        """Names of the sides on which the command acts, such as `fill` and `vent`."""
         if not self.part.is_of_openings:
             return ("command",)
         outputs = {"fill": "fill_command", "vent": "vent_command", "command": "command", "back": "command"}
         return tuple(side for side, output in outputs.items() if output in self.commands)
 
     def read(self, value: Any) -> float:
-        """Convert a value of the measured quantity to SI.
+        """Convert a value of the measured quantity to SI units.
 
         Parameters
         ----------
@@ -133,11 +133,11 @@ class Plant:
 
     @property
     def delay(self) -> int:
-        """Delay from a measurement to its command [samples]."""
+        """Number of samples from a measurement to the command that uses it."""
         return 1 if self.part.acts == NEXT_SAMPLE else 0
 
     def sampled(self, point: OperatingPoint, branch: str, factor: float = 1.0) -> SampledPlant:
-        """Return the sampled plant for commands on one side of an operating point.
+        """Return a linear sampled plant for commands on one side of an operating point.
 
         Parameters
         ----------
@@ -213,9 +213,10 @@ class Plant:
         return OperatingPoint(steady.y[self.measurement], command, models, weights)
 
     def _with_initial_value(self, target: float) -> Instance:
-        """Return the plant with the initial pressure that leads to the measurement `target`.
+        """Return the plant with an initial pressure that leads to a given measurement.
 
-        The command is zero. If a leak determines the steady state, the initial pressure has no effect.
+        `target` is this measurement, and the command is zero. If a leak determines the steady state, the initial
+        pressure has no effect.
         """
         if not self.begins:
             return self.instance
@@ -258,5 +259,8 @@ class Plant:
 
 
 def point_label(plant: Plant, value: float, branch: str) -> str:
-    """Return a label of an operating point and a side, such as `2 bar, fill`."""
+    """Return a label of an operating point, for example `2 bar, fill`.
+
+    `branch` is the side of the command, for example `fill`.
+    """
     return f"{'{value:.4g} {unit}'.format(**plant.shown(value))}, {branch}"

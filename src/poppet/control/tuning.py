@@ -90,7 +90,10 @@ class TunedPoint:
 
     @property
     def sides(self) -> tuple[str, ...]:
-        """Sides, or sizes of sines, for which the margins at all operating points keep the bound."""
+        """Names of the sides for which the margins keep the bound at all operating points.
+
+        If the plant was measured with sines, the amplitudes of the sines replace the sides.
+        """
         return tuple(dict.fromkeys(name.partition(", ")[2] for name in self.margins))
 
     @property
@@ -138,12 +141,15 @@ class Tuning:
 
     @property
     def is_verified(self) -> bool:
-        """True if the tuning used sines and was verified by runs with setpoint steps."""
+        """True if the plant was measured with sines, and setpoint steps verified the gains."""
         return bool(self.points[0].verified)
 
     @property
     def bounded(self) -> str:
-        """Text with the bound of the sensitivities and the tuned sides and operating points."""
+        """Text on the bound of the sensitivities, and where the loop keeps it.
+
+        It names the sides of the command and the operating points.
+        """
         sides = " and ".join(_SIDES.get(side, f"by {side}") for side in self.points[0].sides)
         unit = QUANTITIES[self.quantity].unit
         readable_unit = readable_unit_of(unit)
@@ -153,7 +159,7 @@ class Tuning:
 
     @property
     def held(self) -> str:
-        """Text with the steady commands at the operating points."""
+        """Text with the constant commands that keep the plant at the operating points."""
         commands = [command for point in self.points for command in point.commands]
         if not any(commands):
             return "at rest"
@@ -332,7 +338,7 @@ def schedule(
 
 
 def _add_working_step(plant: Plant, circuit: BaseCircuit, tuning: Tuning) -> Tuning:
-    """Add the verification with a setpoint step of working size, and its notes."""
+    """Add a simulated setpoint step of usual size to a tuning, with its notes."""
     by_value = {value: point for point in tuning.points for value in point.values}
     value, step = largest_step(circuit, tuning.controller, list(by_value))
     if step == 0.0:
@@ -414,9 +420,9 @@ def _tune_points(
 
 
 def _choose_weight_by_runs(plant: MeasuredLoop, point: TunedPoint, bound: float, form: str) -> TunedPoint:
-    """Choose the largest setpoint weight with an acceptable overshoot in verification runs.
+    """Choose the largest setpoint weight with which simulated steps have acceptable overshoot.
 
-    The returned point contains these verifications.
+    The returned point contains these simulations.
     """
     for weight in _weights(point.gains):
         point = replace(point, setpoint_weight=weight)
@@ -434,7 +440,10 @@ def _weights(gains: Gains) -> tuple[float, ...]:
 
 
 class _Loops:
-    """Loops of one controller with several plants, for a search of gains under a common bound."""
+    """Loops of one controller with several plants, for which common gains are searched.
+
+    `bound` is the largest permitted sensitivity.
+    """
 
     def __init__(self, plants: Sequence[LoopPlant], bound: float) -> None:
         self.plants, self.bound, self.time = plants, bound, plants[0].sample_time
@@ -458,8 +467,8 @@ class _Loops:
     def best(self, form: str, filter_time: float | None) -> Gains:
         """Return the gains with the largest integral gain that keep the bound.
 
-        For a proportional controller the gain itself is the largest one. `filter_time` is the filter time of the
-        derivative; None derives it from the derivative time.
+        A proportional controller has the largest proportional gain instead. `form` is the form of the controller.
+        `filter_time` is the filter time of the derivative; None derives it from the derivative time.
         """
         if form == "p":
             return Gains(self.largest_gain(Gains(1.0)))
@@ -497,9 +506,9 @@ class _Loops:
         raise SimulationError(Note("tuning.not_kept", bound=self.bound))
 
     def peaks(self, unit: Gains, gains: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return the maximum of Ms and Mt over all plants for each gain.
+        """Return the maximum of Ms and Mt over all plants for each of several gains.
 
-        `unit` is the controller with a gain of 1, and `gains` contains the factors on it.
+        `unit` is the controller with a gain of 1, and `gains` contains the factors by which its gain is multiplied.
         """
         unit_response, k = unit.response(self.z, self.time), gains[:, None]
         worst = np.zeros(len(gains))

@@ -18,7 +18,8 @@ Choice = TypeVar("Choice")
 def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     """Write a file completely or not at all.
 
-    The function `fill` writes a temporary file, which then replaces the target.
+    The function `fill` receives a temporary file and writes the content into it. The temporary file then replaces the
+    file at `path`.
     """
     # Resolve links: renaming onto a link would replace the link.
     target = Path(os.path.realpath(path))
@@ -47,9 +48,10 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
 
 
 def _host() -> str:
-    """Return a hash of the host name.
+    """Return a hash of the name of this computer.
 
-    Processes of other hosts can write to a shared folder, but this host cannot detect whether they run.
+    The hash becomes part of the names of temporary files, because several computers can write to a shared folder, and a
+    computer cannot detect whether a process of another computer still runs.
     """
     return f"{zlib.crc32(os.uname().nodename.encode()) if hasattr(os, 'uname') else 0:08x}"
 
@@ -67,7 +69,10 @@ def _is_running(process: int) -> bool:
 
 
 def by_suffix(path: Path, choices: Mapping[str, Choice]) -> Choice:
-    """Return the entry of `choices` for the file extension of a path."""
+    """Return the entry of `choices` that belongs to the file extension of a path.
+
+    The keys of `choices` are file extensions. An unknown extension raises an error.
+    """
     suffix = path.suffix.lower()
     if suffix not in choices:
         raise InputError("files.suffix", path=str(path), suffix=path.suffix, near=NameSuggestion(suffix, choices))

@@ -30,7 +30,10 @@ def _casadi() -> Any:
 
 
 def where(condition: Any, if_true: Any, if_false: Any) -> Any:
-    """Return `if_true` if the condition is true, otherwise `if_false`, for each element."""
+    """Return `if_true` where the condition is true, and `if_false` elsewhere.
+
+    The arguments can be floats, arrays or symbols. Arrays are evaluated for each element.
+    """
     if is_symbolic(condition, if_true, if_false):
         ca = _casadi()
         if not is_symbolic(condition):
@@ -42,9 +45,9 @@ def where(condition: Any, if_true: Any, if_false: Any) -> Any:
 
 
 def minimum(a: Any, b: Any) -> Any:
-    """Return the smaller of two values, for each element.
+    """Return the smaller of two values, for each element of arrays.
 
-    If two symbols are equal, the derivative is that of one of them.
+    The arguments can be floats, arrays or symbols. At equal symbols, the derivative is that of one of them.
     """
     if is_symbolic(a, b):
         return _casadi().fmin(a, b)
@@ -54,7 +57,10 @@ def minimum(a: Any, b: Any) -> Any:
 
 
 def maximum(a: Any, b: Any) -> Any:
-    """Return the larger of two values, for each element."""
+    """Return the larger of two values, for each element of arrays.
+
+    The arguments can be floats, arrays or symbols.
+    """
     if is_symbolic(a, b):
         return _casadi().fmax(a, b)
     if is_array(a, b):

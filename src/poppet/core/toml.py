@@ -43,7 +43,7 @@ def json_text(content: Mapping[str, Any]) -> str:
 
 
 def from_json(value: Any) -> Any:
-    """Convert JSON content of `json_text` back.
+    """Convert the content of a JSON file from `json_text` back to its original values.
 
     The texts "nan", "inf" and "-inf" become numbers.
     """
@@ -88,9 +88,10 @@ def _lines(path: str, table: Mapping[str, Any]) -> list[str]:
 
 
 def _is_apart(path: str, value: Any) -> bool:
-    """Return True for a value that needs a header of its own in TOML.
+    """Return True if a value is written under a TOML header of its own.
 
-    Such a value is a table, or at the root a list of tables.
+    This applies to tables, and at the top level of the file to lists of tables. All other values are written in one
+    line.
     """
     if isinstance(value, Mapping) or path:
         return isinstance(value, Mapping)
@@ -98,9 +99,9 @@ def _is_apart(path: str, value: Any) -> bool:
 
 
 def _plain(value: Any, *, as_text: bool = False) -> Any:
-    """Convert values to types of Python.
+    """Convert the values of nested tables to basic Python types.
 
-    If `as_text` is True, values that are not finite become text.
+    If `as_text` is True, infinite values and NaN become text.
     """
     if isinstance(value, Mapping):
         # TOML cannot contain None.
@@ -132,5 +133,8 @@ def value_text(value: Any) -> str:
 
 
 def _quoted(text: str) -> str:
-    """Return a TOML basic string: a JSON string with DEL escaped."""
+    """Return a text as a TOML string in quotes, with escaped special characters.
+
+    The notation is that of JSON, in which the character DEL is escaped as well.
+    """
     return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")

@@ -213,7 +213,7 @@ class _Expression:
         return Fraction(token)
 
     def times(self, unit: Unit, factor: Unit, exponent: Fraction) -> Unit:
-        """Return `unit * factor**exponent`.
+        """Return the unit that results from `unit * factor**exponent`.
 
         The result is exact if the exponent is an integer.
         """
@@ -248,7 +248,10 @@ _MEANT = {"C": "degC", "F": "degF", "sec": "s", "lpm": "l/min", "liter": "l", "l
 
 
 def _unknown(text: str, symbol: str) -> UnitError:
-    """Return the error for an unknown unit symbol, with the most specific hint."""
+    """Return the error for a symbol that is not a unit.
+
+    The error contains the most specific hint that is available, for example a similar unit.
+    """
     facts: dict[str, Any] = {"unit": text, "symbol": symbol}
     powered = re.fullmatch(r"([A-Za-z]+)([2-6])", symbol)
     if powered and powered[1] in TABLE:

@@ -116,10 +116,10 @@ _ABBREVIATED: dict[str, tuple[str, _Mark]] = {
 
 @lru_cache(maxsize=4096)
 def _parse(text: str) -> tuple[Unit, _Mark]:
-    """Return the unit of a text, and its mark.
+    """Return the unit in a text, and its mark, for example `gauge` or `normal`.
 
-    A mark shows the reference: `g` is gauge, and `N` is the normal state. In other positions, `g` is a gram and `N` a
-    newton.
+    The letter `g` marks a gauge pressure, and `N` the normal state of a volume flow. In other positions, `g` is a gram
+    and `N` a newton.
     """
     text = text.translate(SPELLINGS).strip()
     if text.casefold() in _ABBREVIATED:
@@ -210,9 +210,9 @@ def same_dimension(first: str, second: str) -> bool:
 
 
 def _flow_dimension(unit: str) -> Dimension:
-    """Return the dimension of a unit.
+    """Return the physical dimension of a unit.
 
-    A volume flow with a reference state has the dimension of a mass flow.
+    A volume flow with a reference state has the dimension of a mass flow, because it can be converted to one.
     """
     parsed, mark = _parse(unit)
     return MASS_FLOW if mark in _DENSITY else parsed.dimension
@@ -268,7 +268,10 @@ def with_state(text: str) -> str:
 
 
 def _spelt(text: str) -> str:
-    """Return a volume flow in the notation of units, without abbreviations of instruments."""
+    """Return the text of a volume flow with usual unit symbols.
+
+    Abbreviations of instruments, such as `slpm`, are replaced.
+    """
     number = _NUMBER.fullmatch(text)
     unit = (number[2] if number else text).strip()
     plain_unit = _ABBREVIATED.get(unit.casefold(), (unit, ""))[0]
@@ -383,9 +386,9 @@ apply to values that must be above zero."""
 
 
 def sizes_of(unit: str) -> tuple[float, float]:
-    """Return the plausibility limits of an SI unit.
+    """Return the range of plausible magnitudes for an SI unit.
 
-    They are the smallest positive value and the largest absolute value.
+    The range begins at the smallest positive value and ends at the largest absolute value that poppet accepts.
 
     Parameters
     ----------
@@ -500,9 +503,10 @@ def _split(text: str, unit: str, kind: Kind) -> tuple[str, str]:
 
 
 def _check_unit(text: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) -> None:
-    """Raise an error if a unit does not fit the requested unit.
+    """Raise an error if a unit cannot be converted to the required unit.
 
-    The unit belongs to another quantity, or has another reference.
+    `parsed` is the unit in `text`, `mark` its reference (such as gauge), and `unit` the required unit. `kind` is the
+    kind of quantity, for example a pressure difference.
     """
     target = _parse(unit)[0].dimension
     if mark in ("gauge", "absolute") and kind != "pressure" and target == PRESSURE:

@@ -36,7 +36,7 @@ MAX_SEGMENTS = 100_000
 
 
 class ExportParameter(NamedTuple):
-    """Parameter of the exported model; p is the vector of all parameters.
+    """Parameter of the exported model, an element of the vector p.
 
     Values are in SI units, and pressures and temperatures are absolute.
     """
@@ -59,7 +59,7 @@ class ExportParameter(NamedTuple):
 
 
 class ExportInput(NamedTuple):
-    """Input of the exported model; u is the vector of all inputs.
+    """Input of the exported model, an element of the vector u.
 
     Values are in SI units, and pressures and temperatures are absolute.
     """
@@ -76,7 +76,7 @@ class ExportInput(NamedTuple):
 
 
 class ExportQuantity(NamedTuple):
-    """State, discrete state or output of the exported model."""
+    """State, discrete state or output of the exported model, with name and unit."""
 
     address: str
     identifier: str
@@ -86,9 +86,10 @@ class ExportQuantity(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class ExportModel:
-    """Names, units, indices and start values of all quantities of an exported circuit.
+    """Circuit in the form that all export targets use.
 
-    The field `problem` contains the signals and tolerances.
+    It contains names, units, indices and start values of all quantities. The field `problem` contains the signals and
+    tolerances.
     """
 
     name: str  # an identifier
@@ -198,9 +199,10 @@ def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
 
 
 def _next_float(limit: float, direction: float) -> float:
-    """Return a valid value next to an excluded limit.
+    """Return the floating-point number next to a limit that is not a valid value itself.
 
-    `direction` is 1 for a larger value and -1 for a smaller one. An infinite limit is returned unchanged.
+    `direction` is 1 for the next larger number and -1 for the next smaller one. An infinite limit is returned
+    unchanged.
     """
     if not np.isfinite(limit):
         return limit
@@ -208,7 +210,7 @@ def _next_float(limit: float, direction: float) -> float:
 
 
 def find_tied(circuit: BaseCircuit) -> frozenset[str]:
-    """Return the addresses of parameters that cannot change without other changes.
+    """Return the addresses of parameters that cannot be changed alone.
 
     Either other parameters or the structure depend on such a parameter, or no neighbouring value is valid. A parameter
     of a part acts on the run-time values of this part alone. If a part declares neither derived values nor checks, all
@@ -245,9 +247,9 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
 
 
 def _below(values: Mapping[str, float], name: str) -> dict[str, float]:
-    """Return the values of one part or section, with addresses relative to it.
+    """Return the values of one part or section by their names inside it.
 
-    Only addresses that begin with `name` and a dot are selected.
+    `values` contains all addresses. Only those that begin with `name` and a dot are selected.
     """
     return {key.removeprefix(f"{name}."): value for key, value in values.items() if key.startswith(f"{name}.")}
 
@@ -255,10 +257,9 @@ def _below(values: Mapping[str, float], name: str) -> dict[str, float]:
 def _tied_in_part(
     part: Part, neighbours: Mapping[str, float], surroundings: Surroundings, check: Callable[[Part], None]
 ) -> set[str]:
-    """Return the names of parameters of a part that cannot change without other changes.
+    """Return the names of the parameters of a part that cannot be changed alone.
 
-    `neighbours` contains a changed value of each parameter. `check` raises an error for a changed part that is not
-    valid.
+    `neighbours` contains a changed value of each parameter. `check` raises an error if the changed part is not valid.
     """
     tied: set[str] = set()
     values = part.parameters(surroundings)

@@ -15,32 +15,32 @@ from typing import Any, NamedTuple
 
 
 class Edge(NamedTuple):
-    """Edge of the graph: a derivative that can be limited to a condition.
+    """Edge of a graph of derivatives: a partial derivative, which can have a condition.
 
-    If the condition is false, the derivative is zero. If it is None, the derivative always applies.
+    If the condition is false, the derivative is zero. Without a condition (None), the derivative always applies.
     """
 
     value: Any
     condition: Any = None
 
     def expression(self) -> Any:
-        """Return the derivative as one expression.
+        """Return the derivative as a symbolic expression.
 
         The expression is zero if the condition is false, even if `value` is infinite.
         """
         return self.value if self.condition is None else _binary("OP_IF_ELSE_ZERO", self.condition, self.value)
 
     def multiply(self, factor: Edge) -> Edge:
-        """Return the edge that is the product of this edge and the next one."""
+        """Return the product of this derivative and the next one (chain rule)."""
         if self.condition is None:
             return Edge(_binary("OP_MUL", self.value, factor.value), factor.condition)
         return Edge(_binary("OP_MUL", self.value, factor.expression()), self.condition)
 
 
 def _binary(operation: str, first: Any, second: Any) -> Any:
-    """Return a CasADi operation on two scalars.
+    """Return the symbolic result of a CasADi operation on two scalars.
 
-    It is twenty times faster than the operators of CasADi.
+    `operation` is the name of the operation. This function is twenty times faster than the operators of CasADi.
     """
     import casadi as ca
 
@@ -48,9 +48,9 @@ def _binary(operation: str, first: Any, second: Any) -> Any:
 
 
 class DerivativeGraph:
-    """Graph of derivatives between operations.
+    """Graph whose vertices are operations and whose edges are partial derivatives.
 
-    `into` contains the incoming edges of each vertex by source, `out` the outgoing edges by target.
+    `into` contains the incoming edges of each vertex by source, and `out` the outgoing edges by target.
     """
 
     def __init__(self) -> None:
@@ -58,22 +58,22 @@ class DerivativeGraph:
         self.out: list[dict[int, Edge]] = []
 
     def vertex(self) -> int:
-        """Add a vertex and return its index."""
+        """Add a vertex to the graph, and return its index."""
         self.into.append({})
         self.out.append({})
         return len(self.into) - 1
 
     def join(self, source: int, target: int, edge: Edge) -> None:
-        """Add an edge from source to target.
+        """Add an edge between two vertices.
 
-        If the edge exists, its derivative becomes the sum of both.
+        If there is an edge between them already, the derivatives are added.
         """
         existing = self.out[source].get(target)
         total = edge if existing is None else Edge(_binary("OP_ADD", existing.expression(), edge.expression()))
         self.out[source][target] = self.into[target][source] = total
 
     def eliminate(self, vertex: int) -> tuple[dict[int, Edge], dict[int, Edge]]:
-        """Remove a vertex, and connect its sources directly with its targets.
+        """Remove a vertex, and connect its sources directly with its targets (chain rule).
 
         The result contains the removed incoming and outgoing edges.
         """
@@ -89,7 +89,7 @@ class DerivativeGraph:
         return into, out
 
     def eliminate_all(self, vertices: set[int]) -> None:
-        """Eliminate the given vertices; the next vertex is always that with the fewest products."""
+        """Remove several vertices, always the one with the fewest multiplications first."""
 
         def cost(vertex: int) -> tuple[int, int]:
             return len(self.into[vertex]) * len(self.out[vertex]), vertex
@@ -108,7 +108,7 @@ class DerivativeGraph:
 
 @cache
 def _partials(operation: int, count: int) -> Any:
-    """Return a CasADi function with the partial derivatives of an operation.
+    """Return a CasADi function for the partial derivatives of an operation.
 
     `count` is the number of arguments of the operation.
     """
@@ -120,7 +120,7 @@ def _partials(operation: int, count: int) -> Any:
 
 
 def _edges(operation: int, arguments: list[Any]) -> list[Edge]:
-    """Return an edge for each argument of an operation: the partial derivative by it."""
+    """Return the partial derivative of an operation by each of its arguments."""
     import casadi as ca
 
     if operation == ca.OP_MUL:
@@ -138,7 +138,7 @@ def _edges(operation: int, arguments: list[Any]) -> list[Edge]:
 
 
 class _OperationGraph:
-    """Graph of the operations of an expression of t, x, u and p.
+    """Graph of derivatives for an expression of t, x, u and p.
 
     The first vertices are the states, followed by time.
     """
@@ -180,7 +180,7 @@ class _OperationGraph:
             slots[written[0]] = value, vertex
 
     def _add_vertex(self, edges: list[tuple[int, Edge]]) -> int | None:
-        """Add a vertex with the given incoming edges, and return its index.
+        """Add a vertex with given incoming edges, and return its index.
 
         The result is None if there are no edges.
         """
@@ -194,11 +194,10 @@ class _OperationGraph:
 
 
 def differentiate_rates(rates: Any, symbols: tuple[Any, Any, Any, Any], slopes: Any) -> tuple[Any, Any, Any]:
-    """Return the rates, their sparse Jacobian by x, and their drift.
+    """Return the rates with their sparse Jacobian by x and their drift.
 
-    The drift is the time derivative of the rates for constant x, with `slopes` as the time derivatives of u.
-
-    The symbols are t, x, u, p. The rates are unchanged and share operations with the derivatives.
+    The drift is the time derivative of the rates for constant x. `slopes` are the time derivatives of u. `symbols` are
+    t, x, u and p. The rates are unchanged, and share operations with the derivatives.
     """
     import casadi as ca
 

@@ -28,9 +28,9 @@ _MARK = b"poppet1\n"
 
 
 def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
-    """Return object code from the cache.
+    """Return the object code of a source text, from the cache on disk if possible.
 
-    If the cache does not contain it, `compile_it` compiles the source, and the result is stored.
+    Otherwise, `compile_it` compiles the source, and the result is stored.
     """
     path = cache_folder() / f"{_key(source)}.o"
     with contextlib.suppress(OSError):
@@ -95,9 +95,9 @@ def _read(path: Path) -> bytes:
 
 
 def _check(status: os.stat_result) -> None:
-    """Raise PermissionError if another user owns a file or can write to it.
+    """Raise PermissionError if another user could change a file.
 
-    Windows protects the folder of the user itself.
+    `status` is the status of the file. Windows protects the folder of the user itself.
     """
     if os.name == "posix" and (status.st_uid != os.geteuid() or status.st_mode & (stat.S_IWGRP | stat.S_IWOTH)):
         raise PermissionError("other users have write permission")

@@ -24,7 +24,7 @@ DIFFERENCE: dict[Kind, Kind] = {"pressure": "pressure_difference", "temperature"
 
 
 class Form(NamedTuple):
-    """Fields and functions of one kind of distribution."""
+    """Kind of distribution: its fields and its functions."""
 
     fields: tuple[str, ...]
     spreads: tuple[str, ...]  # fields that are differences
@@ -35,7 +35,7 @@ class Form(NamedTuple):
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Names of all fields that a circuit file can contain for this distribution."""
+        """Names of all fields that this kind of distribution can have in a circuit file."""
         return tuple(dict.fromkeys((*self.fields, *((self.relative,) if self.relative else ()), "low", "high")))
 
 
@@ -97,20 +97,23 @@ class Distribution:
     high: float = math.inf
 
     def below(self, x: float) -> float:
-        """Return the probability that a value is smaller than x."""
+        """Return the probability of values below x."""
         (a, b), form = self._cut, FORMS[self.kind]
         return float(np.clip((form.below(x, self.numbers) - a) / (b - a), 0.0, 1.0))
 
     def quantile(self, u: Array) -> Array:
-        """Return the quantiles of the truncated distribution at probabilities between 0 and 1 (excluded)."""
+        """Return the quantiles at the probabilities `u`, which are between 0 and 1 (excluded).
+
+        The distribution is truncated to its limits.
+        """
         a, b = self._cut
         # Rounding must not move a value outside the limits.
         return np.clip(FORMS[self.kind].quantile(a + u * (b - a), self.numbers), self.low, self.high)
 
     def within(self, low: float, high: float) -> Distribution:
-        """Return the distribution truncated to the range from `low` to `high`.
+        """Return the distribution with additional limits `low` and `high`.
 
-        The present limits remain in force.
+        The present limits also remain in force.
         """
         return Distribution(self.kind, self.numbers, max(low, self.low), min(high, self.high))
 
@@ -125,9 +128,10 @@ class Distribution:
 
 
 def read_distribution(raw: Any, spec: NumberSpec, number: Number, address: str, ambient: float) -> Distribution:
-    """Read the distribution of a parameter from its table in the circuit file.
+    """Read the distribution of one parameter from its table in a circuit file.
 
-    `spec` is the declaration of the parameter and `number` its value in the circuit, which is the default centre.
+    `raw` is the table, `spec` the declaration of the parameter, and `number` its value in the circuit, which is the
+    default centre. `ambient` is the ambient pressure.
     """
     with ErrorCollector() as errors:
         if not isinstance(raw, Mapping):

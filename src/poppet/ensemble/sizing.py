@@ -234,7 +234,10 @@ def size(
 
 @dataclass(frozen=True)
 class _Evaluations:
-    """Results of runs at several values of the free parameter, in ascending order."""
+    """Results of all runs at several values of the parameter to be sized.
+
+    The values are in ascending order.
+    """
 
     values: Array
     shares: Array
@@ -249,7 +252,10 @@ class _Evaluations:
 
 
 class _Evaluator:
-    """Function object that computes metrics and margins at values of the free parameter."""
+    """Function object that runs the circuit at values of the parameter to be sized.
+
+    It returns metrics, and margins to the requirements.
+    """
 
     def __init__(
         self,
@@ -319,9 +325,10 @@ def _range(
     read_value: Callable[[Any, str], float],
     free: str,
 ) -> tuple[float, float]:
-    """Return the lower and upper end of the search range, within the limits of the parameter.
+    """Return both ends of the search range.
 
-    `ends` is the range that the user requested; None selects the default range.
+    `ends` is the range that the user requested; None selects a default range about the value `nominal`. `limits` are
+    the valid values of the parameter `free`, and `read_value` converts a value to SI units.
     """
     if ends is None:
         if not nominal > 0.0:
@@ -341,10 +348,11 @@ def _holds(results: _Evaluations, share: float) -> Any:
 def _refine_peaks(
     evaluator: _Evaluator, results: _Evaluations, largest: bool, progress: Progress | None
 ) -> _Evaluations:
-    """Evaluate values around each local maximum of the margin until one value is valid.
+    """Search around local maxima of the margin for a value that meets all requirements.
 
-    The largest margin comes first. Only values below the smallest valid value are considered, or above the largest
-    valid value if `largest` is True. The number of rounds is limited.
+    The search adds values to `results`. It begins at the largest margin, and its number of rounds is limited. If
+    `largest` is False, only values below the smallest valid value are of interest; otherwise, only values above the
+    largest valid value.
     """
     holds, worst = np.flatnonzero(_holds(results, evaluator.share)), results.worst
     left, right = np.append(-np.inf, worst[:-1]), np.append(worst[1:], -np.inf)

@@ -33,7 +33,7 @@ class MethodOption(NamedTuple):
 class Method(NamedTuple):
     """Declaration of an identification method.
 
-    A function can be given as text `module:name`. The module is then imported on first use.
+    A function can be stated as text `module:name`. The module is then imported when the function is first needed.
     """
 
     name: str
@@ -54,9 +54,9 @@ class Method(NamedTuple):
     text: Callable[[Any, int | None], str] | str = SUMMARY  # terminal output with at most so many findings
 
     def identify(self, path: str | Path, **options: Any) -> Any:
-        """Run the method on a file and return the result.
+        """Run the method on an input file, and return the result.
 
-        `progress` and `stages` are ignored if the method does not accept them.
+        `progress` and `stages` are not used if the method does not accept them.
         """
         run = import_object(self.run)
         accepted = inspect.signature(run).parameters

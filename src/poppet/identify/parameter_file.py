@@ -18,7 +18,9 @@ UNTRUSTED = ("not determined", "at bound")
 
 
 def with_numbers(circuit: BaseCircuit, path: str | Path) -> tuple[BaseCircuit, list[str]]:
-    """Return a circuit with the parameter values of a file, and a list of unreliable parameters.
+    """Return a circuit with the parameter values from a result file.
+
+    The second item is a list of parameters whose estimates are not reliable.
 
     Parameters
     ----------

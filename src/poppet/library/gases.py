@@ -71,7 +71,10 @@ class Gas:
 
     @property
     def as_real(self) -> RealGas:
-        """Critical constants and heat capacity of the gas, for the calculation of real-gas errors."""
+        """Properties of the real gas, from which errors of the ideal gas law are computed.
+
+        They are the critical constants and the heat capacity.
+        """
         heat = tuple(float(value) for name, value in self.real.items() if name.startswith("heat_capacity."))
         critical, pressure, factor = (float(self.real[name]) for name in _CRITICAL)
         return RealGas(critical, pressure, factor, heat)
@@ -123,7 +126,10 @@ def _real(
 def _from_molar_mass(
     name: str, molar_mass: float, isentropic_exponent: float, note: str, real: Mapping[str, Number]
 ) -> Gas:
-    """Return a gas with the specific gas constant that results from a molar mass [kg/mol]."""
+    """Return a gas whose gas constant follows from its molar mass [kg/mol].
+
+    `real` contains the parameters of the real gas.
+    """
     weight = Source("standard", WEIGHTS, f"M = {1e3 * molar_mass:.6g} g/mol")
     return Gas(
         name,

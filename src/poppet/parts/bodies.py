@@ -90,7 +90,7 @@ class JointFriction:
 
 @dataclass(frozen=True)
 class _MovingBody(Body):
-    """Body with one coordinate, friction and end stops."""
+    """Base class of bodies with one coordinate, friction and end stops."""
 
     unit: ClassVar[str]  # of the position
     effort: ClassVar[str]  # "force" or "torque", and its unit
@@ -163,10 +163,10 @@ class _MovingBody(Body):
         return {state.name: values[state.name] for state in self.states()}
 
     def _dynamics(self, scope: Scope, effort: Any, added_friction: Any, weight: Any) -> BodyDynamics:
-        """Return the rates and outputs of the body for a total effort of the actuators.
+        """Return the rates and outputs of the body.
 
-        An effort is a force or a torque. `added_friction` is the dry friction of the seals of the actuators. `weight`
-        is a constant effort towards smaller positions.
+        `effort` is the total force or torque of all actuators. `added_friction` is the dry friction of their seals.
+        `weight` is a constant force towards smaller positions.
         """
         position, velocity, inertia = scope.states["position"], scope.states["velocity"], scope[self.inertia_name]
         rates: dict[str, Any] = {}
@@ -192,9 +192,9 @@ class _MovingBody(Body):
         return BodyDynamics(outputs, rates, 0.5 * inertia * velocity * velocity, powers)
 
     def _friction(self, scope: Scope, added: Any, rates: dict[str, Any]) -> Any:
-        """Return the friction effort against the motion.
+        """Return the friction force or torque against the motion.
 
-        `added` increases the dry friction. The rate of the bristle deflection is added to `rates`.
+        `added` is additional dry friction. The rate of the bristle deflection is stored in `rates`.
         """
         velocity = scope.states["velocity"]
         if self._law == "none":
@@ -234,9 +234,9 @@ class _MovingBody(Body):
 
 
 def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]) -> tuple[Note, ...]:
-    """Return a note on the fastest of several impacts on end stops.
+    """Return a note on the fastest of several impacts on an end stop.
 
-    Each impact is a pair of time and velocity. Without impacts there is no note.
+    Each impact is a pair of time and velocity. Without impacts, the list is empty.
     """
     if not impacts:
         return ()
@@ -247,9 +247,10 @@ def impact_notes(address: str, unit: str, impacts: Sequence[tuple[float, float]]
 def find_impacts(
     time: Any, position: Any, velocity: Any, force: Any, stops: Sequence[float]
 ) -> list[tuple[float, float]]:
-    """Return time and velocity of each impact on an end stop in a recorded run.
+    """Return time and velocity of each impact of a body on its end stops.
 
-    Slow impacts are omitted: the body settles. The velocity between the last row before an impact and the stop is
+    The arguments are the recorded motion and stop force of a run, and the positions of the stops. Slow impacts are
+    omitted, because the body then settles. Between the last row before an impact and the stop, the velocity is
     extrapolated by the parabola of the last three rows, because a body can be decelerated before its stop.
     """
     impacts = []
@@ -268,10 +269,10 @@ def find_impacts(
 
 
 def _extrapolate(previous: Sequence[tuple[float, float]], last: float, gap: float) -> tuple[float, float]:
-    """Extrapolate the motion of a body over the distance `gap`; return duration and final velocity.
+    """Extrapolate the motion of a body until it has travelled the distance `gap`.
 
-    The velocity follows a parabola through the `previous` two pairs of time and velocity and the velocity `last` at
-    time zero.
+    The result contains the duration and the final velocity. The velocity follows a parabola through the two pairs of
+    time and velocity in `previous`, and through the velocity `last` at time zero.
     """
     (t0, v0), (t1, v1) = previous
     first, second = (v1 - v0) / (t1 - t0), (last - v1) / -t1

@@ -20,16 +20,16 @@ MIN_DEAD_FRACTION = 0.01
 
 
 def cover_distance(side: str, scope: Scope) -> tuple[Any, float]:
-    """Return the distance of the piston from a cover, and its derivative, 1 or -1.
+    """Return the distance of the piston from one cover, and its derivative.
 
-    `side` selects the cover. The derivative is with respect to the position of the piston.
+    `side` selects the cover. The derivative by the position of the piston is 1 or -1.
     """
     from_cap = scope["offset"] + scope["direction"] * scope.body.position
     return (from_cap, 1.0) if side == CAP else (scope["stroke_length"] - from_cap, -1.0)
 
 
 def ring_area(outer: Any, inner: Any) -> Any:
-    """Return the area of a ring between two diameters."""
+    """Return the area between two concentric circles with given diameters."""
     return 0.25 * math.pi * (outer**2 - inner**2)
 
 

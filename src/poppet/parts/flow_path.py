@@ -106,7 +106,7 @@ class FlowPath(Passage):
 
     @property
     def _size(self) -> str:
-        """Name of the field that specifies the flow capacity."""
+        """Name of the one field that specifies the flow capacity."""
         return next(name for name in _SIZES if getattr(self, name) is not None)
 
     def notes(self) -> tuple[Note, ...]:
@@ -157,7 +157,7 @@ class FlowPath(Passage):
     def size_at(self, scope: Scope, stroke: Any) -> tuple[Any, Any]:
         """Return sonic conductance and critical ratio at a stroke.
 
-        Only a characteristic depends on the stroke.
+        The stroke has an effect only if the flow path has a characteristic.
         """
         if self.characteristic is None:
             return scope["sonic_conductance"], scope["critical_ratio"]
@@ -167,14 +167,14 @@ class FlowPath(Passage):
 def characteristic_at(curve: Characteristic, scope: Scope, prefix: str, stroke: Any) -> tuple[Any, Any]:
     """Return C and b of a characteristic at a stroke.
 
-    The parameters of the characteristic are those in `scope` whose names begin with `prefix`.
+    `curve` is the characteristic. Its parameters are the elements of `scope` whose names begin with `prefix`.
     """
     values = _PrefixedParameters(scope, prefix)
     return curve.sonic_conductance_at(stroke, values), curve.critical_ratio_at(stroke, values)
 
 
 class _PrefixedParameters(Mapping[str, Any]):
-    """Mapping with all parameters of a scope whose names begin with a prefix."""
+    """Mapping to the parameters of a scope, without the common prefix of their names."""
 
     def __init__(self, scope: Scope, prefix: str) -> None:
         self._scope, self._prefix = scope, prefix
@@ -198,7 +198,11 @@ def iso_flow(
     scope: Scope, name: str, ports: tuple[str, str], gas: tuple[GasState, GasState], size: tuple[Any, Any], *,
     cracking_pressure: Any = 0.0, one_way: bool = False, regime: str = "regime",
 ) -> tuple[Flow, Quantities]:  # fmt: skip
-    """Return the ISO 6358 flow between two ports, and outputs such as the mass flow rate."""
+    """Return the ISO 6358 flow between two ports, with its outputs.
+
+    `ports` and `gas` are the names and the gas states of the two ports. `size` contains C and b. `name` is the output
+    of the mass flow rate, and `regime` that of the flow regime.
+    """
     conductance, ratio = scope.surroundings.size_with_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
@@ -214,7 +218,10 @@ def iso_flow(
 
 
 def single_flow(scope: Scope, gas: Mapping[str, GasState], size: tuple[Any, Any], **law: Any) -> PassageFlows:
-    """Return the flow of a part with the two ports `from` and `to`."""
+    """Return the flow of a part that has only the ports `from` and `to`.
+
+    `size` contains C and b.
+    """
     flow, outputs = iso_flow(scope, "mass_flow_rate", ("from", "to"), (gas["from"], gas["to"]), size, **law)
     return PassageFlows((flow,), outputs)
 
@@ -224,7 +231,7 @@ def named_flow(
 ) -> tuple[Flow, Quantities]:
     """Return one of several flows of a part.
 
-    The names of its outputs begin with the name of the flow.
+    `ends` are the two ports, and `size` contains C and b. The names of its outputs begin with `name`.
     """
     first, second = ends
     return iso_flow(scope, f"{name}_mass_flow_rate", ends, (gas[first], gas[second]), size, regime=f"{name}_regime")

@@ -53,7 +53,10 @@ class Stop:
 
 @dataclass(frozen=True)
 class Contact:
-    """Contact of plate and poppet at stroke zero, where the lower spring begins to act."""
+    """Contact between plate and poppet at stroke zero.
+
+    At larger strokes, the lower spring acts on the plate.
+    """
 
     width: NumberLike = number("m", doc="width of the contact", above=0.0)
     dissipation: NumberLike = number("s/m", doc="contact dissipation", low=0.0)
@@ -223,9 +226,9 @@ class MainStage(Passage):
         return PassageFlows((supply, exhaust), {name: outputs[name] for name in OUTPUTS}, rates, hidden)
 
     def _springs(self, scope: Scope, gas: Mapping[str, GasState], lifted: Any) -> Any:
-        """Return the force of both springs and of the pressure on the supply seat.
+        """Return the force of both springs, and of the pressure on the supply seat.
 
-        `lifted` is the fraction of the poppet force that acts on the plate; it is 1 for positive strokes.
+        `lifted` is the fraction of the force on the poppet that acts on the plate. For positive strokes it is 1.
         """
         stroke = scope.states["stroke"]
         upper = scope["upper_spring.rate"] * (scope["upper_spring.preload"] + stroke)

@@ -31,9 +31,10 @@ CONTRACTION_TOLERANCE = 1e-9
 
 @dataclass(frozen=True)
 class Hysteresis:
-    """Hysteresis of the force: it opposes the motion and remains when the motion stops.
+    """Parameters of the hysteresis of a muscle force.
 
-    It is the sum of a constant and a term proportional to the gauge pressure.
+    The hysteresis opposes the motion, and remains when the motion stops. It is the sum of a constant and a term
+    proportional to the gauge pressure.
     """
 
     kind: str = option("coulomb", "maxwell", doc="law of hysteresis")
@@ -46,7 +47,7 @@ class Hysteresis:
 
 @dataclass(frozen=True)
 class Limits:
-    """Measured range of the force law and limits by the manufacturer."""
+    """Range of the force law that was measured, and limits by the manufacturer."""
 
     lowest_contraction: NumberLike = number("1", optional=True, doc="lowest contraction")
     highest_contraction: NumberLike = number("1", optional=True, doc="highest contraction", below=1.0)
@@ -166,9 +167,9 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
         return ActuatorForce(scope["direction"] * force, outputs, rates)
 
     def _hysteresis(self, scope: Scope, pressure: Any, speed: Any, rates: dict[str, Any]) -> Any:
-        """Return the hysteresis force against the contraction.
+        """Return the hysteresis force, which opposes the contraction.
 
-        The rates of the elements of the Maxwell slip model are added to `rates`.
+        `rates` receives the rates of change of the elements of the Maxwell slip model.
         """
         if self.hysteresis is None:
             return 0.0

@@ -233,10 +233,10 @@ class PID(SampledLoop):
     def _integral_increment(
         self, scope: Scope, gains: dict[str, Any], error: Any, command: Any, limits: tuple[Any, Any]
     ) -> Any:
-        """Return the increment of the integral in one sample, with anti-windup.
+        """Return the change of the integral in one sample, with anti-windup.
 
-        `command` is the command before its limits. The error moves it to a margin beyond a limit at most, and
-        back-calculation removes a fraction of the excess.
+        `command` is the command before its limits. The error can move the command to a margin beyond a limit at most.
+        Back-calculation then removes a fraction of the excess.
         """
         time, integral_time, (low, high) = scope["sample_time"], gains["integral_time"], limits
         if "integral_dead_band" in scope:

@@ -226,9 +226,9 @@ class PilotStage(Store, Passage):
 
 
 def volume_notes(name: str, volume: Any, swept: float) -> list[Note]:
-    """Return a note if the displacement leaves too little of a volume.
+    """Return a note if a displacement reduces a volume too much.
 
-    `swept` is the largest reduction of the volume by the displacement [m^3].
+    `name` is the address of the volume. `swept` is the largest reduction by the displacement [m^3].
     """
     if swept <= (1.0 - MIN_VOLUME_FRACTION) * float(volume):
         return []

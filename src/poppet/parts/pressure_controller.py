@@ -16,7 +16,7 @@ from poppet.parts.sampled_loop import NEXT_SAMPLE, SampledLoop, is_first
 
 @dataclass(frozen=True)
 class ValveModel:
-    """Flow parameters of a valve in the model that the controller inverts."""
+    """Parameters of the valve model that the controller inverts."""
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the open valve", above=0.0)
     critical_ratio: NumberLike = number("1", 0.3, doc="critical ratio b", low=0.0, below=1.0)

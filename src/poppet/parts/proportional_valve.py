@@ -143,9 +143,10 @@ class ProportionalValve(Compound):
 
 
 def _first_note(code: str, is_true: Any, **series: Any) -> list[Note]:
-    """Return a note on the first row in which a condition is true.
+    """Return a note with values of the first row in which a condition is true.
 
-    The facts of the note are the values of `series` in this row. Without such a row the list is empty.
+    `is_true` contains the condition for each row. The facts of the note are the values of `series` in the row. If the
+    condition is never true, the list is empty.
     """
     return [Note(code, **{name: values[k] for name, values in series.items()}) for k in np.flatnonzero(is_true)[:1]]
 
@@ -178,7 +179,10 @@ def _oscillation_notes(
 
 
 def _turning_points(values: list[float], threshold: float) -> list[int]:
-    """Return the indices of the extrema between which the values rise or fall by more than a threshold."""
+    """Return the indices at which a series changes between rising and falling.
+
+    A rise or fall counts if it exceeds `threshold`.
+    """
     turns: list[int] = []
     low = high = 0
     direction = 0
@@ -194,9 +198,9 @@ def _turning_points(values: list[float], threshold: float) -> list[int]:
 
 
 def _plateau_notes(time: Any, outlet: Any, target: float, tolerance: float, unpowered: bool) -> list[Note]:
-    """Return a note if the outlet pressure oscillates or misses the target on a plateau.
+    """Return notes on periods of constant target in which the outlet pressure is wrong.
 
-    A plateau is a period with a constant target pressure.
+    The outlet pressure is wrong if it oscillates, or if it misses the target by more than `tolerance`.
     """
     facts = {"target_bar": target / 1e5, "time": time[-1], "unpowered": bool(unpowered)}
     # The last 30 %: earlier rows can belong to the step response.

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 
 class Stroke(NamedTuple):
-    """Line of a symbol: an open polyline or a closed outline."""
+    """Line of a symbol, which is an open polyline or a closed outline."""
 
     points: tuple[tuple[float, float], ...]
     is_closed: bool = False
@@ -19,12 +19,12 @@ Symbol = tuple[Stroke, ...]
 
 
 def line(*points: tuple[float, float], dashed: bool = False) -> Symbol:
-    """Return a symbol that is a polyline."""
+    """Return a symbol that consists of one open polyline."""
     return (Stroke(points, is_dashed=dashed),)
 
 
 def outline(*points: tuple[float, float], filled: bool = False) -> Symbol:
-    """Return a symbol that is a closed outline."""
+    """Return a symbol that consists of one closed outline."""
     return (Stroke(points, is_closed=True, is_filled=filled),)
 
 
@@ -62,7 +62,10 @@ def spring(left: float, right: float, y: float) -> Symbol:
 
 
 def coil(left: float, bottom: float) -> Symbol:
-    """Return the symbol of the coil of a proportional solenoid."""
+    """Return the symbol of the coil of a proportional solenoid.
+
+    `left` and `bottom` are the position of its lower left corner.
+    """
     return rectangle(left, bottom, 0.22, 0.28) + line((left, bottom), (left + 0.22, bottom + 0.28))
 
 
@@ -85,7 +88,10 @@ RELIEF_VALVE = (
 
 
 def _blocked(*positions: float, depth: float, width: float) -> Symbol:
-    """Return short lines for blocked ports at the bottom and the top of a valve square."""
+    """Return the lines that mark blocked ports of a valve square.
+
+    The ports are at its bottom and its top.
+    """
     strokes: Symbol = ()
     for low, stop in ((0.24, 0.24 + depth), (0.76, 0.76 - depth)):
         for x in positions:

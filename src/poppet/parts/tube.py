@@ -52,7 +52,10 @@ _START = {
 
 @dataclass(frozen=True)
 class TubeSegment(Passage):
-    """Flow path between two neighbouring cells of a tube; a member of `Tube`."""
+    """Flow path between two neighbouring cells of a tube.
+
+    It is a member part of `Tube`.
+    """
 
     kind: ClassVar[str] = "tube_segment"
     summary: ClassVar[str] = "a piece of a tube"
@@ -99,7 +102,10 @@ class TubeSegment(Passage):
         return PassageFlows((flow,), {"mass_flow_rate": (mass, "kg/s")}, {"mass_flow_rate": rate})
 
     def _temperature_and_loss(self, scope: Scope, mass: Any, first: GasState, second: GasState) -> tuple[Any, Any]:
-        """Return the stagnation temperature of the flow and the pressure loss."""
+        """Return the stagnation temperature of the flow, and its pressure loss.
+
+        `mass` is the mass flow rate. `first` and `second` are the gas states of both cells.
+        """
         pressures, surroundings = (first.pressure, second.pressure), scope.surroundings
         conductance, ratio = surroundings.size_with_gas(scope["sonic_conductance"], scope["critical_ratio"])
         # Times the square root of the temperature, which follows.
@@ -123,7 +129,7 @@ class TubeSegment(Passage):
 
 @dataclass(frozen=True)
 class Profile:
-    """Initial states of the cells and flow paths of a tube.
+    """Initial states of all cells and flow paths of a tube.
 
     A state that is not set has the initial value of the whole tube.
     """
@@ -226,7 +232,7 @@ class Tube(Compound):
 
     @property
     def _ends(self) -> tuple[str, str]:
-        """Connection types of the first and the second end: at a port, at a node, or closed."""
+        """Connection types of both ends: at a port, at a gas node, or closed."""
         first, second = (
             CLOSED if end is None else AT_PORT if is_port(end) else AT_NODE for end in (self.from_, self.to)
         )
@@ -240,7 +246,7 @@ class Tube(Compound):
 
     @property
     def _spacing(self) -> float:
-        """Distance of neighbouring cells as a fraction of the length of the tube.
+        """Distance between neighbouring cells, divided by the length of the tube.
 
         A cell at a port has half the length of the others.
         """
@@ -248,7 +254,7 @@ class Tube(Compound):
 
     @cached_property
     def _passages(self) -> dict[str, tuple[str, str, float]]:
-        """Both ends and the length of each flow path, by name.
+        """Mapping from the name of each flow path to its two ends and its length.
 
         The length is in units of the cell spacing. A closed end is included with a length of half a spacing.
         """
@@ -302,7 +308,10 @@ class Tube(Compound):
 
     @property
     def _size(self) -> tuple[float, float]:
-        """C [m^3/(s Pa)] and b of the whole tube; unspecified values result from the tube formula."""
+        """C [m^3/(s Pa)] and b of the whole tube.
+
+        Unspecified values follow from the tube formula.
+        """
         conductance, ratio = iso6358.tube(self._value("length"), self._value("bore"))
         return (
             conductance if self.sonic_conductance is None else self._value("sonic_conductance"),
@@ -325,9 +334,9 @@ class Tube(Compound):
 
     @property
     def resume(self) -> dict[str, str]:  # type: ignore[override]
-        """Mapping from outputs of cells and of flow paths with inertia to initial values.
+        """Mapping from outputs to the initial values that a continued run takes from them.
 
-        A run can continue from these outputs.
+        The outputs are those of cells, and of flow paths with inertia.
         """
         targets = {}
         for key in self.profile.numbers():

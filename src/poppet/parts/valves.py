@@ -161,7 +161,7 @@ class DirectionalValve(FlowPath):
 
 @dataclass(frozen=True)
 class Silencer(FlowPath):
-    """Silencer at an exhaust; clogging reduces its flow capacity."""
+    """Silencer at an exhaust, a flow path whose capacity decreases by clogging."""
 
     kind: ClassVar[str] = "silencer"
     symbol: ClassVar[symbols.Symbol | str] = symbols.SILENCER

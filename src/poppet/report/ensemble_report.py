@@ -55,7 +55,10 @@ _METHODS = {
 
 
 def yield_table(ensemble: Ensemble) -> ReportTable:
-    """Return the yield of each requirement (fraction of good runs) with its confidence interval."""
+    """Return a table of yields, the fractions of runs that meet each requirement.
+
+    The table contains confidence intervals.
+    """
     rows = [
         (y.name, y.text or "all requirements", y.good, 100.0 * y.share, f"{100.0 * y.low:.4g} ... {100.0 * y.high:.4g}")
         for y in ensemble.yields()
@@ -83,7 +86,10 @@ def _in_usual_unit(value: float, unit: str) -> float:
 
 
 def write_ensemble(ensemble: Ensemble, path: str | Path) -> Path:
-    """Write the HTML report of an ensemble; equal datasets give equal bytes."""
+    """Write the report of an ensemble as HTML.
+
+    Equal datasets give equal bytes.
+    """
     return write_page(path, lambda: ensemble_page(ensemble))
 
 
@@ -199,12 +205,12 @@ def _worst_cases(ensemble: Ensemble, units: Mapping[str, str]) -> list[str | Rep
 
 
 def in_usual_unit(values: Array, unit: str) -> Array:
-    """Convert values from an SI unit to the unit that reports use."""
+    """Convert values from an SI unit to the unit in which reports show them."""
     return values if unit not in USUAL else np.asarray(convert(values, unit, USUAL[unit]))
 
 
 def usual_unit(unit: str) -> str:
-    """Return the unit that reports use for an SI unit, as printed.
+    """Return the unit in which reports show values of an SI unit.
 
     The text is empty for a dimensionless quantity.
     """
@@ -232,7 +238,7 @@ def yield_figure(yields: list[Yield]) -> Figure:
 
 
 def _label_rows(axes: Any, names: list[str], *, is_labelled: bool = True) -> None:
-    """Label horizontal bars with names, from top to bottom."""
+    """Write names beside horizontal bars, from top to bottom."""
     axes.set_yticks(range(len(names)), list(reversed(names)) if is_labelled else [""] * len(names))
     axes.set_ylim(-0.6, len(names) - 0.4)
     axes.grid(visible=False, axis="y")
@@ -257,9 +263,9 @@ def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
 
 
 def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
-    """Return a figure with one small panel for each title, in rows of two or three.
+    """Return a figure with a small panel for each title.
 
-    `draw` draws the panel with a given index.
+    There are two or three panels in a row. `draw` draws the panel with a given index.
     """
     columns = 2 if len(titles) in (1, 2, 4) else 3
     rows, width = -(-len(titles) // columns), (WIDTH - 0.8 - (columns - 1) * _GAP) / columns
@@ -288,7 +294,10 @@ def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
 
 
 def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], limits: tuple[float, float]) -> None:
-    """Draw the bounds of the requirements on a metric if they are within or near the axis limits."""
+    """Draw the required bounds of a metric into a panel.
+
+    Bounds far outside the axis limits are omitted. `line` draws one bound.
+    """
     span = limits[1] - limits[0]
     for requirement in ensemble.plan.requirements:
         for _, bound in requirement.bounds if requirement.metric == metric.name else ():
@@ -298,7 +307,7 @@ def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], l
 
 
 def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping[str, str]) -> Figure:
-    """Draw every metric versus the parameter that has the largest effect on it."""
+    """Draw each metric versus the parameter that affects it most."""
     metrics = ensemble.plan.metrics
     strongest = {name: ranges[0].address for name, ranges in ensemble.tornado().items() if ranges}
     is_good = np.ones(len(rows["done"]), dtype=np.bool_)
@@ -322,7 +331,7 @@ def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping
 def tornado_figure(metric: Metric, ranges: list[TornadoRange], indices: list[SobolIndex] | None) -> Figure:
     """Draw the effect of each parameter on a metric as a tornado chart.
 
-    Sobol indices are drawn beside the chart if they are available.
+    If Sobol indices are available, they are drawn beside the chart.
     """
     effects = [effect for effect in ranges if math.isfinite(effect.size)][:MAX_BARS]
     names = [effect.address for effect in effects]

@@ -23,7 +23,7 @@ _CODES = "regime", "contact", "friction_state"
 
 
 def stroke_table(metrics: LoadMetrics) -> ReportTable:
-    """Return a row of metrics for each of the first strokes of moving bodies."""
+    """Return a table of metrics for the first strokes of all moving bodies."""
     rows = []
     for stroke in metrics.strokes[:MAX_STROKES]:
         speed_unit, arrival = f"{stroke.unit}/s", metrics.met(stroke)
@@ -64,9 +64,9 @@ def energy_table(metrics: LoadMetrics) -> ReportTable:
 
 
 def mode_table(linear: LinearModel) -> ReportTable:
-    """Return a row for each real eigenvalue or conjugate pair of a linear model.
+    """Return a table of the modes of a linear model.
 
-    The poles of a sampled model are converted to continuous time.
+    A mode is a real eigenvalue or a conjugate pair. The poles of a sampled model are converted to continuous time.
     """
     is_sampled = bool(getattr(linear, "sample_time", 0.0))
     modes = [complex(value) for value in linear.poles()]
@@ -91,9 +91,9 @@ def mode_table(linear: LinearModel) -> ReportTable:
 
 
 def extreme_table(recording: Recording) -> ReportTable:
-    """Return the first, last, lowest and highest value of every output.
+    """Return a table of the first, last, lowest and highest value of each output.
 
-    Codes are omitted; internal outputs come last.
+    State codes are omitted. Internal outputs come last.
     """
     units = {
         name: USUAL.get(unit, unit)

@@ -106,7 +106,10 @@ class Columns(HtmlMixin):
         )  # fmt: skip
 
     def fields(self) -> dict[str, Any]:
-        """Return the arguments that reproduce this object, by their names in the constructor."""
+        """Return the constructor arguments that create an equal object.
+
+        The keys are the names of the arguments.
+        """
         arguments = {name: getattr(self, name) for name in _SAME_NAME}
         return arguments | {"notes": self.remarks, "outcome": self.ending or ""}
 
@@ -116,7 +119,7 @@ class Columns(HtmlMixin):
 
     @property
     def remarks(self) -> tuple[Note, ...]:
-        """Notes of the recording as objects with a code and facts."""
+        """Notes of the recording as objects, with code, address and facts."""
         if callable(self._remarks):
             self._remarks = notes_of(self._remarks())
         return self._remarks
@@ -130,7 +133,7 @@ class Columns(HtmlMixin):
 
     @property
     def figures(self) -> Any:
-        """Load metrics of a simulation (`poppet.circuit.load_metrics.LoadMetrics`).
+        """Metrics of the loads in a simulation (`poppet.circuit.load_metrics.LoadMetrics`).
 
         The value is None if the circuit has no loads.
         """
@@ -148,7 +151,7 @@ class Columns(HtmlMixin):
 
     @property
     def outcome(self) -> str:
-        """Termination reason of a simulation as text.
+        """Reason why a simulation ended, as text.
 
         The text is empty for measurements. `ending` contains the reason as a note with a code and facts.
         """

@@ -71,7 +71,10 @@ class Recording(Columns):
         return Recording(**(self.fields() | changed))
 
     def last(self) -> dict[str, float]:
-        """Return the last value of every series by name, in the unit of the series."""
+        """Return the last value of each series by name.
+
+        The value is in the unit of the series.
+        """
         return {name: float(row[-1]) for name, row in zip(self.names, self._values, strict=True)}
 
     def select(self, names: str | Iterable[str]) -> Recording:
@@ -104,7 +107,9 @@ class Recording(Columns):
         )
 
     def between(self, start: float, stop: float) -> Recording:
-        """Return a recording of all samples in a time window, including both limits.
+        """Return the samples of a time window as a recording.
+
+        Samples at both limits of the window are included.
 
         Parameters
         ----------

@@ -28,9 +28,9 @@ if TYPE_CHECKING:
 
 
 def write(recording: Columns, path: Path) -> Path:
-    """Write a recording to a file in the format of the suffix.
+    """Write a recording to a file, whose suffix determines the format.
 
-    The content is complete before the file appears under its name, so a failure leaves no incomplete file.
+    The file is replaced completely or not at all, so a failure leaves no incomplete file.
     """
     writer = by_suffix(path, {".csv": _write_csv, ".parquet": _write_parquet, ".mat": _write_mat})
     if not recording.time.size:  # the run failed at its start; no reader accepts an empty file
@@ -39,7 +39,7 @@ def write(recording: Columns, path: Path) -> Path:
 
 
 def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
-    """Read a recording from a file in the format of the suffix.
+    """Read a recording from a file, whose suffix determines the format.
 
     For CSV files, `time` is the name of the time column and `time_unit` the unit of the time.
     """
@@ -61,9 +61,10 @@ def read(path: Path, *, time: str = "time", time_unit: str = "") -> Columns:
 
 
 def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Columns:
-    """Convert a CSV table to a recording, with names and units from the headings.
+    """Convert a CSV table to a recording.
 
-    `title` is the title of the recording.
+    The headings contain names and units. `title` is the title of the recording. `time_name` and `time_unit` are the
+    name and the unit of the time column.
     """
     try:
         names, units = zip(*map(split_heading, table.names), strict=True)
@@ -87,7 +88,10 @@ def _of_headings(table: Table, title: str, time_name: str, time_unit: str) -> Co
 
 
 def _of_metadata(table: Table, suffix: str) -> Columns:
-    """Convert a Parquet or MAT table to a recording, with the metadata of `_metadata`."""
+    """Convert a Parquet or MAT table that `write` has written to a recording.
+
+    The metadata in the file contains title, notes, names and units.
+    """
     meta = table.meta
     if not meta:
         raise InputError("series.foreign", suffix=suffix)
@@ -108,7 +112,7 @@ def _of_metadata(table: Table, suffix: str) -> Columns:
 
 
 def _metadata(recording: Columns, columns: Sequence[str]) -> str:
-    """Return title, notes, names and units of a recording as JSON text.
+    """Return the metadata of a recording as JSON text: title, notes, names and units.
 
     `columns` are the names of the columns in the file, in the order of the series.
     """
@@ -166,9 +170,9 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
 
 def _apart(names: Iterable[str]) -> list[str]:
-    """Make column names unique and different from the name of the time column.
+    """Make column names unique, and different from the name of the time column.
 
-    A repeated name gets a counter as its ending.
+    A repeated name gets a number as its ending.
     """
     plain_names = list(names)
     assigned = ["time", METADATA]

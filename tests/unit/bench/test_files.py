@@ -328,7 +328,7 @@ def test_result_files_preserve_the_result(tmp_path, name):
     data = tomllib.loads(text) if name.endswith("toml") else json.loads(text)
     assert is_result(data)
     assert data["figures"]["hysteresis"]["standard"].endswith("verify against the standard")
-    assert data["notes"] == ["bench: note: with a colon.", "step: r: the setpoint has no step of at least 2 % FS."]
+    assert data["notes"] == ["bench: note: with a colon.", "step: r: the setpoint contains no step of 2 % FS or more."]
     copy.save(tmp_path / f"again-{name}")
     assert (tmp_path / f"again-{name}").read_text(encoding="utf-8") == text
 

@@ -286,9 +286,9 @@ class TestResult:
 
     def test_findings_as_text(self):
         text = " ".join(map(str, result_with_points().findings))
-        assert "The solenoids limit the bandwidth at 1 of 3 points (1 l and amplitudes of 5 kPa)." in text
+        assert "The solenoids limit the bandwidth at 1 of 3 points (volumes 1 l, amplitudes 5 kPa)." in text
         assert "The load volume limits the bandwidth at 1 of 3 points" in text
-        assert "permit slow hunting. (2 points)" in text
+        assert "permit a slow oscillation (hunting). This is the case at 2 points." in text
 
     @pytest.mark.parametrize("suffix", ["toml", "json"])
     def test_saved_result_is_readable(self, tmp_path, suffix):

@@ -308,7 +308,7 @@ MISTAKES = [
     ("decimal comma", replaced('"0.2 m^3"', '"0,2 m^3"'), "0,2 m^3", "decimal point"),
     ("unknown part", replaced('from = "tank"', 'from = "tonk"'), "tonk", "Did you mean tank"),
     ("joined with itself", replaced('to = "room"', 'to = "tank"'), "[parts.bleed]", "Connect two different"),
-    ("joined to a passage", replaced('to = "room"', 'to = "valve"'), 'to = "valve"', "through a chamber"),
+    ("joined to a passage", replaced('to = "room"', 'to = "valve"'), 'to = "valve"', "Insert a chamber"),
     (
         "part of no passage",
         CONTRACT + '[parts.spare]\nkind = "chamber"\nvolume = 1.0\n',
@@ -323,7 +323,7 @@ MISTAKES = [
         "Remove one",
     ),
     ("no kind", replaced('kind = "chamber"\n', ""), "[parts.tank]", "Use one of: reservoir"),
-    ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Specify it in m"),
+    ("no volume", replaced('volume = "0.2 m^3"\n', ""), "[parts.tank]", "Specify the value in m"),
     ("unknown set", replaced('data = "varga2012" ', 'data = "varga2021" '), "varga2021", "Did you mean varga2012"),
     ("unknown mode", replaced('mode = "paper" ', 'mode = "papr" '), "papr", "Did you mean paper"),
     (
@@ -336,7 +336,7 @@ MISTAKES = [
     ("field of another signal", replaced("times = [", "tims = ["), "tims", "times"),
     ("times not increasing", replaced('"20 s", "40 s"', '"40 s", "20 s"'), "times =", "keep only one sample"),
     ("times twice", replaced('"20 s", "40 s"', '"20 s", "20 s"'), "times =", "keep only one sample"),
-    ("times not from zero", replaced('"0 s", "20 s"', '"1 s", "20 s"'), "times =", "Begin with time 0"),
+    ("times not from zero", replaced('"0 s", "20 s"', '"1 s", "20 s"'), "times =", "Add a step at time 0"),
     ("times and values", replaced('"0 s", "20 s", "40 s"', '"0 s", "20 s"'), "times =", "one value for each time"),
     ("unit of a value", replaced('"0 bar g"', '"0 mm"'), "values =", "the value in the form"),
     ("times are no list", replaced('["0 s", "20 s", "40 s"]', '"0 s"'), "times =", "Write, for example, ["),
@@ -357,7 +357,7 @@ MISTAKES = [
     ("unknown table", replaced("[run]", "[rn]"), "[rn]", "Did you mean run"),
     ("gas constant", replaced("gas_constant = 287.05", "gas_constant = 0"), "gas_constant", "Correct the value"),
     ("unknown gas", replaced("gas_constant = 287.05", 'name = "heliumm"'), "heliumm", "Did you mean helium"),
-    ("no TOML", replaced('kind = "chamber"', "kind = chamber"), "kind = chamber", "text values require quotes"),
+    ("no TOML", replaced('kind = "chamber"', "kind = chamber"), "kind = chamber", "Text values require quotes"),
 ]
 
 

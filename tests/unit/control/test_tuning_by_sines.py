@@ -193,11 +193,11 @@ def test_a_loop_without_a_steady_state_is_rejected():
     ("friction", "amplitude", "frequency", "slides"),
     [
         # Bristles of 20 N at the default stiffness, 20 N / 10 um, deflect by 10 um.
-        ({"kind": "lugre", "coulomb_force": "16 N", "static_force": "20 N"}, 9e-6, 1.0, False),
-        ({"kind": "lugre", "coulomb_force": "16 N", "static_force": "20 N"}, 20e-6, 1.0, True),
-        ({"kind": "lugre", "coulomb_force": "16 N", "bristle_stiffness": "1e5 N/m"}, 160e-6, 1.0, False),
-        ({"kind": "stribeck", "coulomb_force": "16 N", "transition_velocity": "1 mm/s"}, 1e-4, 1.0, False),
-        ({"kind": "stribeck", "coulomb_force": "16 N", "transition_velocity": "1 mm/s"}, 2e-4, 1.0, True),
+        ({"kind": "lugre", "coulomb_force": "16 N", "static_force": "20 N"}, 190e-6, 1.0, False),
+        ({"kind": "lugre", "coulomb_force": "16 N", "static_force": "20 N"}, 210e-6, 1.0, True),
+        ({"kind": "lugre", "coulomb_force": "16 N", "bristle_stiffness": "1e5 N/m"}, 3.1e-3, 1.0, False),
+        ({"kind": "stribeck", "coulomb_force": "16 N", "transition_velocity": "1 mm/s"}, 7e-4, 1.0, False),
+        ({"kind": "stribeck", "coulomb_force": "16 N", "transition_velocity": "1 mm/s"}, 9e-4, 1.0, True),
         ({"viscous_coefficient": 60.0}, 1e-9, 1.0, True),
     ],
 )
@@ -242,16 +242,24 @@ def test_a_dead_zone_that_misleads_the_linear_model_is_seen_in_a_working_step(de
     assert (tuning.working_step.swing > 0.5) == bool(codes)
 
 
+STRIBECK = {"kind": "stribeck", "transition_velocity": "1 mm/s"}
+
+
 @pytest.mark.slow
-def test_a_small_sine_does_not_tune_the_bristles():
-    """Between gains of the sizes for both amplitudes; the response of the bristles gave 10102 1/m."""
+@pytest.mark.parametrize("kind", [{"kind": "lugre"}, STRIBECK], ids=["lugre", "stribeck"])
+@pytest.mark.parametrize("forces", [(4.0, 8.0), (8.0, 10.0), (16.0, 20.0)], ids=str)
+def test_a_small_sine_does_not_tune_the_bristles(kind, forces):
+    """Near the gain of larger sines. Responses of a body that sticks or creeps gave 145 to 10,102 1/m."""
     circuit = load(EXAMPLES / "cylinder_position.toml")
-    stiff = {"slide.friction.coulomb_force": "16 N", "slide.friction.static_force": "20 N"}
-    tuning = tune(circuit.with_values(stiff), at=["100 mm"], form="pid", amplitudes=[0.05])
+    friction = replace(circuit.parts["slide"].friction, **kind, coulomb_force=forces[0], static_force=forces[1])
+    slide = replace(circuit.parts["slide"], friction=friction)
+    tuning = tune(
+        replace(circuit, parts={**circuit.parts, "slide": slide}), at=["100 mm"], form="pid", amplitudes=[0.05]
+    )
     (point,) = tuning.points
     assert 2.0 < point.gains.gain < 8.0
-    assert tuning.working_step.swing < 0.02
-    assert abs(tuning.working_step.step) == pytest.approx(0.05, rel=1e-3)
+    assert tuning.working_step.swing < 0.15
+    assert abs(tuning.working_step.step) == pytest.approx(0.05, rel=1e-2)
 
 
 @pytest.mark.slow

@@ -248,8 +248,8 @@ def test_empty_cells_and_repeated_times_are_reported() -> None:
     run["time"][5] = run["time"][4]
     run["tank.pressure"][9] = np.nan
     findings = identify_tank(TankTest(recordings={"a": run}, volume="20 l")).findings
-    assert any("1 of 601 samples have an empty cell" in sentence for sentence in findings)
-    assert any("1 samples with repeated times were merged" in sentence for sentence in findings)
+    assert any("1 of 601 samples were skipped" in sentence for sentence in findings)
+    assert any("1 samples have the same time as another sample" in sentence for sentence in findings)
 
 
 def test_errors_of_file_have_line_numbers(tmp_path: Path) -> None:

@@ -136,7 +136,7 @@ def test_mass_flow_of_another_gas_has_no_axis_of_air():
 def test_constant_series_are_omitted_with_a_note():
     figure = run_figure()
     assert legend_texts(panel(figure, "pressure").get_legend()) == ["tank", "valve: pilot"]
-    assert "Constant and therefore not drawn: supply.pressure 7 bar, bleed.opening 1." in notes(figure)
+    assert "These outputs are constant and were not drawn: supply.pressure 7 bar, bleed.opening 1." in notes(figure)
 
 
 def test_constant_series_are_drawn_if_selected_or_alone():

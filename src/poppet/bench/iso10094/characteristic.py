@@ -75,9 +75,9 @@ def characteristic_trial(scale: Scale, volume: float, sweep: float, hold: float)
 
 @dataclass(frozen=True, eq=False)
 class SetpointSweep:
-    """Recorded sweep of the setpoint `x` and the outlet `y` in % FS.
+    """Recorded sweep of the setpoint `x` with the outlet pressure `y`, in % FS.
 
-    `late` is the setpoint delayed by the lag of the outlet. `parts` are the rising and falling branches.
+    `late` is the setpoint, delayed by the lag of the outlet. `parts` are the rising and falling branches.
     """
 
     time: FloatArray
@@ -90,10 +90,10 @@ class SetpointSweep:
 
 @dataclass(frozen=True, eq=False)
 class Branches:
-    """Outlet pressure of all rising (`up`) and falling (`down`) branches.
+    """Outlet pressure of all rising (`up`) and all falling (`down`) branches.
 
-    Each array has one row per branch and one column per setpoint of `GRID`. A value is NaN if the branch does not
-    reach that setpoint.
+    Each array has one row for each branch and one column for each setpoint of `GRID`. A value is NaN if the branch does
+    not reach that setpoint.
     """
 
     up: FloatArray
@@ -154,7 +154,11 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 
 
 def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
-    """Return the curves of all branches, and the largest change of the setpoint between samples of omitted branches."""
+    """Return the curves of all branches of a sweep.
+
+    Branches in which the setpoint jumps are omitted. The second result is the largest change of the setpoint between
+    two samples of these branches.
+    """
     rows: dict[int, list[FloatArray]] = {1: [], -1: []}
     shares, largest_jump = [1], 0.0
     for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
@@ -180,7 +184,10 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
 
 
 def _jump(x: FloatArray) -> float:
-    """Return the largest change of the setpoint between two samples within the evaluated range."""
+    """Return the largest change of the setpoint between two neighbouring samples.
+
+    Only the evaluated range of setpoints is considered. `x` is the setpoint.
+    """
     is_inside = (np.maximum(x[1:], x[:-1]) >= RANGE[0]) & (np.minimum(x[1:], x[:-1]) <= RANGE[1])
     return float(np.max(np.abs(np.diff(x)), where=is_inside, initial=0.0))
 
@@ -188,8 +195,8 @@ def _jump(x: FloatArray) -> float:
 def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
     """Add linearity, hysteresis, accuracy and repeatability to the evaluation.
 
-    `up` and `down` are the means of the rising and falling branches. `lag` is the standard uncertainty of the removed
-    lag [% FS].
+    `up` and `down` are the means of all rising and of all falling branches. `lag` is the standard uncertainty of the
+    correction for the lag [% FS].
     """
     is_common = INSIDE & np.isfinite(up) & np.isfinite(down)
     if np.count_nonzero(is_common) < FEWEST_STAIRS:
@@ -242,8 +249,8 @@ def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: F
 def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
     """Add zero suppression and zero offset to the evaluation.
 
-    A note reports an outlet that stops below the upper end of the setpoint. `lag` is the change of the outlet in the
-    hold after a sweep, and `error` its standard uncertainty [% FS].
+    A note reports an outlet pressure that does not reach the upper end of the range. `lag` is the change of the outlet
+    in the hold after a sweep, and `error` its standard uncertainty [% FS].
     """
     zero, short = [], []
     holds: dict[int, FloatArray] = {}
@@ -278,12 +285,18 @@ def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, e
 
 
 def _level(x: FloatArray, index: int) -> float:
-    """Return the median setpoint around the sample `index`, which is robust to noise."""
+    """Return the setpoint near one sample, as a median that is robust to noise.
+
+    `x` is the setpoint, and `index` the index of the sample.
+    """
     return float(np.median(x[max(0, index - 4) : index + 5]))
 
 
 def _held_at(x: FloatArray, index: int) -> slice:
-    """Return the final part of the setpoint hold that contains the sample `index`."""
+    """Return the final part of the hold that contains one sample.
+
+    `x` is the setpoint, and `index` the index of the sample. In a hold, the setpoint is constant.
+    """
     is_away = np.abs(x - _level(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
     hold = stretch_without(is_away, index, index)
     size = hold.stop - hold.start

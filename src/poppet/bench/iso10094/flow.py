@@ -31,10 +31,10 @@ LEAST_FLOW = 1e-9  # flow below which there is no flow [kg/s]
 
 
 def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold: float, load: float) -> Trial:
-    """Return a trial with a sweep of the flow at a constant setpoint.
+    """Return a trial in which the flow is swept at a constant setpoint.
 
-    `load` is the relative flow at the end of the sweep: 1 for forward flow, -1 for relief flow. The flow returns to
-    zero after a hold.
+    `load` is the flow at the end of the sweep, relative to the largest flow: 1 for forward flow, -1 for relief flow.
+    The flow returns to zero after a hold. `sweep` and `hold` are durations [s].
     """
     times = np.cumsum([0.0, 2.0 * hold, sweep, hold, sweep, hold])
     signal = Points(times, np.array([0.0, 0.0, load, load, 0.0, 0.0]))
@@ -43,7 +43,7 @@ def flow_trial(scale: Scale, volume: float, setpoint: float, sweep: float, hold:
 
 
 def flow_trials(pace: Pace) -> list[Trial]:
-    """Return trials with sweeps of forward and relief flow at each setpoint."""
+    """Return trials that sweep the forward flow and the relief flow at each setpoint."""
     scale, sweep = pace.specimen.scale, 0.5 * pace.sweep()
     cases = ((load, setpoint) for load in (1.0, -1.0) for setpoint in pace.settings.setpoints)
     return [flow_trial(scale, pace.volume, setpoint, sweep, pace.hold, load) for load, setpoint in cases]
@@ -52,7 +52,7 @@ def flow_trials(pace: Pace) -> list[Trial]:
 class Side(NamedTuple):
     """Direction of the flow: forward (`drawn`, sign +1) or relief (`fed`, sign -1).
 
-    `change` is the key of droop or rise in a row. `figure` and `hysteresis` are names of characteristic values.
+    `change` is the name of droop or rise in a row. `figure` and `hysteresis` are names of characteristic values.
     """
 
     name: str
@@ -70,7 +70,7 @@ SIDES = (
 
 
 class FlowSweep(NamedTuple):
-    """Outlet pressure [% FS] on an even grid of flow [kg/s] in one direction.
+    """Outlet pressure [% FS] versus flow [kg/s] in one direction, on an even grid.
 
     `going` is the outlet at increasing flow, and `coming` the outlet at decreasing flow. `coming` is None if the flow
     does not return.
@@ -120,9 +120,10 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
 def _one(
     evaluation: Evaluation, record: Record, y: FloatArray, row: Row, side: Side, rest_uncertainty: Uncertainty
 ) -> FlowSweep | None:
-    """Evaluate one flow direction of a record.
+    """Evaluate one direction of the flow in a record.
 
-    The result is None if the record has no flow in this direction, or the flow does not rise from zero.
+    `y` is the outlet pressure and `side` the direction. `rest_uncertainty` is the uncertainty of the outlet without
+    flow. The result is None if the record has no flow in this direction, or if the flow does not rise from zero.
     """
     flow = side.sign * record.flow
     # The maximum of noisy samples is biased.
@@ -170,7 +171,10 @@ def _one(
 
 
 def _lag_error(lags: Sequence[Lag]) -> float:
-    """Return the standard uncertainty of the flow caused by the uncertainty of the lag."""
+    """Return the standard uncertainty of the flow that results from the lag.
+
+    `lags` are the measured lags of the outlet behind the sweeps.
+    """
     errors = [lag.error * lag.rate for lag in lags]
     return float(np.linalg.norm(errors)) / len(errors) if errors else 0.0
 
@@ -178,10 +182,10 @@ def _lag_error(lags: Sequence[Lag]) -> float:
 def _there_and_back(
     flow: FloatArray, delayed: FloatArray, y: FloatArray, grid: FloatArray
 ) -> tuple[FloatArray | None, FloatArray | None]:
-    """Return the outlet on the grid of flow, for increasing and for decreasing flow.
+    """Return the outlet pressure at given flows, for increasing and for decreasing flow.
 
-    `delayed` is the flow delayed by the lag of the outlet. An item of the result is None if the record has no such
-    sweep.
+    `delayed` is the flow, delayed by the lag of the outlet, and `y` the outlet pressure. `grid` contains the given
+    flows. An item of the result is None if the record has no such sweep.
     """
     top = grid[-1]
     top_samples = np.flatnonzero(flow >= FOLD * top)
@@ -200,10 +204,10 @@ def _there_and_back(
 def _falls(
     evaluation: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Uncertainty
 ) -> None:
-    """Set the flow at which the outlet pressure has first fallen by `DROOP`.
+    """Set the flow at which the outlet pressure has fallen by `DROOP`.
 
     `droop` is the fall of the outlet pressure [% FS], and `rest` the uncertainty of the outlet without flow. If the
-    fall is smaller, the largest flow is a lower bound.
+    fall is smaller, the largest flow is stored as a lower bound.
     """
     noise = noise_about([part for part in np.array_split(droop, 40) if part.size > 8], 2)
     size = max(1, min(droop.size // 400, int((noise.spread / 0.1) ** 2))) if noise.sigma > 1e-6 else 1
@@ -235,7 +239,7 @@ def _falls(
 
 
 def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> None:
-    """Add droop or rise at the rated flow and the hysteresis to the evaluation.
+    """Add droop or rise at the rated flow, and the hysteresis, to the evaluation.
 
     By default, the rated flow is half of the largest flow that all sweeps reach.
     """

@@ -53,7 +53,7 @@ def frequency_trial(
 
 @dataclass(frozen=True)
 class SineComponent:
-    """Fundamental of a series, with mean value and harmonic distortion."""
+    """Sine that was fitted to a series, with mean value and harmonic distortion."""
 
     value: complex  # complex amplitude relative to a sine from the start of the record, in the unit of the series
     mean: float
@@ -85,8 +85,8 @@ def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
 def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     """Add Bode plots, bandwidths and distortion to the evaluation.
 
-    The rows are grouped by amplitude, mean and volume, with one Bode plot for each group. The bandwidths are those of
-    the first group. Rows are in ascending order of the frequency, with continuous phases and with gains relative to the
+    The rows of all sines are grouped by amplitude, mean and volume, with one Bode plot for each group. The bandwidths
+    are those of the first group. Rows are sorted by frequency, with continuous phases and with gains relative to the
     gain at the lowest frequency. If several rows have the same frequency, the one with the most periods is used.
     """
     series: dict[str, list[Row]] = {}
@@ -115,9 +115,10 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
 
 
 def _sides(values: FloatArray) -> NDArray[np.int64]:
-    """Return +1 for values above the middle of a series, -1 below, and 0 near the middle.
+    """Return +1 above the middle of a series, -1 below it, and 0 near it.
 
-    The dead zone of a quarter of the range on either side of the middle prevents repeated crossings caused by noise.
+    The range near the middle extends to a quarter of the range on either side. It prevents repeated crossings caused by
+    noise.
     """
     low, high = float(np.min(values)), float(np.max(values))
     middle, swing = 0.5 * (low + high), 0.25 * float(np.ptp(values))
@@ -156,7 +157,7 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
 
 
 def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
-    """Extend the window `part` to all samples of its sine.
+    """Extend a time window to all samples of its sine.
 
     `part` is the window between rising zero crossings. The extension is at most 1.5 periods on either side.
     """
@@ -173,10 +174,10 @@ def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -
 
 
 def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
-    """Evaluate the final steady periods of one sine, and return its row.
+    """Evaluate the response to one sine in its final steady periods, and return a row.
 
-    `x` and `y` are setpoint and outlet in the window `part`. If the sine cannot be evaluated, a note states the reason
-    and the result is None.
+    `x` and `y` are setpoint and outlet pressure in the window `part`. If the sine cannot be evaluated, a note states
+    the reason and the result is None.
     """
     time = record.time[part]
     side = _sides(x)
@@ -237,9 +238,9 @@ def _series(row: Row, rows: Sequence[Row]) -> str:
 
 
 def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
-    """Return the frequency of a sine, from the phase drift between its two halves.
+    """Return the exact frequency of a sine from a first estimate.
 
-    `guess` is the start value [Hz]. The frequency is corrected until the halves have the same phase.
+    `guess` is this estimate [Hz]. It is corrected until both halves of the series `x` have the same phase.
     """
     frequency = guess
     half = time.size // 2
@@ -256,8 +257,8 @@ def wave(
 ) -> SineComponent:
     """Fit a sine of known frequency to a series by least squares.
 
-    The fit includes the harmonics up to the order `highest`, a mean and a linear drift. `is_coloured` selects a noise
-    estimate for correlated samples.
+    The fit includes the harmonics up to the order `highest`, a mean and a linear drift. If `is_coloured` is True, the
+    uncertainty is that for correlated noise.
 
     Examples
     --------
@@ -298,9 +299,10 @@ def _least(matrix: FloatArray, values: FloatArray) -> FloatArray:
 
 
 def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
-    """Return the number of periods at the end of a series that have a constant fundamental.
+    """Return the number of steady periods at the end of a response.
 
-    `y` is the outlet and `frequency` the frequency of the sine [Hz].
+    `y` is the outlet pressure and `frequency` the frequency of the sine [Hz]. In steady periods, the fundamental is
+    constant.
     """
     total = max(1, math.floor((time[-1] - time[0]) * frequency + 0.02))
     ends = time[-1] - np.arange(total + 1) / frequency
@@ -358,8 +360,8 @@ def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) 
 def falls_to(frequency: FloatArray, values: FloatArray, level: float) -> float:
     """Return the frequency at which a curve first falls to a level.
 
-    The interpolation is a monotone cubic of the logarithm of the frequency. The result is NaN if no value is at or
-    below the level, or if the first value is.
+    `values` are the values of the curve at the frequencies. The interpolation is a monotone cubic of the logarithm of
+    the frequency. The result is NaN if no value is at or below the level, or if the first value is.
 
     Examples
     --------

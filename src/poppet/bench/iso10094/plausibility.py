@@ -25,9 +25,10 @@ DYNAMIC = ("step", "frequency")
 
 
 def without_spikes(values: FloatArray) -> tuple[FloatArray, Mask]:
-    """Replace single faulty samples by interpolated values; return the series and the mask of these samples.
+    """Replace single faulty samples of a series by interpolated values.
 
-    A spike differs from the median of its neighbours by much more than the noise and than all other samples.
+    The result contains the series and a mask of the replaced samples. A faulty sample differs from the median of its
+    neighbours by much more than the noise and than all other samples.
 
     Examples
     --------
@@ -59,7 +60,10 @@ def without_spikes(values: FloatArray) -> tuple[FloatArray, Mask]:
 
 
 def suspicions(record: Record, scale: Scale) -> list[Note]:
-    """Return notes on a sensor without signal, wrong units, inverted signals, exchanged columns and wrong times."""
+    """Return notes on signs of a faulty measurement in a record.
+
+    Signs are a sensor without signal, wrong units, inverted signals, exchanged columns and wrong times.
+    """
     notes = _time_suspicions(record)
     if record.test not in MOVING or record.time.size < WINDOW:
         return notes
@@ -84,7 +88,10 @@ def suspicions(record: Record, scale: Scale) -> list[Note]:
 
 
 def _time_suspicions(record: Record) -> list[Note]:
-    """Return a note if the times are probably in another unit, by a factor of about 1000."""
+    """Return a note if the times of a record are probably in another unit.
+
+    The criterion is an error by a factor of about 1000.
+    """
     total, facts = float(record.time[-1] - record.time[0]), {"samples": record.time.size}
     is_dynamic = record.test in DYNAMIC
     if (is_dynamic and record.step > SLOW_STEP) or total > SLOW_TOTAL:
@@ -95,10 +102,11 @@ def _time_suspicions(record: Record) -> list[Note]:
 
 
 def _lead(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
-    """Return the time by which the outlet leads the setpoint [s], or NaN if it does not clearly lead.
+    """Return the time by which the outlet changes before the setpoint [s].
 
-    The times at which both series cross the middle of their ranges are compared. The mean of rising and falling
-    crossings does not depend on the characteristic.
+    `x` is the setpoint, and `y` the outlet. The times at which both series cross the middle of their ranges are
+    compared. The mean of rising and falling crossings does not depend on the characteristic. The result is NaN if the
+    outlet does not clearly change first.
     """
     (x_up, x_down), (y_up, y_down) = (_crossings(time, series) for series in (x, y))
     leads = []

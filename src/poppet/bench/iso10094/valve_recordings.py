@@ -73,7 +73,7 @@ class ValveRecordings:
 def recorded(
     data: Mapping[str, Any], path: Path, *, full_scale: str | None = None, rated_flow: float = math.nan
 ) -> ValveRecordings:
-    """Read all recordings that a recordings file lists.
+    """Read all recordings that are listed in a recordings file.
 
     `data` is the content of the file, and `path` its path. `full_scale` and `rated_flow` replace the values in the
     file.
@@ -182,10 +182,10 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
 def _joined(
     name: str, measurement: Measurement, fields: Mapping[str, Any], address: str, scale: Scale
 ) -> tuple[Record, int]:
-    """Return a record with all channels at the samples of the outlet pressure, and the number of replaced spikes.
+    """Return the channels of a measurement as a record, and the number of replaced spikes.
 
-    The record covers the time that all channels have in common. `fields` contains the fields that only valve recordings
-    have.
+    The record has the samples of the outlet pressure, in the time that all channels have in common. `fields` contains
+    the fields that only valve recordings have.
     """
     channels = {channel.address: channel for channel in measurement.channels}
     begin = max(float(channel.time[0]) for channel in channels.values())
@@ -225,7 +225,7 @@ MOST_LOOKED_AT = 200  # maximum number of samples before a run that are examined
 
 
 def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
-    """Return a mask of the clipped samples for each series that has any.
+    """Return a mask of clipped samples for each series that has any.
 
     Setpoint and outlet must be in % FS.
 
@@ -259,9 +259,10 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
 
 
 def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool:
-    """Return True if the outlet is clipped: constant although setpoint or flow changes.
+    """Return True if a constant section of the outlet is clipped.
 
-    `run` is the slice in which the outlet is constant. `sign` is +1 at the upper limit and -1 at the lower limit.
+    It is clipped if setpoint or flow changes at the same time. `run` is the slice of the section. `sign` is +1 at the
+    upper limit and -1 at the lower limit.
     """
     y, x, flow = sign * series["outlet"], sign * series["setpoint"], series.get("flow", np.zeros(0))
     half = slice((run.start + run.stop) // 2, run.stop)
@@ -286,24 +287,27 @@ def _step(values: FloatArray) -> float:
 
 
 def _is_ramp(x: FloatArray, run: slice) -> bool:
-    """Return True if a series reaches the constant slice `run` gradually and not by a jump."""
+    """Return True if a series reaches a constant section gradually.
+
+    `run` is the slice of the section. The result for a jump is False.
+    """
     approach = x[max(0, run.start - min(run.stop - run.start, MOST_LOOKED_AT)) : run.start + 1]
     change = approach[-1] - approach[0]
     return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
 
 
 def _is_left(x: FloatArray, run: slice, threshold: float) -> bool:
-    """Return True if setpoint or flow continues to change while the outlet is constant.
+    """Return True if setpoint or flow still changes while the outlet is constant.
 
-    `x` is the setpoint or flow, and the outlet is constant in the slice `run`.
+    `x` is the setpoint or flow. The outlet is constant in the slice `run`. Changes below `threshold` do not count.
     """
     return bool(float(np.max(x[run])) - x[run.start] > max(threshold, CLEAR * noise_of(x)))
 
 
 def _goes_on(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
-    """Return True if the outlet moves away and back while `x` seems constant after a ramp.
+    """Return True if the outlet moves although `x` seems constant after a ramp.
 
-    `x` is constant in the slice `run`. The motion of the outlet indicates that `x` is clipped there.
+    `x` is constant in the slice `run`. A motion of the outlet away and back shows that `x` is clipped there.
     """
     if run.start == 0 or not _is_ramp(x, run):
         return False

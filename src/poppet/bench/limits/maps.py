@@ -25,7 +25,7 @@ DONE, INTERRUPTED = "done", "interrupted"
 
 @dataclass
 class LimitsResult(ResultFileMixin, HtmlMixin):
-    """Dynamic limits of a valve; points that are not computed yet are absent."""
+    """Dynamic limits of a valve at all points that have been computed."""
 
     plan: LimitsPlan
     points: dict[tuple[float, float], Point] = field(default_factory=dict)  # by volume [m^3] and amplitude [Pa]
@@ -34,14 +34,14 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
     outcome: str = DONE  # `done` or `interrupted`
 
     def grid(self, name: str) -> list[list[Any]]:
-        """Return a field of `Point` for all volumes and amplitudes.
+        """Return one field of `Point` for all volumes and amplitudes.
 
-        The outer list contains one list per volume, with one value per amplitude.
+        `name` is the name of the field. The outer list contains one list per volume, with one value per amplitude.
         """
         return self._over(attrgetter(name), "" if name == "limiting" else math.nan)
 
     def gains(self, part: str) -> list[list[float]]:
-        """Return the bandwidth with one part ideal, relative to that of the unchanged valve.
+        """Return by which factor the bandwidth increases if one part is ideal.
 
         The outer list contains one list per volume, with one value per amplitude.
         """
@@ -52,9 +52,10 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
         return [[missing if point is None else value(point) for point in row] for row in rows]
 
     def map(self, name: str, spring: float) -> list[list[Any]]:
-        """Return a field of `Stability` for one spring factor.
+        """Return one field of `Stability` for one factor on the spring rates.
 
-        The outer list contains one list per damping factor, with one value per volume.
+        `name` is the name of the field, and `spring` the factor. The outer list contains one list per damping factor,
+        with one value per volume.
         """
         missing: Any = "" if name in ("smooth", "word") else False if name in ("is_stable", "agrees") else math.nan
         rows = []
@@ -69,7 +70,7 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
         return (*_limiting(self), *_stability(self))
 
     def content(self) -> dict[str, Any]:
-        """Return the result as nested dictionaries, the content of the result file."""
+        """Return the content of the result file as nested dictionaries."""
         plan = self.plan
         names = ("gain_frequency", "phase_frequency", "rise_up", "rise_down", "noise", "limiting")
         fields = (
@@ -129,7 +130,7 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
 
 
 def _limiting(result: LimitsResult) -> list[Note]:
-    """Return one note for each part that limits the bandwidth at some points."""
+    """Return a note for each part that limits the bandwidth at some points."""
     limited = {key: point for key, point in result.points.items() if point.limiting}
     notes = []
     for part in (*PARTS, LOAD, CONTROLLER):
@@ -148,7 +149,7 @@ def _limiting(result: LimitsResult) -> list[Note]:
 
 
 def _ends(values: Sequence[float]) -> tuple[float, ...]:
-    """Return the smallest and the largest value.
+    """Return the smallest and the largest of some values.
 
     If all values are equal, the result has one item.
     """

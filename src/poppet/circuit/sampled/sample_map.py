@@ -18,9 +18,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Phase:
-    """Linear maps at a sample instant and over the time until the next instant.
+    """Linear maps at a sample instant, and from there to the next instant.
 
-    All variables are in units of their sizes.
+    All variables are in units of their typical sizes.
     """
 
     duration: float  # until the next instant or the end of the sample [s]
@@ -36,9 +36,10 @@ class Phase:
 
 
 def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = None) -> tuple[Phase, ...]:
-    """Return the phases of one sample at a steady state v.
+    """Return the linear maps of all phases of one sample period.
 
-    `between` are the derivatives between instants, if they are already available.
+    A phase is a sample instant with the time until the next instant. The maps are those at the steady state `v`.
+    `between` contains the derivatives between instants if they have already been computed.
     """
     b = between or point.between(v)
     n, size, clock = v.size, point.size, point.clock
@@ -57,9 +58,10 @@ def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = 
 
 
 def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array]:
-    """Return the maps of variables and constant inputs over a duration [s].
+    """Return the matrices by which variables and constant inputs act over a time interval.
 
-    They are blocks of the matrix exponential of the rates.
+    The interval has the length `duration` [s]. `rates_v` and `rates_u` are the derivatives of the rates. The matrices
+    are blocks of a matrix exponential.
     """
     from scipy.linalg import expm
 
@@ -73,7 +75,10 @@ def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array
 
 
 def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, Array]:
-    """Return the matrices A and B over one sample."""
+    """Return the matrices A and B of the map from one sample to the next.
+
+    `phases` are the linear maps within one sample period.
+    """
     a, b = np.eye(point.size.size), np.zeros((point.size.size, point.u.size))
     for phase in phases:
         a, b = phase.at_v @ a, phase.at_v @ b + phase.at_u
@@ -82,7 +87,7 @@ def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, A
 
 
 def eigenvalues_of(a: Array) -> NDArray[np.complex128]:
-    """Return the eigenvalues of the matrix of a map over one sample."""
+    """Return the eigenvalues of the matrix `a`, which maps one sample to the next."""
     # Without rows or columns of zeros: balancing would divide by their size.
     rows = np.arange(len(a))
     while True:

@@ -54,9 +54,9 @@ _INPUT_UNITS = {
 
 
 def export_live(circuit: BaseCircuit, source: CircuitSource, *, parameters: Sequence[str] = ()) -> Export:
-    """Export a circuit as a live page.
+    """Export a circuit as a live page, an HTML page that simulates the circuit.
 
-    `parameters` contains the values of the option --parameter.
+    `parameters` contains the texts of the option --parameter.
     """
     page = printable(live_page(circuit, parameters=parameters)).encode()
     return Export({"page.html": page}, f"{len(page) / 1000:.0f} kB; runs in any browser, without a network connection.")
@@ -115,10 +115,10 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
 def page_content(
     export_model: ExportModel, circuit: BaseCircuit, recording: Recording, sliders: Sequence[Slider]
 ) -> dict[str, Any]:
-    """Return the data of a live page except the kernel and its arrays.
+    """Return the data of a live page, except the compiled model.
 
-    A line of a panel, and a bar that shows codes (integer outputs such as a flow regime), refer to an output by index.
-    A bar of a flow regime also has the index of the flow.
+    Curves, and bars that show codes such as a flow regime, refer to outputs by index. A bar of a flow regime also has
+    the index of the flow.
     """
     ambient = circuit.surroundings.pressure
     sheet = Sheet({"": recording}, None, None, "", inner=False)
@@ -167,7 +167,10 @@ def page_content(
 
 
 def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
-    """Return the schematic as SVG, with the positions of values and of moving bodies in its boxes."""
+    """Return the schematic as SVG text, with positions of values and of moving bodies.
+
+    The positions are those inside the boxes of the parts.
+    """
     inner = export_model.instance.inner
     values_of: dict[str, list[dict[str, Any]]] = {}
     for unit, symbol in _SYMBOLS.items():
@@ -209,9 +212,9 @@ def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
 
 
 def _figure(content: dict[str, Any], duration: float) -> str:
-    """Return the HTML of the figure with curves and bars.
+    """Return the HTML of the empty figure for curves and bars.
 
-    The script of the page fills in the values.
+    The script of the page adds the values.
     """
     name, size = content["time"]
     x: dict[str, Any] = {"label": f"time [{name}]", "range": [0.0, duration / size]}

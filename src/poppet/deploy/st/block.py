@@ -47,15 +47,15 @@ _RESERVED = frozenset(
 
 @dataclass
 class BlockNames:
-    """Names of variables in a function block.
+    """Set of variable names in a function block.
 
-    They are valid, have at most 32 characters, and differ even if upper and lower case are not distinguished.
+    The names are valid, have at most 32 characters, and differ even if upper and lower case are not distinguished.
     """
 
     used: set[str] = field(default_factory=lambda: {name.lower() for name in BLOCK_NAMES})
 
     def add(self, text: str) -> str:
-        """Return a new name that is made from a text.
+        """Return a new valid name that resembles a text.
 
         Parameters
         ----------
@@ -128,7 +128,7 @@ def block_of(circuit: BaseCircuit, parts: Sequence[str] = ()) -> str:
 
 
 def function_block(program: ControllerProgram) -> str:
-    """Return the text of a function block with the functions that it calls.
+    """Return the structured text of a function block, with the functions that it calls.
 
     Parameters
     ----------
@@ -188,9 +188,9 @@ def function_block(program: ControllerProgram) -> str:
 
 
 def _declaration(name: str, kind: str, start: str, unit: str, *texts: str) -> str:
-    """Return the declaration of a variable of type `kind`, with a comment.
+    """Return the declaration of one variable in structured text, with a comment.
 
-    The comment contains the unit and `texts`.
+    `kind` is its type and `start` its start value. The comment contains the unit and `texts`.
     """
     comment = "; ".join(comment_text(text) for text in (unit if unit != "1" else "", *texts) if text)
     return f"  {name} : {kind}{f' := {start}' if start else ''};{f' (* {comment} *)' if comment else ''}"
@@ -199,7 +199,10 @@ def _declaration(name: str, kind: str, start: str, unit: str, *texts: str) -> st
 def _declarations(
     program: ControllerProgram, names: Mapping[str, list[str]], printed: Mapping[str, Statements]
 ) -> list[str]:
-    """Return the declarations of all variables of a function block."""
+    """Return the declarations of all variables of a function block.
+
+    `names` maps quantities to names, and `printed` contains the printed functions.
+    """
 
     def start_value(quantity: Any) -> str:
         # A start value is no expression: it accepts a sign, but no parentheses.
@@ -234,7 +237,10 @@ def _declarations(
 
 
 def _body(printed: Mapping[str, Statements], timers: Sequence[str], fired: Sequence[str]) -> list[str]:
-    """Return the statements that one call of the function block executes."""
+    """Return the statements that the function block executes in each call.
+
+    `timers` are the names of the timers, and `fired` those of the variables that show which timer is due.
+    """
     expiry = [f"{flag} := {timer} <= due;" for flag, timer in zip(fired, timers, strict=True)]
     any_expired = " OR ".join(fired)
     return [

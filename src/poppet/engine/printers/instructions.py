@@ -44,9 +44,9 @@ SIGNATURES = {
 
 
 def trace_functions(model: Model) -> dict[str, Any]:
-    """Return the CasADi functions of a model by their names in `SIGNATURES`.
+    """Return the CasADi functions of a model by name.
 
-    `update` is included only if the model has discrete states.
+    The names are those in `SIGNATURES`. `update` is included only if the model has discrete states.
     """
     import casadi as ca
 
@@ -92,7 +92,7 @@ class Instruction(NamedTuple):
 
 
 class InstructionList(NamedTuple):
-    """Instructions of a function, and the numbers of its arguments and results."""
+    """Instructions of one function, with the numbers of its arguments and results."""
 
     instructions: Sequence[Instruction]
     n_in: int
@@ -112,7 +112,8 @@ class InstructionList(NamedTuple):
 class Block(NamedTuple):
     """Sequence of instructions that is printed as one function.
 
-    `live_out` contains the slots of w that the block writes and later blocks read.
+    `live_out` contains the elements of w that the block writes and later blocks read. Vector w contains the
+    intermediate values.
     """
 
     instructions: Sequence[Instruction]
@@ -121,7 +122,7 @@ class Block(NamedTuple):
 
 @cache
 def _operations() -> dict[int, str]:
-    """Return a mapping from CasADi operation codes to operation names."""
+    """Return a mapping from the operation codes of CasADi to operation names."""
     import casadi
 
     names = {getattr(casadi, name): name.removeprefix("OP_").lower() for name in dir(casadi) if name.startswith("OP_")}

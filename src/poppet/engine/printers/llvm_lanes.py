@@ -26,9 +26,9 @@ _VECTOR_NAMES = {
 
 @cache
 def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
-    """Return a mapping from function names to symbol and address in the vector library.
+    """Return the functions of the vector library by name.
 
-    The mapping is empty if this machine has no vector library.
+    Each value contains symbol and address. The mapping is empty if this machine has no vector library.
     """
     import ctypes
     import platform
@@ -78,7 +78,10 @@ _PURE = "nounwind willreturn memory(none)"
 
 
 def _function(kind: Kind, name: str, formal: str, text: Text, result: str, attributes: str = "") -> str:
-    """Return LLVM IR of the definition of a function for lanes."""
+    """Return the LLVM IR of a function definition for lanes.
+
+    `formal` contains the declared arguments, `text` the lines, and `result` the name of the result.
+    """
     head = f"define internal {kind.number} @{name}({formal}) {attributes}{_PURE} {{"
     return "\n".join([head, *text.lines, f"  ret {kind.number} {result}", "}", ""])
 
@@ -130,28 +133,31 @@ def _inverse_root(kind: Kind) -> str:
 
 
 def _has_estimates(kind: Kind) -> bool:
-    """Return True if the processor has instructions that estimate inverses of doubles."""
+    """Return True if the processor can estimate inverses with one instruction."""
     import llvmlite.binding as llvm
 
     return kind.width == 8 and bool(llvm.get_host_cpu_features().get("avx512f", False))
 
 
 def _estimate(kind: Kind, name: str) -> tuple[Text, str]:
-    """Return a text that begins with an estimate for the argument %x, and its name."""
+    """Return a text that begins with an estimate, and the name of the estimate.
+
+    The estimate is computed from the argument %x by the function `name`.
+    """
     text, d, zero = Text(kind), kind.number, kind.words["zero"]
     return text, text.emit(f"call {d} @llvm.x86.avx512.{name}.pd.512({d} %x, {d} {zero}, i8 -1)")
 
 
 def _fused(text: Text, a: str, b: str, c: str) -> str:
-    """Add the expression a b + c with one rounding, and return its name."""
+    """Add the expression a b + c with a single rounding, and return its name."""
     d = text.kind.number
     return text.emit(f"call {d} @llvm.fma.{text.kind.suffix}({d} {a}, {d} {b}, {d} {c})")
 
 
 def _keep_estimate(text: Text, error: str, first: str, refined: str) -> str:
-    """Add a choice between an estimate and its refined value, and return its name.
+    """Add a selection between an estimate and its refined value, and return its name.
 
-    The estimate is used if the error is NaN, that is for zero, infinite values and NaN.
+    The estimate `first` is used if the error is NaN. This is the case for zero, infinite values and NaN.
     """
     d = text.kind.number
     is_nan = text.emit(f"fcmp uno {d} {error}, {error}")
@@ -246,7 +252,10 @@ def print_judge(n_controlled: int, kind: Kind) -> str:
 
 
 def _store_mask(text: Text, flags: str, number: int) -> None:
-    """Add lines that store one bit per lane in an integer of `control`."""
+    """Add lines that store one bit for each lane in an element of `control`.
+
+    `flags` contains the bits, and `number` selects the element.
+    """
     n = text.kind.width
     bits = text.emit(f"bitcast {text.kind.flag} {flags} to i{n}")
     wide = text.emit(f"zext i{n} {bits} to i64")
@@ -279,9 +288,9 @@ def print_choose(kind: Kind) -> str:
 
 
 def print_settle(kind: Kind) -> str:
-    """Return LLVM IR of `settle`, which prepares the next steps.
+    """Return the LLVM IR of the function `settle`, which prepares the next steps.
 
-    It computes their times and lengths, and the lanes that need attention by the integrator.
+    It computes times and lengths of the steps, and the lanes that the integrator must handle separately.
     """
     text, d, b = Text(kind), kind.number, kind.flag
     unity, zero = kind.words["one"], kind.words["zero"]
@@ -369,7 +378,7 @@ def _print_rows(outputs: Any, n_states: int, kind: Kind, name: str) -> str:
             elements[instruction.place[0]].add(instruction.place[1])
 
     def broadcast(pointer: str, element: int) -> str:
-        """Add a value of the lane as a vector."""
+        """Add a value of one lane as a vector of equal elements."""
         location = text.emit(f"getelementptr inbounds double, ptr {pointer}, i64 {element * n}")
         value = text.emit(f"load double, ptr {location}")
         first = text.emit(f"insertelement {d} undef, double {value}, i32 0")

@@ -13,9 +13,10 @@ from poppet.engine.rosenbrock import ARGUMENT, COUPLING, DENSE, GAMMA, INPUT_TIM
 
 
 def _weighted(text: Text, index: str, weights: Sequence[float], start: str = "") -> str:
-    """Add a weighted sum of stages at one state, plus `start`, and return its name.
+    """Add a weighted sum of solver stages at one state, and return its name.
 
-    The pointers to the stages are %k0, %k1, ...
+    `index` is the index of the state, and `weights` the factor of each stage. `start` is added to the sum. The stages
+    are the arrays %k0, %k1 and so on.
     """
     total = start
     for j, weight in enumerate(weights):
@@ -25,7 +26,10 @@ def _weighted(text: Text, index: str, weights: Sequence[float], start: str = "")
 
 
 def _with_drift(text: Text, i: int, index: str, rates: str) -> str:
-    """Add the sum of rates and the drift term of stage i, and return its name."""
+    """Add a rate and the drift term of a stage; return the sum's name.
+
+    `i` is the index of the solver stage, `index` that of the state, and `rates` the name of the rate.
+    """
     if STAGE_DRIFT[i] == 0.0:
         return rates
     return text.multiply_add(text.times(STAGE_DRIFT[i], "%h"), text.load("%ft", index), rates)

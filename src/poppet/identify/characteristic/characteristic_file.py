@@ -51,9 +51,9 @@ OF_TEST = {
 
 
 def write_characteristic(result: Result, path: str | Path, *, closing: float | None = None) -> None:
-    """Write a fitted characteristic to a file that a circuit file can refer to.
+    """Write a fitted characteristic to a file.
 
-    The circuit file refers to it by `characteristic = "mine.toml"`.
+    A circuit file refers to it by `characteristic = "mine.toml"`.
 
     Parameters
     ----------
@@ -111,7 +111,7 @@ def _millimetres(x: float) -> str:
 
 
 def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[str, Any]]:
-    """Read a file that lists tests at several strokes.
+    """Read a file with tests of a flow path at several strokes.
 
     Parameters
     ----------
@@ -189,7 +189,10 @@ def read_characteristic_file(path: str | Path) -> tuple[list[StrokeTest], dict[s
 
 
 class _Bench(NamedTuple):
-    """Settings that all tests of a file share, and the common errors of C and b of its results."""
+    """Settings that all tests of a file share.
+
+    They include the errors of C and b that all tests have in common.
+    """
 
     folder: Path
     passage: str

@@ -62,7 +62,7 @@ BOUND = 1e-6
 
 @dataclass(frozen=True)
 class _CurveOptions:
-    """Checked options of `identify_characteristic`."""
+    """Options of `identify_characteristic` after a check of their values."""
 
     form: Form
     degrees: tuple[int, int]
@@ -228,7 +228,7 @@ def _check_options(
     bootstrap: int,
     seed: int,
 ) -> _CurveOptions:
-    """Check the tests and the options, and return the options."""
+    """Check the tests and the options of an identification, and return the options."""
     with ErrorCollector() as errors:
         if form not in FORMS:
             near = NameSuggestion(str(form), FORMS)
@@ -268,7 +268,10 @@ def _polynomial_shapes(options: _CurveOptions) -> Shapes:
 def _fit_spline(
     options: _CurveOptions, evidence: Sequence[TestEvidence], common: tuple[float, float]
 ) -> tuple[CurveFit, MonotoneVerdict]:
-    """Return the spline with the constraint that C does not fall, and the test of this constraint."""
+    """Return the spline in which C never falls, and the test of this constraint.
+
+    `evidence` contains C and b of the tests, and `common` the errors that they share.
+    """
     decoupled = [e.decoupled() for e in evidence]
     candidates = [options.knots] if options.knots else _knot_candidates(options.strokes, decoupled)
     fits = (fit_evidence(decoupled, _spline_shapes(options, k, False)) for k in candidates)
@@ -285,7 +288,10 @@ def _fit_spline(
 
 
 def _knot_candidates(strokes: Array, evidence: Sequence[TestEvidence]) -> list[tuple[float, ...]]:
-    """Return the selections of knots that the AICc compares, up to all strokes at which tests determine b."""
+    """Return several selections of knots, between which AICc decides.
+
+    The largest selection contains all strokes at which tests determine b.
+    """
     determined = np.unique(determined_values(evidence, 1)[0])
     candidates = [select_knots(strokes, n) for n in range(FEWEST_KNOTS, strokes.size)]
     candidates += [select_knots(determined, n) for n in range(FEWEST_KNOTS, determined.size + 1)]
@@ -334,7 +340,7 @@ def _estimate(value: float, unit: str, error: float, coverage: float, limits: tu
 
 
 def _residuals(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
-    """Return statistics of the differences between the curves and C and b of the tests."""
+    """Return statistics of the differences between the curves and the tests."""
     summaries = {}
     for index, name in enumerate(NUMBERS):
         strokes, measured, _ = determined_values(evidence, index)
@@ -356,7 +362,7 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
 
 
 def _bands(fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions) -> list[tuple[Array, Array]]:
-    """Return the 95 % bands of C and b at strokes over the domain."""
+    """Return the 95 % bands of C and b at many strokes in the domain."""
     x = np.linspace(*options.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))
     if options.bootstrap:

@@ -31,7 +31,10 @@ Fit = Callable[..., Optimum]
 
 
 def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Callable[[str, int, int], Any]) -> Result:
-    """Add the chi-square contour, and a note on each connected 95 % region, to a result."""
+    """Add the contour of chi-square to a result.
+
+    A note describes each connected 95 % region. `on_progress` is called during the fits.
+    """
     conductance_index, wall_index = contour_indices(plan.free)
     conductance_parameter, wall_parameter = plan.free[conductance_index], plan.free[wall_index]
     spread = error_model_of(plan, optimum)
@@ -78,7 +81,7 @@ def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Ca
 
 
 def contour_indices(free: Sequence[FreeParameter]) -> tuple[int, int]:
-    """Return the indices of the conductance and the wall conductance among the free parameters.
+    """Return the indices of conductance and wall conductance among the free parameters.
 
     Raises
     ------
@@ -129,9 +132,10 @@ def _fit_rows(
 
 
 def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: Fit) -> dict[float, Optimum]:
-    """Fit at each wall conductance of `walls`, outwards from the optimum; return the optima by wall conductance.
+    """Fit at given wall conductances, starting near the optimum.
 
-    Each fit starts from the result of the neighbour that is closer to the optimum.
+    `best` is the wall conductance at the optimum. Each fit starts from the result of the neighbour that is closer to
+    the optimum. The result is sorted by wall conductance.
     """
     rows: dict[float, Optimum] = {}
     for branch in (walls[walls >= best], walls[walls < best][::-1]):

@@ -169,7 +169,10 @@ def identify_flow(
 
 
 def _tests(fit: FlowFit) -> dict[str, Any]:
-    """Return chi-square, the runs test and the information criterion (AICc) of a fit."""
+    """Return the results of statistical tests of a fit.
+
+    They are chi-square, the runs test and the information criterion AICc.
+    """
     n = len(fit.model.points)
     order = np.argsort(fit.model.points.pressure_ratio, kind="stable")
     return {
@@ -200,7 +203,7 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
 
 
 def _series(fit: FlowFit) -> dict[str, Any]:
-    """Return measured and modelled effective conductance versus the pressure ratio p2/p1."""
+    """Return measured and fitted effective conductance over the pressure ratio p2/p1."""
     points = fit.model.points
     order = np.argsort(points.pressure_ratio, kind="stable")
     modelled = conductance_of(fit.modelled, points.pressure_1, points.temperature_1)

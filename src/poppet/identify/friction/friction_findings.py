@@ -23,7 +23,10 @@ ZONES, UNEVEN = 8, 0.05
 
 
 def findings(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield the findings, the most important first, with the units that their messages need."""
+    """Yield all findings on friction, the most important first.
+
+    Each contains the units that its message needs.
+    """
     units = {name: getattr(analysis.coordinate, name) for name in ("effort", "effort_unit", "length", "speed")}
     checks = _law_notes, _seal_and_bristle_notes, _motion_notes, _recording_notes
     for note in itertools.chain.from_iterable(check(analysis) for check in checks):
@@ -31,7 +34,10 @@ def findings(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield the law that the data support, and upper bounds on parameters that the selected law does not contain."""
+    """Yield the law that the data support, and bounds on other parameters.
+
+    These are upper bounds on parameters that the selected law does not contain.
+    """
     fits, fit, ranked, coordinate = analysis.fits, analysis.fit, analysis.ranked, analysis.coordinate
     yield Note(
         "friction.supported",
@@ -156,7 +162,10 @@ def _motion_notes(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _recording_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield findings on the noise, on the smoothing of velocities, and on parameters that were set to zero."""
+    """Yield findings on the quality of the recordings.
+
+    They concern noise, the smoothing of velocities, and parameters that were set to zero.
+    """
     stated = [record.uncertainty for record in analysis.records if record.uncertainty is not None]
     if stated:
         noise, rms = float(np.median(np.concatenate(stated))), float(np.sqrt(np.mean(analysis.fit.errors**2)))

@@ -249,7 +249,7 @@ def _conditions(analysis: FrictionFits, inertia: float) -> dict[str, Any]:
 
 
 def _curves(analysis: FrictionFits) -> dict[str, Any]:
-    """Return the curves that the report shows, by name."""
+    """Return the curves for the report by name."""
     rows, solution, parameters = analysis.data.rows, analysis.fit.solution, analysis.fit.values
     bristles, unit = analysis.bristles, analysis.coordinate.effort_unit
     measured, model, curves = rows.friction - solution.zero(rows), solution.friction(rows), {}
@@ -291,10 +291,10 @@ def _curves(analysis: FrictionFits) -> dict[str, Any]:
 
 
 def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, Any]:
-    """Return friction versus pressure.
+    """Return friction over pressure for the report.
 
-    The curve has one point for each recording, or all rows if there is only one recording. `residual` is measured minus
-    modelled friction along the motion.
+    The curve has one point for each recording, or all samples if there is only one recording. `residual` is measured
+    minus modelled friction along the motion.
     """
     rows, parameters, spread = analysis.data.rows, analysis.fit.values, analysis.fit.spread
     groups = [np.flatnonzero(rows.record == k) for k in np.unique(rows.record)]

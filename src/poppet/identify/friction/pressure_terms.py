@@ -23,10 +23,11 @@ FEWEST_CLUSTERS, FEWEST_RECORDS = 6, 3
 
 
 def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArray, group: NDArray[np.int_]) -> float:
-    """Return the significance of a term: a column times the pressure.
+    """Return how significant a dependence on the pressure is.
 
-    `law_columns` contains the derivatives of the friction by the parameters of the law, (n, n_parameters). The result
-    is the coefficient of the term divided by the half width of its interval; it is 0 for a negligible term.
+    The term is one column of the law times the pressure. `law_columns` contains the derivatives of the friction by the
+    parameters of the law, (n, n_parameters). The result is the coefficient of the term divided by the half width of its
+    interval; it is 0 for a negligible term.
 
     The friction of each recording has a free level. Therefore only the differences within recordings test the term.
     Residuals are independent between strokes, and between the points of a table. With at least three recordings, the
@@ -60,7 +61,7 @@ def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArra
 
 
 def _orthonormal(columns: Sequence[FloatArray]) -> FloatArray:
-    """Return an orthonormal basis of columns, (n, rank)."""
+    """Return an orthonormal basis of the space that columns span, (n, rank)."""
     basis = np.zeros((columns[0].size, 0))
     for column in columns:
         rest = column - basis @ (basis.T @ column)
@@ -73,7 +74,11 @@ def _orthonormal(columns: Sequence[FloatArray]) -> FloatArray:
 def _statistic_between_recordings(
     rows: SlidingRows, candidates: Sequence[FloatArray], column: FloatArray, records: Sequence[FloatArray]
 ) -> float:
-    """Return the slope of the coefficient of a column in each recording versus pressure, divided by its half width."""
+    """Return the significance of a pressure dependence between recordings.
+
+    A coefficient is fitted in each recording. The result is the slope of the coefficient over pressure, divided by its
+    half width.
+    """
     root = np.sqrt(rows.weight)
     matrix = np.column_stack([*(column * record for record in records), *candidates]) * root[:, None]
     norms = np.linalg.norm(matrix, axis=0)

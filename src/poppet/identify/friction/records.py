@@ -20,7 +20,10 @@ BRISTLES, DAMPING = "friction.bristle_stiffness", "friction.bristle_damping"
 
 @dataclass(frozen=True)
 class Coordinate:
-    """Kind of motion of a body, with units and names; a rotation has torques and angles."""
+    """Kind of motion of a body, translation or rotation, with units and names.
+
+    A rotation has torques and angles.
+    """
 
     body: str  # kind of the part
     length: str  # SI unit of a position
@@ -36,7 +39,7 @@ class Coordinate:
 
     @property
     def opposite(self) -> Coordinate:
-        """Kind of motion of the other body: rotation for a mass, translation for a joint."""
+        """The other kind of motion: rotation for a mass, translation for a joint."""
         return ON_LINE if self is TURNING else TURNING
 
     def name(self, number: str) -> str:
@@ -54,7 +57,7 @@ class Coordinate:
         return units.get(number, effort)
 
     def is_of(self, unit: str, quantity: str) -> bool:
-        """Return True if a unit is valid for a quantity of this kind of body.
+        """Return True if a unit is valid for a quantity of this kind of motion.
 
         The quantity is `position`, `velocity`, or the name of the force or torque.
         """

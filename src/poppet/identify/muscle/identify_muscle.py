@@ -171,7 +171,10 @@ def _table(fits: Mapping[str, ForceLawFit], ranked: Sequence[str], points: Muscl
 def _findings(
     points: MusclePoints, fits: Mapping[str, ForceLawFit], ranked: Sequence[str], selected: str
 ) -> Iterator[Note]:
-    """Yield findings on the ranking of the laws and on the points."""
+    """Yield findings on the comparison of the laws, and on the points.
+
+    `ranked` contains the names of the laws, the best first.
+    """
     largest, best = float(np.max(points.force)), fits[ranked[0]]
     errors = {name: fits[name].score for name in ranked}
     facts = {"law": ranked[0], "error": best.score, "part": 100.0 * best.score / largest, "errors": errors}
@@ -226,9 +229,9 @@ def _conditions(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
 
 
 def _series(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
-    """Return the curves of the report, with the measured points at some levels.
+    """Return the curves for the report, with measured points at some levels.
 
-    Without levels, the result contains all points.
+    A level is a nearly constant pressure or contraction. Without levels, the result contains all points.
     """
     axis, taut = points.groups[0], points.taut
     if axis not in ("pressure", "contraction"):

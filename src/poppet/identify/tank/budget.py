@@ -61,7 +61,10 @@ SOURCES = {
 
 @dataclass(frozen=True)
 class Uncertainties:
-    """Standard uncertainties of the stated quantities of a tank test; 0 for an exact quantity."""
+    """Standard uncertainties of the quantities that a tank test states.
+
+    The uncertainty of an exact quantity is 0.
+    """
 
     volume: float  # relative
     supply_pressure: float  # relative, of the absolute pressure
@@ -100,7 +103,10 @@ def read_uncertainties(test: TankTest, plan: FitPlan) -> Uncertainties:
 
 
 def _relative(argument: Any, name: str, unit: str, reference: float) -> float:
-    """Return a standard uncertainty as a fraction of a reference."""
+    """Return a standard uncertainty as a fraction of a reference value.
+
+    `argument` is the fraction, or an absolute value with the unit `unit`. `name` is the name for messages.
+    """
     location, meaning = f"uncertainties.{name}", "standard uncertainty"
     fraction = Field(unit="1", low=0.0, high=LARGEST, meaning=meaning)
     try:
@@ -116,10 +122,10 @@ def _relative(argument: Any, name: str, unit: str, reference: float) -> float:
 def add_budget(
     uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan, result: Result, ambient: Result
 ) -> Result:
-    """Add the uncertainty of the stated quantities to the standard errors and intervals of a result.
+    """Add the uncertainties of stated quantities to a result.
 
-    `result` has the intervals of the fit, and `ambient` those that include the ambient temperature. The Jacobian of the
-    fit propagates the errors linearly.
+    They increase the standard errors and intervals. `result` has the intervals of the fit, and `ambient` those that
+    include the ambient temperature. The Jacobian of the fit propagates the errors linearly.
     """
     changes = _residual_changes(runs, plan, result, uncertainties)
     if not changes:
@@ -168,9 +174,9 @@ def _budget_note(
 
 
 def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
-    """Return a result whose notes on single parameters agree with the final intervals and verdicts.
+    """Return a result whose notes agree with its final intervals and verdicts.
 
-    Limited verdicts have a finding of their own.
+    The notes are those on single parameters. Limited verdicts have a finding of their own.
     """
     capped = result.conditions.get("capped", {})
     free = [f for f in plan.free if f.name not in capped]
@@ -181,7 +187,10 @@ def update_parameter_notes(plan: FitPlan, result: Result) -> Result:
 
 
 def _widened(estimate: Estimate, error: float, low: float, high: float) -> Estimate:
-    """Return an estimate that includes a further standard uncertainty, within the bounds `low` and `high`."""
+    """Return an estimate with an additional standard uncertainty, `error`.
+
+    The interval stays within the bounds `low` and `high`.
+    """
     value, half = estimate.value, coverage_factor(math.inf) * error
     return replace(
         estimate,
@@ -226,8 +235,9 @@ def _local_model(plan: FitPlan, result: Result, errors: FloatArray) -> tuple[Flo
 
 
 def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray:
-    """Return the contribution of each error to the standard uncertainty of an estimate.
+    """Return the contribution of each error to the standard uncertainty.
 
+    `sensitivities` contains the change of an estimate by each error, and `moments` the second moments of the errors.
     The errors can be correlated: a negative contribution reduces the others.
     """
     products = sensitivities * (moments @ sensitivities)
@@ -239,9 +249,9 @@ def _contributions(sensitivities: FloatArray, moments: FloatArray) -> FloatArray
 def _residual_changes(
     runs: Sequence[TankRun], plan: FitPlan, result: Result, uncertainties: Uncertainties
 ) -> dict[str, FloatArray]:
-    """Return the change of the residuals by one standard uncertainty of each quantity.
+    """Return how the residuals change with each stated quantity.
 
-    Quantities that are exact, free or without effect are omitted.
+    A quantity changes by one standard uncertainty. Quantities that are exact, free or without effect are omitted.
     """
     fitted_runs = [run for run in runs if run.use == "fit"]
     is_fixed = {
@@ -278,7 +288,10 @@ def _residual_changes(
 
 
 def _scaled(experiment: Experiment, plan: FitPlan, name: str, factor: float) -> Experiment:
-    """Return an experiment with a scaled volume or supply pressure; a recorded supply is scaled as well."""
+    """Return an experiment in which a volume or a supply pressure is scaled.
+
+    `name` is the quantity, and `factor` the factor. A recorded supply pressure is scaled as well.
+    """
     address = VOLUME if name == "volume" else SUPPLY
     parameters, measurement = experiment.instance.parameters, experiment.measurement
     instance = experiment.instance

@@ -149,7 +149,7 @@ def identify_tank(
 
 
 def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -> Result:
-    """Widen the intervals of a result if the ambient temperature is unknown."""
+    """Widen the intervals of a result if the ambient temperature is not known."""
 
     # The temperature of the flowing gas is that of the supply or that in the tank.
     is_known = all(
@@ -174,7 +174,7 @@ def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -
 
 
 def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
-    """Add alternative models and notes to a result, and limit the verdicts of its estimates."""
+    """Add alternative models and notes to a result, and limit its verdicts."""
     number = f"{test.part}.sonic_conductance"
     if result.conditions["interrupted"] or number not in result.parameters:
         return result
@@ -229,7 +229,7 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
 
 
 def _is_equivalent_model(alternative: Alternative, result: Result, number: str) -> bool:
-    """Return True if an alternative model is a plausible explanation of the recordings.
+    """Return True if an alternative model explains the recordings equally well.
 
     If C of the other model is close to that of the fit, the other model must not have more free parameters.
     """
@@ -240,7 +240,7 @@ def _is_equivalent_model(alternative: Alternative, result: Result, number: str) 
 
 
 def _alternative_notes(alternatives: Sequence[Alternative], result: Result, number: str) -> list[Note]:
-    """Return notes on the best alternative model and on C under each alternative model.
+    """Return notes on the best alternative model, and on C in each of them.
 
     `number` is the address of C.
     """
@@ -298,10 +298,10 @@ def time_unit_notes(runs: Sequence[TankRun]) -> list[Note]:
 
 
 def _cap_verdicts(result: Result, missed: Collection[str]) -> Result:
-    """Change the verdict `determined` to `weak` for parameters with evidence against the model.
+    """Change the verdict `determined` to `weak` if there is evidence against the model.
 
     The item `capped` of the conditions of the result contains the reasons. `missed` contains the channels that the
-    model does not explain.
+    model does not describe.
     """
     reasons: dict[str, list[str]] = {}
     for note in result.remarks:

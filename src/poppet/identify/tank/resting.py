@@ -25,11 +25,11 @@ LEAST_REST = 0.01
 
 
 def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> float:
-    """Return the time for which the pressure is constant before it changes [s].
+    """Return how long the pressure is constant before it changes [s].
 
-    The result is 0 if a constant start is not evident. `time` starts at 0, and `noise` is the standard deviation of
-    the samples. A polynomial of degree 2 describes the pressure after the rest. A lag of the sensor, which also starts
-    with a zero slope, must describe the samples worse.
+    The result is 0 if a constant start is not evident. `time` starts at 0, and `noise` is the standard deviation of the
+    samples. A polynomial of degree 2 describes the pressure after the rest. A lag of the sensor, which also starts with
+    a zero slope, must describe the samples worse.
     """
     begin = float(np.median(values[: min(3, 1 + time.size // 50)]))
     change = np.abs(values - begin)
@@ -58,7 +58,10 @@ def rest_before_opening(time: FloatArray, values: FloatArray, noise: float) -> f
 
 
 def _after_rest(t: FloatArray, rest: float) -> tuple[FloatArray, FloatArray]:
-    """Return the first and second power of the time since the end of a rest."""
+    """Return the time since the end of a rest, and its square.
+
+    `t` contains the times, and `rest` is the duration of the rest.
+    """
     after = np.maximum(t - rest, 0.0)
     return after, after**2
 
@@ -70,12 +73,18 @@ def _with_lag(t: FloatArray, lag: float) -> tuple[FloatArray, FloatArray]:
 
 
 def _best(t: FloatArray, y: FloatArray, trials: FloatArray, basis: Basis) -> tuple[float, float]:
-    """Return the least chi-square of the trial values, and its trial value."""
+    """Return the least chi-square of several trial values, and the best value.
+
+    `basis` is a function that returns two functions of time for a trial value.
+    """
     return min((_chi_square(*basis(t, trial), y), trial) for trial in trials.tolist())
 
 
 def _chi_square(first: FloatArray, second: FloatArray, y: FloatArray) -> float:
-    """Return the sum of squares that a constant and two functions do not explain."""
+    """Return the sum of squares that remains after a linear fit.
+
+    The fit uses a constant and the functions `first` and `second`.
+    """
     columns = np.linalg.qr(np.column_stack((np.ones_like(y), first, second)))[0]
     left = y - columns @ (columns.T @ y)
     return float(left @ left)

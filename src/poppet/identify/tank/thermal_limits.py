@@ -35,7 +35,10 @@ SMALL = 0.3
 
 @dataclass(frozen=True)
 class UncertainFit:
-    """Optimum of a tank fit in which leak and supply pressure are free, with their normal priors."""
+    """Best fit of a tank test with uncertain leak and supply pressure.
+
+    Both are free and have normal priors.
+    """
 
     plan: FitPlan
     optimum: Optimum
@@ -52,7 +55,10 @@ class UncertainFit:
 
 @dataclass(frozen=True)
 class ThermalLimits:
-    """Fit with uncertain leak and supply, and the equivalent fits near the thermal limits."""
+    """Fits near the thermal limits that describe a charge equally well.
+
+    Leak and supply pressure are uncertain in these fits.
+    """
 
     local: UncertainFit  # from the optimum of the fit
     equivalent: tuple[UncertainFit, ...]  # optima that differ in C and that the data do not exclude
@@ -61,10 +67,10 @@ class ThermalLimits:
 def fit_thermal_limits(
     test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, number: str
 ) -> ThermalLimits | None:
-    """Return the fits of a charge from both thermal limits, with uncertain leak and supply pressure.
+    """Return the fits of a charge from both thermal limits.
 
-    The result is None if the test is not a charge with pressure only, if the fit already has equivalent optima, or if
-    leak and supply pressure are free in the fit. `number` is the address of C.
+    Leak and supply pressure are uncertain. The result is None if the test is not a charge with pressure only, if the
+    fit already has equivalent optima, or if leak and supply pressure are free in the fit. `number` is the address of C.
     """
     units = thermal_units(plan.experiments, plan.free)
     if not units or len(units) > 1 or any(run.direction != "charge" for run in runs):
@@ -119,7 +125,10 @@ def fit_thermal_limits(
 
 
 def thermal_limit_notes(limits: ThermalLimits, result: Result, number: str) -> list[Note]:
-    """Return a note for each equivalent fit near a thermal limit. `number` is the address of C."""
+    """Return a note for each equivalent fit near a thermal limit.
+
+    `number` is the address of C.
+    """
     notes, simple = [], result.parameters[number]
     for fit in limits.equivalent:
         values = fit.values
@@ -136,9 +145,9 @@ def thermal_limit_notes(limits: ThermalLimits, result: Result, number: str) -> l
 def _uncertain_plan(
     test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result, number: str
 ) -> FitPlan | None:
-    """Return the plan in which leak, supply pressure and sensor offset are free, with normal priors.
+    """Return the plan in which leak, supply pressure and sensor offset are free.
 
-    The result is None if both leak and supply pressure are free in the fit.
+    They have normal priors. The result is None if both leak and supply pressure are free in the fit.
     """
     changed: dict[str, object] = {}
     if test.leak_conductance in (None, 0.0):

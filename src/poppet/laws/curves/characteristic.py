@@ -156,9 +156,8 @@ class Characteristic:
     def parameters(self) -> dict[str, float]:
         """Return the run-time values of the characteristic by name.
 
-        These are the parameters in SI and values derived from them.
-
-        The names do not depend on the values, so a changed parameter does not change the compiled model.
+        They are the parameters in SI units, and values that are computed from them. The names do not depend on the
+        values, so a changed parameter does not change the compiled model.
         """
         return dict(self._own)
 
@@ -210,7 +209,7 @@ class Characteristic:
         return self._lowest - play[0] * (high - low), high + play[1] * (high - low)
 
     def outside(self, x_min: float, x_max: float, stops: tuple[float, float] = ANYWHERE) -> Note | None:
-        """Return a note if the strokes of a run exceed the domain, else None.
+        """Return a note if a run left the domain, and None otherwise.
 
         Parameters
         ----------
@@ -258,9 +257,9 @@ class Characteristic:
 
     @property
     def _lowest(self) -> float:
-        """Return the lowest stroke with known values [m].
+        """Return the lowest stroke at which the values of C and b are known [m].
 
-        With a closing law, the values are known at all lower strokes.
+        With a closing law, they are known at all lower strokes too.
         """
         return -math.inf if self.closing is not None and self.domain[0] <= 0.0 else self.domain[0]
 
@@ -277,7 +276,10 @@ class Characteristic:
         return clip(x, parameters["domain_start"], parameters["domain_end"]) if self._bounded else x
 
     def _operand(self, x: Any, name: str) -> Any:
-        """Convert a stroke to a value for calculation; reject invalid values."""
+        """Return a stroke in a form for calculation, after a check of its values.
+
+        `name` is the name of the curve for error messages.
+        """
         if is_symbolic(x):
             return x
         values = np.atleast_1d(np.asarray(x, dtype=float))
@@ -320,9 +322,10 @@ class Characteristic:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
 
     def _value_problems(self) -> Iterable[InputError]:
-        """Yield an error for each negative C or b outside 0..1 in the domain.
+        """Yield an error if C or b has an impossible value in the domain.
 
-        Extreme values occur at the ends of the domain or at turning points.
+        C must not be negative, and b must be between 0 and 1. Only the ends of the domain and turning points are
+        checked, because extreme values occur there.
         """
         for name, (symbol, unit) in _CURVES.items():
             curve = self._curve(name)
@@ -350,9 +353,9 @@ def _under(prefix: str, values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def _millimetres(x: float) -> str:
-    """Format a stroke in millimetres with sufficient digits.
+    """Return a stroke as text in millimetres, with sufficient digits.
 
-    For example, 1.0001 mm must differ from a limit of 1.00 mm.
+    For example, 1.0001 mm must look different from a limit of 1.00 mm.
     """
     value = 1e3 * x
     if value == 0.0:

@@ -261,27 +261,28 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
 
 
 def _pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
-    """Return C and b of pieces whose pressure drops at small flow are given.
+    """Divide a flow path into pieces in series; return C and b of each.
 
-    The first and the last piece have the given C if b is not below 0.
+    `drops` contains (1 - b)/C^2 of each piece, which determines its pressure drop at small flow. `first` and `last` are
+    the largest possible C of the first and the last piece.
     """
     sizes = [first, *[min(first, last)] * (len(drops) - 2), last]
     return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
 
 
 def _excess(pieces: Sequence[tuple[float, float]]) -> float:
-    """Return the flow capacity of the last piece in excess of the flow 1.
+    """Return by how much the choked flow of the last piece exceeds 1.
 
-    The result is negative if the capacity is smaller, and -1 if another piece is choked.
+    The flow through all pieces is 1. The result is -1 if another piece is choked.
     """
     pressure = _outlet_pressure(pieces[:-1], 1.0)
     return -1.0 if pressure is None else pieces[-1][0] * pressure - 1.0
 
 
 def _outlet_pressure(pieces: Iterable[tuple[float, float]], flow: float) -> float | None:
-    """Return the outlet pressure of pieces in series for an upstream pressure of 1.
+    """Return the outlet pressure of pieces in series, for an upstream pressure of 1.
 
-    The result is None if any piece is choked.
+    The result is None if any piece is choked by the flow `flow`.
     """
     pressure = 1.0
     for size, ratio in pieces:
@@ -301,7 +302,7 @@ def _bisected(low: float, high: float, rising: Callable[[float], float]) -> floa
 
 
 def _check_passages(passages: Iterable[tuple[float, float]]) -> list[tuple[float, float]]:
-    """Return the flow paths as a list of checked pairs of C and b.
+    """Check the C and b of several flow paths, and return them as floats.
 
     All errors are reported together, each with the index of the flow path.
     """

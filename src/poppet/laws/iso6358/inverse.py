@@ -341,9 +341,9 @@ def _choked_flow_per_pressure(number: dict[str, Any]) -> Any:
 
 
 def _drop_for_ratio(ratio: Any, number: dict[str, Any], one_way: bool) -> Any:
-    """Return the pressure drop at which the flow is the fraction `ratio` of the choked flow [Pa].
+    """Return the pressure drop for a given fraction of the choked flow [Pa].
 
-    `ratio` is below 1.
+    `ratio` is this fraction, below 1. `number` contains the parameters of the flow path.
     """
     width = 1.0 - number["laminar_ratio"]
     cracking = number["cracking_pressure"] / number["pressure_1"]
@@ -381,7 +381,10 @@ def _upstream_by_bisection(choking: Any, number: dict[str, Any], one_way: bool) 
 
 
 def _rising_root(function: Callable[[Any], Any], target: Any, low: Any, high: Any) -> Any:
-    """Return the argument at which an increasing function reaches `target`, by bisection."""
+    """Return the argument at which an increasing function has the value `target`.
+
+    The search is a bisection between `low` and `high`.
+    """
     # Not Newton's method: the slope of the law is zero where a flow path closes.
     for _ in range(60):
         middle = 0.5 * (low + high)

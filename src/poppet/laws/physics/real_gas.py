@@ -45,7 +45,7 @@ class RealGas:
 
 @dataclass(frozen=True)
 class Deviation:
-    """Deviation of an ideal gas from the real gas in one state.
+    """Differences between an ideal gas and the real gas in one state.
 
     Parameters
     ----------
@@ -134,9 +134,9 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
 
 
 def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
-    """Return the density of the gas relative to pc/(R Tc).
+    """Return the reduced density of a real gas, relative to pc/(R Tc).
 
-    The result is None for a liquid.
+    The result is None for a liquid. `virial` contains the virial coefficients.
     """
     reduced = temperature / gas.critical_temperature
     share = pressure / gas.critical_pressure
@@ -174,7 +174,10 @@ def _virial(temperature: float, gas: RealGas) -> _Virial:
 
 
 def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) -> tuple[float, float, float, float]:
-    """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R of the real gas."""
+    """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R of a real gas.
+
+    `virial` contains the virial coefficients and their derivatives.
+    """
     (b, b1, b2), (c, c1, c2) = virial
     z = 1.0 + b * density + c * density**2
     slope = 1.0 + 2.0 * b * density + 3.0 * c * density**2
@@ -186,9 +189,10 @@ def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) ->
 
 
 def _choked(density: float, temperature: float, gas: RealGas) -> float:
-    """Return the maximum of density times velocity on an isentrope, divided by sqrt(R).
+    """Return the choked mass flux of a real gas, divided by sqrt(R).
 
-    The integration uses steps of ln(density) and the midpoint rule.
+    It is the maximum of density times velocity on an isentrope. The integration uses steps of ln(density) and the
+    midpoint rule.
     """
 
     def rates(logarithm: float, temperature: float) -> tuple[float, float]:

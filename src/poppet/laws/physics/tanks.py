@@ -360,8 +360,8 @@ def isentrope_choked_charging_time(
 
 
 def _subsonic_angle(ratio: Any, critical_ratio: Any) -> Any:
-    """Return the angle on the quarter ellipse that corresponds to a pressure ratio [rad].
+    """Return the angle that describes a pressure ratio on the quarter ellipse [rad].
 
-    The angle is zero for choked flow.
+    The quarter ellipse is the subsonic part of the flow law. The angle is zero for choked flow.
     """
     return np.arcsin(np.clip((ratio - critical_ratio) / (1.0 - critical_ratio), 0.0, 1.0))

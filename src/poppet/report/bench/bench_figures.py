@@ -34,12 +34,15 @@ CurveValues = list[tuple[PlottedCurve, Any, Any]]
 
 
 def curves_of(result: BenchResult | None, test: str) -> list[PlottedCurve]:
-    """Return the curves of one test, or an empty list if there is no result."""
+    """Return the curves of one test in a bench result.
+
+    The list is empty if there is no result.
+    """
     return list(result.curves.get(test, ())) if result is not None else []
 
 
 def _pair() -> tuple[Figure, tuple[Any, Any]]:
-    """Return a figure with two axes side by side."""
+    """Return an empty figure with two axes side by side."""
     figure = new_figure(_WIDTH, _TOP + _HIGH + _FOOT)
     left, right = (axes_in(figure, edge, _TOP, _HALF, _HIGH) for edge in (_LEFT, _LEFT + _HALF + _GAP))
     return figure, (left, right)
@@ -121,7 +124,8 @@ def resolution_figure(result: BenchResult, reference: BenchResult | None = None)
 def _there_and_back(axes: Any, curves: CurveValues, reference: CurveValues, thick: tuple[str, ...]) -> None:
     """Draw the curves of each case (test condition) in one colour.
 
-    Curves with a name in `thick` are thick; their return curves are thin. The reference valve has no return curves.
+    Curves with a name in `thick` are drawn as thick lines, and their return curves as thin lines. The reference valve
+    has no return curves.
     """
     cases = _cases(curve for curve, _, _ in curves)
     for group, is_other in ((curves, False), (reference, True)):
@@ -196,14 +200,17 @@ def step_figure(result: BenchResult, reference: BenchResult | None = None) -> Fi
 
 
 def _size_of(case: str) -> str:
-    """Return the step size in the name of a case, without its sign: `80` for `+80 % FS, 1 l`."""
+    """Return the step size in the name of a case, without its sign.
+
+    For `+80 % FS, 1 l` the result is `80`.
+    """
     return case[1:].partition(" ")[0]
 
 
 def _volume_of(case: str) -> str:
-    """Return the load volume in the name of a case: `, 1 l` for `+80 % FS, 1 l`.
+    """Return the load volume in the name of a case, with its comma.
 
-    The text is empty if the name contains no volume.
+    For `+80 % FS, 1 l` the result is `, 1 l`. The text is empty if the name contains no volume.
     """
     return case.partition(",")[1] + case.partition(",")[2]
 

@@ -66,9 +66,9 @@ def value_text(value: float, unit: str, bound: str = "") -> str:
 
 
 def figure_text(figure: CharacteristicValue | None) -> str:
-    """Return a characteristic value with its 95 % confidence interval, or a dash for None.
+    """Return a characteristic value with its 95 % confidence interval as text.
 
-    The interval is omitted if it is negligible.
+    The interval is omitted if it is negligible. The text for None is a dash.
 
     Examples
     --------
@@ -97,9 +97,9 @@ def conditions_text(figure: CharacteristicValue) -> str:
 
 
 class _Sentences(NamedTuple):
-    """Function object that inserts characteristic values into sentences.
+    """Function object that completes sentences with characteristic values.
 
-    The result is empty if a value is missing. A phrase in square brackets is omitted if one of its values is missing.
+    If a value is missing, the result is empty. A phrase in square brackets is omitted if one of its values is missing.
     """
 
     figures: Mapping[str, CharacteristicValue]
@@ -119,12 +119,12 @@ class _Sentences(NamedTuple):
 
 
 def _bounded(figure: CharacteristicValue) -> str:
-    """Return a characteristic value for a sentence, for example `at most 0.5 % FS`."""
+    """Return a characteristic value for a sentence, such as `at most 0.5 % FS`."""
     return f"{figure.bound} {value_text(figure.value, figure.unit)}".strip()
 
 
 def verdict(result: BenchResult, test: str) -> str:
-    """Return the sentences that assess the results of one test."""
+    """Return sentences that evaluate the results of one test."""
     w = _Sentences(result.figures)
     span = f"Between {RANGE[0]:g} and {RANGE[1]:g} % FS the outlet is within"
     sensitivity = w.figures.get("supply_sensitivity")
@@ -200,7 +200,7 @@ _HEADINGS = {
 
 
 class SectionText(NamedTuple):
-    """Texts of the section on one test: title, caption and table columns."""
+    """Texts of one section of the bench report: title, caption and table columns."""
 
     title: str
     caption: str
@@ -208,9 +208,9 @@ class SectionText(NamedTuple):
     headings: Mapping[str, str] = MappingProxyType({})
 
     def column(self, key: str) -> tuple[str, str]:
-        """Return the heading and the unit of a table column.
+        """Return heading and unit of a table column.
 
-        The unit of a column with texts is `word`.
+        For a column with texts, the unit is `word`.
         """
         return {**_HEADINGS, **self.headings}.get(key, key.replace("_", " ")), _UNITS.get(key, "% FS")
 
@@ -279,9 +279,9 @@ _STANDARD = (
 
 
 def write_bench(result: BenchResult, path: str | Path, other: BenchResult | None = None) -> Path:
-    """Write the HTML report of a bench test; equal results give equal bytes.
+    """Write the report of a bench test as HTML.
 
-    `other` is the result of a reference valve.
+    `other` is the result of a reference valve. Equal results give equal bytes.
     """
     return write_page(path, lambda: bench_page(result, other))
 
@@ -316,7 +316,10 @@ def _head(result: BenchResult, reference: BenchResult | None, tests: list[str]) 
 
 
 def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | ReportTable]:
-    """Return the section on one test; its table has one row for each case (test condition)."""
+    """Return the section of the report on one test.
+
+    Its table has one row for each case (test condition).
+    """
     description, meaning, rows = DESCRIPTIONS[test], TESTS[test].meaning, result.rows.get(test, ())
     figure = ""
     if result.curves.get(test) and test in _FIGURES:
@@ -339,9 +342,9 @@ def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list
 
 
 def figure_table(result: BenchResult, reference: BenchResult | None = None) -> ReportTable:
-    """Return all characteristic values with their definitions.
+    """Return a table of all characteristic values with their definitions.
 
-    The values of a reference valve are in a second column.
+    A second column contains the values of the reference valve.
     """
     rows: list[list[Any]] = []
     headings = ["value ± 95 %"]
@@ -371,7 +374,7 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> R
 
 
 def _unbroken(text: str) -> str:
-    """Return a text with non-breaking spaces, so that it stays on one line."""
+    """Return a text that stays on one line, with non-breaking spaces."""
     return text.replace(" ", "\N{NO-BREAK SPACE}")
 
 

@@ -262,7 +262,10 @@ def hum_figure(result: LimitsResult) -> Figure:
 
 
 def swing_text(value: float) -> str:
-    """Return the amplitude of the outlet pressure [Pa] as text."""
+    """Return the amplitude of the outlet pressure as text.
+
+    `value` is the amplitude [Pa].
+    """
     if not math.isfinite(value):
         return "?"
     if value < STILL:
@@ -271,9 +274,10 @@ def swing_text(value: float) -> str:
 
 
 def _limiting(result: LimitsResult) -> list[list[str]]:
-    """Return the name of the limiting part for each cell of the map.
+    """Return the name of the limiting part for each cell of a map.
 
-    If the load limits the bandwidth, the most important part of the valve is also named if its effect is large enough.
+    This part limits the bandwidth. If the load is the limit, the most important part of the valve is also named if its
+    effect is large enough.
     """
 
     def word(point: Point | None) -> str:
@@ -288,7 +292,7 @@ def _limiting(result: LimitsResult) -> list[list[str]]:
 
 
 class _Line(NamedTuple):
-    """Position, size and content of one line of text in every cell of a map."""
+    """One line of text that each cell of a map contains: position, size and content."""
 
     up: float  # distance from the centre
     size: float  # of the font
@@ -304,9 +308,9 @@ def _write(axes: Any, values: Array, colour: Callable[[float], str], *lines: _Li
 
 
 def _known(values: Array, text: Callable[[float], str]) -> Callable[[Any], str]:
-    """Return a function that gives the text of a cell: a dash if its value is NaN.
+    """Return a function that formats the value of a cell.
 
-    `text` formats all other values.
+    The function returns a dash for NaN, and otherwise the result of `text`.
     """
     return lambda cell: "-" if math.isnan(values[cell]) else text(float(values[cell]))
 
@@ -316,7 +320,11 @@ def _array(grid: list[list[Any]]) -> Array:
 
 
 def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure, list[Any]]:
-    """Return a figure with `count` axes in one row, or in two rows for `2 * _MAX_COLUMNS` axes."""
+    """Return an empty figure with several axes of equal size.
+
+    The axes are in one row, or in two rows if `count` is `2 * _MAX_COLUMNS`. `right` and `gap` are the margin at the
+    right and the distance between axes.
+    """
     columns = _MAX_COLUMNS if count == 2 * _MAX_COLUMNS else count
     rows = count // columns
     figure = new_figure(_WIDTH, rows * (_TOP + height) + _FOOT + 0.1 * (rows - 1))
@@ -329,9 +337,10 @@ def _panels(count: int, height: float, right: float, gap: float) -> tuple[Figure
 
 
 def _spring_figure(result: LimitsResult, draw: Callable[[Any, float], Any], label: str) -> Figure:
-    """Draw a map of damping factors and load volumes for each factor on the spring rates.
+    """Draw one map for each factor on the spring rates.
 
-    `draw` draws one map; `label` is the label of the colour bar.
+    The axes of a map are damping factor and load volume. `draw` draws one map, and `label` is the label of the colour
+    bar.
     """
     plan = result.plan
     height = len(plan.dampings) * 0.52
@@ -353,7 +362,7 @@ def _mesh(axes: Any, values: Array, **options: Any) -> Any:
 def _heat(
     axes: Any, values: Array, limits: tuple[float, float], colours: str = "viridis"
 ) -> tuple[Any, Callable[[float], str]]:
-    """Draw a map with colours on a logarithmic scale.
+    """Draw a map of values in colours on a logarithmic scale.
 
     The second result is a function that returns a readable text colour for a value.
     """
@@ -386,7 +395,7 @@ def _liters(plan: LimitsPlan) -> list[str]:
 
 
 def _scales(axes: Any, x_scale: Scale, y_scale: Scale, *, is_first: bool = True, is_last: bool = True) -> None:
-    """Set the names and the tick labels of both axes.
+    """Set the names and tick labels of both axes of a map.
 
     Only the first panel of a row has labels at the left, and only the last row has labels at the bottom.
     """
@@ -415,12 +424,15 @@ def frequency_text(plan: LimitsPlan, value: float) -> str:
 
 
 def time_text(value: float) -> str:
-    """Return a time [s] as text in milliseconds."""
+    """Return a time as text in milliseconds.
+
+    `value` is the time [s].
+    """
     return f"{1e3 * value:.2g}" if value < 0.0995 else f"{1e3 * value:.0f}"
 
 
 def motion_text(motion: str, frequency: float) -> str:
-    """Return a text on the motion of the nonlinear model after a disturbance."""
+    """Return the motion of the nonlinear model after a disturbance as text."""
     if motion == OSCILLATES:
         return f"{frequency:.0f} Hz" if math.isfinite(frequency) and frequency > 0.0 else "oscillates"
     return "calm" if motion == DECAYS else motion

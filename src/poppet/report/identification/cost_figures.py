@@ -54,9 +54,10 @@ def contour_figure(table: Mapping[str, Any]) -> Figure:
 
 
 def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
-    """Draw the profile of chi-square versus one parameter.
+    """Draw the increase of chi-square versus one parameter (profile).
 
-    The figure also shows the limit of the 95 % interval and the parabola of the linear model.
+    `table` contains the profile of the parameter `name`. The figure also shows the limit of the 95 % interval and the
+    parabola of the linear model.
     """
     x, rise, limit = np.asarray(table["x"]), np.asarray(table["rise"]), float(table["limit"])
     unit = readable_unit(table["unit"], float(np.max(np.abs(x))))
@@ -91,7 +92,7 @@ def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
 
 
 def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[str, str]]) -> Figure:
-    """Draw the final cost of every search, and the start and end points of the searches.
+    """Draw the final costs of all searches, and their start and end points.
 
     `pair` contains the names and units of two parameters, whose plane shows the points. If it is empty, this panel is
     omitted.
@@ -129,7 +130,7 @@ def starts_figure(searches: Sequence[Mapping[str, Any]], pair: Sequence[tuple[st
 
 
 def _set_y_ticks(axes: Any, values: FloatArray) -> FloatArray:
-    """Set the ticks of the vertical axis, and return the positions of the values on it.
+    """Set the ticks of a vertical axis, and return the positions of values on it.
 
     The axis is logarithmic if the values span several decades.
     """
@@ -140,11 +141,10 @@ def _set_y_ticks(axes: Any, values: FloatArray) -> FloatArray:
 
 
 def _decades(values: FloatArray) -> tuple[FloatArray, tuple[FloatArray, list[str]] | None]:
-    """Return the positions of sorted values on an axis.
+    """Return the positions of sorted values on a logarithmic axis, and its ticks.
 
-    If the values span several decades, positions are decimal logarithms, and ticks at decades are returned too.
-
-    Zero is one decade below the smallest positive value. Without decades the positions are the values.
+    If the values do not span several decades, the positions are the values, without ticks. Otherwise they are decimal
+    logarithms, with ticks at decades. Zero is one decade below the smallest positive value.
     """
     positive = values[values > 0.0]
     if not positive.size or positive[-1] < MIN_DECADES_RATIO * positive[0]:

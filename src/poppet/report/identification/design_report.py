@@ -59,7 +59,7 @@ def design_text(design: Design, max_findings: int | None = None) -> str:
 
 
 def _joint_table(design: Design) -> ReportTable:
-    """Return the expected confidence intervals of the parameters after all recommended tests."""
+    """Return the expected confidence intervals after all recommended tests, as a table."""
     rows = []
     for name, p in design.together.items():
         unit = readable_unit(p.unit, p.value)
@@ -77,10 +77,10 @@ def _joint_table(design: Design) -> ReportTable:
 
 
 def _candidate_table(design: Design, n_max: int) -> ReportTable:
-    """Return the expected errors of the parameters after each candidate test alone.
+    """Return the expected errors of the parameters after each single test, as a table.
 
     An error is half of the 95 % interval relative to the value, as a geometric mean over the assumed values and the
-    samples of the priors. The criterion is computed from these errors. `n_max` limits the number of candidates.
+    samples of the priors. The criterion is computed from these errors. `n_max` limits the number of tests.
     """
     names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
     rows = [
@@ -100,7 +100,7 @@ def _ranking_caption(design: Design) -> str:
 
 
 def error_figure(design: Design) -> Figure:
-    """Draw the relative 95 % intervals after each of the best candidate tests.
+    """Draw the relative 95 % intervals after each of the best tests.
 
     Each parameter has one panel.
     """

@@ -57,7 +57,7 @@ class Trace:
 
     @property
     def is_timed(self) -> bool:
-        """True if the abscissas are times, as in a recording."""
+        """True if the horizontal axis is time, as in a recording."""
         return self.x_name == "time"
 
     @property
@@ -67,7 +67,10 @@ class Trace:
 
     @property
     def residual(self) -> FloatArray:
-        """Model minus measurement at each measured point; empty if one of them is not available."""
+        """Model minus measurement at each measured point.
+
+        The array is empty if one of them is not available.
+        """
         if not self.model.size or not self.measured.size:
             return np.zeros(0)
         if np.array_equal(self.x, self.curve_x):
@@ -83,7 +86,10 @@ def traces_of(result: Result) -> list[Trace]:
     """
 
     def array(table: Mapping[str, Any], key: str, like: FloatArray | None = None) -> FloatArray:
-        """Return a column as an array; it is empty if the column is missing or has another shape than `like`."""
+        """Return a column of a table as an array with the shape of `like`.
+
+        The array is empty if the column is missing or has another shape.
+        """
         values = np.asarray(table.get(key, ()), dtype=float)
         return values if values.ndim == 1 and (like is None or values.shape == like.shape) else np.zeros(0)
 
@@ -224,7 +230,10 @@ def _draw_channel(axes: Any, trace: Trace, curve: tuple[FloatArray, FloatArray] 
 
 
 def _draw_rings(axes: Any, trace: Trace, values: FloatArray, unit: str, indices: Sequence[int]) -> None:
-    """Mark outliers by rings around their points."""
+    """Mark outliers by rings around their points.
+
+    `indices` are the indices of the outliers.
+    """
     if indices:
         x, y = convert(trace.x[indices], trace.x_unit, _x_unit(trace)), convert(values[indices], trace.unit, unit)
         axes.plot(x, y, "o", markersize=11, markerfacecolor="none", color=ACCENT, label="off the law")
@@ -237,9 +246,9 @@ def legend_above(axes: Any, columns: int, **options: Any) -> None:
 
 
 def residual_deviation(trace: Trace) -> tuple[float, str]:
-    """Return the standard deviation with which residuals are compared, and its source.
+    """Return the standard deviation that a figure of residuals shows, and its source.
 
-    The source is `noise` if the noise is known; otherwise it is `rms`, the root mean square of the residuals.
+    The source is `noise` if the noise is known. Otherwise it is `rms`, the root mean square of the residuals.
     """
     if math.isfinite(trace.sigma) and trace.sigma > 0.0:
         return trace.sigma, "noise"
@@ -253,7 +262,10 @@ def residual_unit(trace: Trace) -> str:
 
 
 def _draw_statistics(figure: Figure, trace: Trace, residual_axes: Any) -> None:
-    """Draw the histogram of the residuals beside their axes, and their autocorrelation above it."""
+    """Draw the histogram and the autocorrelation of the residuals.
+
+    The histogram is beside the axes of the residuals, and the autocorrelation is above it.
+    """
     left, unit, finite = _LEFT + _MAIN + _GAP, residual_unit(trace), trace.residual[np.isfinite(trace.residual)]
     axes = axes_in(figure, left, _TOP + _UPPER + _BETWEEN, _SIDE, _LOWER, sharey=residual_axes)
     if finite.size:
@@ -292,7 +304,10 @@ def _draw_statistics(figure: Figure, trace: Trace, residual_axes: Any) -> None:
 
 
 def interval_figure(parameters: Mapping[str, Estimate]) -> Figure:
-    """Draw the 95 % interval of each parameter; every axis begins at zero."""
+    """Draw the 95 % interval of each parameter.
+
+    Each axis begins at zero.
+    """
     left = 0.35 + widest(list(parameters), 8.5)
     figure = new_figure(_WIDTH, _ROW * len(parameters) + 0.35)
     for row, (name, e) in enumerate(parameters.items()):
@@ -372,11 +387,10 @@ def correlation_figure(correlation: Mapping[str, Mapping[str, float]]) -> Figure
 
 
 def flow_curve(result: Result, trace: Trace) -> tuple[FloatArray, FloatArray] | None:
-    """Return the fitted flow law as a curve: pressure ratio p2/p1 and effective conductance.
+    """Return the fitted flow law as a curve for a figure.
 
-    The inlet pressure is the mean of the measured inlet pressures.
-
-    The result is None if a parameter of the flow law is not known.
+    The curve is the effective conductance versus p2/p1, at the mean of the measured inlet pressures. The result is None
+    if a parameter of the flow law is not known.
     """
     numbers = dict(result.conditions.get("fixed", {}))
     numbers |= {name.rpartition(".")[2]: e.value for name, e in result.parameters.items()}

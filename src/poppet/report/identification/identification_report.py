@@ -46,7 +46,10 @@ _WORST_FIRST = ("not determined", "at bound", "weak", "determined")
 
 
 def write_identification(result: Result, path: str | Path) -> Path:
-    """Write the HTML report of an identification; equal results give equal bytes."""
+    """Write the report of an identification as HTML.
+
+    Equal results give equal bytes.
+    """
     return write_page(path, lambda: identification_page(result))
 
 
@@ -107,7 +110,10 @@ def identification_page(result: Result) -> str:
 
 
 def _summary(result: Result, method: MethodReport) -> str:
-    """Return the title and the main results: a curve's band, or the parameters, the least certain first."""
+    """Return the title of the report, and its main results.
+
+    The results are the band of a fitted curve, or the parameters, the least certain first.
+    """
     declaration = METHODS.get(result.method)
     estimates = sorted(result.parameters.items(), key=lambda item: _WORST_FIRST.index(item[1].verdict))
     worst = estimates[0][1].verdict if estimates else "determined"
@@ -154,7 +160,7 @@ def _parameters(result: Result) -> list[str | ReportTable]:
 
 
 def _search_sections(result: Result) -> list[Section]:
-    """Return the sections on the searches and on the increase in chi-square around the optimum."""
+    """Return the sections on the searches and on chi-square near the optimum."""
     searches, series, content = result.conditions.get("searches", ()), result.series, list[str | ReportTable]()
     if len(searches) > 1:
         pair = []
@@ -178,7 +184,10 @@ def _search_sections(result: Result) -> list[Section]:
 
 
 def _channel(result: Result, index: int, trace: figures.Trace) -> str:
-    """Return the heading and the figure of a channel, with a caption that explains its bands."""
+    """Return the heading, the figure and the caption for one channel.
+
+    `index` is the index of the channel. The caption explains the bands.
+    """
     unit = figures.residual_unit(trace)
 
     def size(value: float) -> str:
@@ -215,8 +224,8 @@ def _channel(result: Result, index: int, trace: figures.Trace) -> str:
 
 
 def _text(code: str, **facts: float | str) -> str:
-    """Return a text of the report by its message code.
+    """Return a text of the report from the message catalogue.
 
-    `facts` are the values that are inserted into the text.
+    `code` is the code of the message. Keyword arguments are the facts that are inserted.
     """
     return sentence(f"identification.{code}", facts)

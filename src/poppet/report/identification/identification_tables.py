@@ -103,7 +103,7 @@ def error_text(value: float, error: float, si_unit: str) -> str:
 
 
 def verdict_word(verdict: str) -> Markup:
-    """Return a verdict as an HTML element with a colour."""
+    """Return a verdict as HTML with a colour that depends on the verdict."""
     return Markup(f'<span class="verdict {verdict.replace(" ", "-")}">{html.escape(verdict)}</span>')
 
 
@@ -159,7 +159,10 @@ def residual_table(result: Result) -> ReportTable:
 
 
 def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> str:
-    """Return a value with its unit, with the decimals at which the rms has three digits."""
+    """Return a residual as text with its unit.
+
+    The number of decimals is that with which the rms value has three digits.
+    """
     unit = unit or readable_unit(si_unit, rms)
     places = decimals(scaled(rms, si_unit, unit))
     text = number(scaled(value, si_unit, unit), None if places is None else places + 1)
@@ -217,7 +220,10 @@ def _condition(result: Result, name: str, value: Any) -> str:
 
 
 def plain_text(value: Any, unit: str) -> str:
-    """Return a value as text: numbers with a readable unit, truth values as `yes` or `no`."""
+    """Return a condition of a test as text.
+
+    Numbers have a readable unit. Truth values become `yes` or `no`.
+    """
     if isinstance(value, Number):
         text = value.display()
         return ": ".join(filter(None, (f"{text}, {value.source.kind}", value.source.locator)))
@@ -227,9 +233,9 @@ def plain_text(value: Any, unit: str) -> str:
 
 
 def main_parameters(result: Result) -> list[str]:
-    """Return the addresses of up to four parameters for tables of searches and optima.
+    """Return the addresses of the parameters that tables of searches and optima show.
 
-    If none of the preferred parameters was fitted, they are the first parameters of the result.
+    There are at most four. If none of the usual parameters was fitted, they are the first parameters of the result.
     """
     names = [name for name in result.parameters if name.rpartition(".")[2] in _MAIN_PARAMETERS]
     return (names or list(result.parameters))[:4]
@@ -284,7 +290,10 @@ def _interval_cell(value: float, low: float, high: float, si_unit: str) -> Marku
 
 
 def law_table(result: Result) -> ReportTable:
-    """Return a row for every thermal law: AICc above the best law, and estimates."""
+    """Return a table with a row for each thermal law.
+
+    A row contains AICc relative to the best law, and the estimates.
+    """
     laws, names = result.comparison["thermal_laws"], main_parameters(result)
     min_aicc = min(float(law["aicc"]) for law in laws.values())
     channels = list(next(iter(laws.values()))["rms"])
@@ -322,7 +331,7 @@ def _statistic(value: Any) -> str:
 
 
 def correlation_sentence(correlation: Mapping[str, Mapping[str, float]]) -> str:
-    """Return a sentence on the correlation of the first pair of estimates.
+    """Return a sentence on the correlation between the first two estimates.
 
     The text is empty without correlations.
     """

@@ -69,9 +69,9 @@ _SCALE = 1.12
 
 
 def card(title: str, lead: str, *blocks: Content) -> str:
-    """Return the HTML output of one object in a notebook.
+    """Return the HTML with which a notebook shows one object.
 
-    `title` and `lead` are text; `blocks` are HTML or tables.
+    `title` and `lead` are text. `blocks` contains HTML or tables.
 
     Examples
     --------
@@ -233,7 +233,10 @@ def limits_card(result: LimitsResult) -> str:
 
 
 def plot(recording: Columns) -> str:
-    """Return an SVG plot of the outputs that change, or an empty text if all are constant."""
+    """Return an SVG plot of all outputs that change.
+
+    The text is empty if all outputs are constant.
+    """
     if recording.time.size < 2:
         return ""
     pairs = zip(recording.names, recording.units, strict=True)
@@ -255,7 +258,10 @@ def plot(recording: Columns) -> str:
 
 
 def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> str:
-    """Return one panel of the plot as HTML: legend, limits of the scale and lines."""
+    """Return one panel of the notebook plot as HTML.
+
+    It contains legend, limits of the scale and lines. `span` contains both ends of the time axis.
+    """
     # First the first lines of all parts, then the second lines.
     counts: dict[str, int] = {}
     ranks: dict[str, int] = {}
@@ -286,15 +292,18 @@ def _panel(panel: Panel, colours: dict[str, str], span: tuple[float, float]) -> 
 
 
 def _end(value: float, span: float) -> str:
-    """Return the value at one end of a scale as text, rounded to about a thousandth of the span."""
+    """Return the value at one end of a scale as text.
+
+    The value is rounded to about a thousandth of `span`.
+    """
     decimals = 3 - math.floor(math.log10(span)) if span > 0.0 else 6
     return f"{round(value, decimals):z.6g}"
 
 
 def path(series: Series, span: tuple[float, float], scale: tuple[float, float]) -> str:
-    """Return a line as the attribute `d` of an SVG path.
+    """Return a line as the text of an SVG path.
 
-    Abscissas are in thousandths of the width. NaN interrupts the line.
+    Horizontal positions are in thousandths of the width. NaN interrupts the line.
 
     Examples
     --------

@@ -39,7 +39,7 @@ _BASELINE = {"top": "top", "center": "middle", "bottom": "bottom", "baseline": "
 def plot_data(figure: Figure) -> dict[str, Any] | None:
     """Return the data of a figure for an interactive plot.
 
-    The result is None for maps, drawings and other figures without curves.
+    The result is None for figures without curves, such as maps and drawings.
 
     Examples
     --------
@@ -78,14 +78,17 @@ def plot_data(figure: Figure) -> dict[str, Any] | None:
 
 
 def _box(figure: Figure, axes: Any) -> list[float]:
-    """Return the position of axes in a figure: left, top, width and height [in]."""
+    """Return the position of axes in a figure [in]: left, top, width and height."""
     width, height = figure.get_size_inches()
     box = axes.get_position()
     return [float(v) for v in (box.x0 * width, (1.0 - box.y1) * height, box.width * width, box.height * height)]
 
 
 class _PixelColumns:
-    """Collection of distinct columns of numbers, to which the plots refer by index."""
+    """Collection of different columns of numbers.
+
+    The plots of a page refer to the columns by their indices.
+    """
 
     def __init__(self) -> None:
         self.series: list[Any] = []
@@ -176,7 +179,7 @@ def _colour(value: Any, alpha: float | None = None) -> dict[str, Any]:
 
 
 def _lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
-    """Return the lines of a panel, and the straight lines that cross the whole panel."""
+    """Return the curves of a panel, and straight lines that cross the whole panel."""
     lines, rules = [], []
     for line in axes.lines:
         stroke = line.get_linestyle()
@@ -209,7 +212,10 @@ def _lines(axes: Any, columns: _PixelColumns) -> tuple[list[dict[str, Any]], lis
 
 
 def _filled(axes: Any, columns: _PixelColumns) -> tuple[list[Any], list[Any], list[Any]]:
-    """Return the filled shapes of a panel: bands between two lines, and boxes; and its separate segments."""
+    """Return filled shapes of a panel, and its separate line segments.
+
+    The shapes are bands between two lines, and boxes.
+    """
     from matplotlib.collections import LineCollection
     from matplotlib.patches import Rectangle
 

@@ -49,7 +49,10 @@ _TANKS = (
 
 
 class Verdict(enum.Enum):
-    """Verdict on a statement of the paper; the value is the printed text."""
+    """Verdict on a statement of the paper.
+
+    The value is the text of the verdict.
+    """
 
     HOLDS = "holds"
     FAILS = "does not hold"
@@ -58,9 +61,10 @@ class Verdict(enum.Enum):
 
 @dataclass(frozen=True)
 class Statement:
-    """Statement of the paper: code, truth, and the values in the text of the finding.
+    """Statement of the paper, with the result of its check.
 
-    The truth is None if the statement cannot be decided. The values are in the units of the text.
+    `holds` is True if the statement holds, and None if it cannot be checked. `facts` contains the values in the text of
+    the finding, in the units of that text.
     """
 
     code: str
@@ -241,9 +245,9 @@ def statements(results: runs.Findings) -> Iterator[Statement]:
 
 
 def _staircase(results: runs.Findings) -> tuple[float, float, float]:
-    """Return the minimum and the maximum pressure [bar], and the maximum relative error at the end of a step.
+    """Return smallest and largest pressure [bar], and the largest setpoint error, of a run.
 
-    They are taken over all tanks.
+    The error is the relative difference from the setpoint at the end of a step. All tanks are included.
     """
     run = results.staircase
     required = run["required.pressure"]
@@ -302,7 +306,10 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Re
 
 
 def _headline(results: runs.Findings, checked: Sequence[Statement]) -> str:
-    """Return the number of statements by verdict, and the main results, as HTML."""
+    """Return the first paragraphs of the report as HTML.
+
+    They contain the number of statements for each verdict, and the main results.
+    """
     counts, times = Counter(item.verdict for item in checked), results.fillings
     tally = {"holds": counts[Verdict.HOLDS], "fails": counts[Verdict.FAILS], "unknown": counts[Verdict.OPEN]}
     facts = {
@@ -393,7 +400,10 @@ def figure_4() -> Figure:
 
 
 def figure_6(findings: runs.Findings) -> Figure:
-    """Draw tank pressure versus time on the axes of fig. 6, and the temperature of the gas."""
+    """Draw the tank pressure over time as in fig. 6 of the paper.
+
+    The gas temperature is drawn below it.
+    """
     figure = new_figure(7.4, 5.9)
     upper = axes_in(figure, 0.75, 0.15, 6.45, 3.3)
     lower = axes_in(figure, 0.75, 3.65, 6.45, 1.7, sharex=upper)

@@ -49,7 +49,7 @@ _SETTLED = 0.02  # settling band relative to the travel
 
 @dataclass(frozen=True)
 class Filling:
-    """Result of filling the tank from 1 to 5 bar under one thermal law of the tank."""
+    """Result of filling the tank from 1 to 5 bar with one thermal law."""
 
     law: str
     time: float  # to 5 bar [s]
@@ -60,7 +60,7 @@ class Filling:
 
 @dataclass(frozen=True)
 class WallConductance:
-    """Wall conductances at which the temperature rise is as reported, for one supply pressure."""
+    """Wall conductances that explain the reported temperature rise, for one supply pressure."""
 
     supply: float  # absolute [Pa]
     for_peak: float  # if the rise is the maximum [W/K]
@@ -70,7 +70,7 @@ class WallConductance:
 
 @dataclass(frozen=True)
 class Findings:
-    """All values that the report states.
+    """All values that the report on the paper states.
 
     `results.json` contains most of them under the same names.
     """
@@ -100,7 +100,7 @@ class Findings:
 
     @property
     def wall(self) -> WallConductance:
-        """Wall conductances at the supply pressure that the report assumes."""
+        """Wall conductances for the supply pressure that the report assumes."""
         return next(wall for wall in self.walls if wall.supply == SUPPLY)
 
 
@@ -169,9 +169,9 @@ def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> Base
 
 
 def staged(mode: str, pilot: Signal | None = None, **tank: Any) -> BaseCircuit:
-    """Return a circuit of a supply, the main stage with its mechanics, and the tank.
+    """Return a circuit with a supply, a main stage with moving parts, and the tank.
 
-    Port 3 is connected to the ambient. `mode` is the model of the mechanics.
+    Port 3 is connected to the ambient. `mode` is the model of the moving parts, and `pilot` the pilot pressure.
     """
     valve = MainStage(supply="supply", outlet="tank", exhaust="ambient", data="varga2012", mode=mode)
     signals = {} if pilot is None else {"valve.pilot_pressure": pilot}
@@ -202,7 +202,7 @@ def staircase_circuit(**tank: Any) -> BaseCircuit:
 def suspected() -> Characteristic:
     """Return the printed polynomials with one changed digit of the coefficient k5.
 
-    The curves of fig. 3 suggest this misprint.
+    The axis range of fig. 3 suggests this misprint.
     """
     changed = assumed(SUSPECTED_K5, "m^3/(s Pa)", "one digit changed from the printed -2.2269e-6")
     return library.characteristic("varga2012").with_numbers({"sonic_conductance.k5": changed})
@@ -237,9 +237,9 @@ def _curve_findings() -> dict[str, Any]:
 
 
 def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[float, float]:
-    """Return stroke [m] and value at a minimum or maximum of a curve, for strokes from 0 to 1 mm.
+    """Return stroke [m] and value at an extremum of a curve.
 
-    It is the minimum if `sign` is 1, the maximum if it is -1.
+    The extremum is that for strokes from 0 to 1 mm: a minimum if `sign` is 1, and a maximum if it is -1.
     """
     strokes = np.linspace(0.0, 1e-3, 100_001)
     values = np.asarray(curve(strokes))
@@ -257,7 +257,7 @@ def _root(function: Callable[[float], Any], low: float, high: float, **tolerance
 
 
 def _filled(**options: Any) -> Recording:
-    """Run `filling` until the tank pressure is 5 bar."""
+    """Simulate the filling of the tank until its pressure is 5 bar."""
     return _run_to_target(filling(**options))
 
 
@@ -305,7 +305,10 @@ def _wall_conductance(supply: float) -> WallConductance:
 
 
 def _settling_time() -> float:
-    """Return the time after which the stroke stays within 2 % of its travel from the final value."""
+    """Return the settling time of the stroke.
+
+    After this time, the stroke stays within 2 % of its travel from the final value.
+    """
     run = staged("paper", Steps([0.0], [4e5])).simulate(0.05, 1e-5, 1e-6)
     stroke = run["valve.stroke"]
     away = np.abs(stroke - stroke[-1]) > _SETTLED * np.abs(stroke[-1] - stroke[0])

@@ -50,7 +50,9 @@ def plot_recordings(
     recordings: Mapping[str, Columns], path: str | Path | None = None, *, select: str | Iterable[str] | None = None,
     units: Mapping[str, str] | Sequence[str] | str | None = None, title: str = "", inner: bool = False,
 ) -> Figure:  # fmt: skip
-    """Draw recordings over one time axis: one panel per quantity, and a timeline of regimes.
+    """Draw recordings over a common time axis.
+
+    There is one panel for each quantity, and a timeline for flow regimes and other codes.
 
     Notes
     -----
@@ -99,7 +101,7 @@ _TIME_UNITS = ((1.0, "ms", 1e-3), (1800.0, "s", 1.0), (14400.0, "min", 60.0), (f
 
 
 class Sheet:
-    """Layout and content of one figure of recordings.
+    """Figure of one or several recordings: its content and its layout.
 
     `select` contains names or patterns of the series to draw. `units` maps names or patterns to units, or is a list of
     units. If `inner` is True, internal outputs are drawn as well.
@@ -206,9 +208,9 @@ class Sheet:
             top += _KEY_ROW
 
     def _row(self, handles: Sequence[Any], texts: Sequence[str], y: float, handlelength: float) -> None:
-        """Draw a legend of one line at the height `y`, outside the axes.
+        """Draw a legend of one line outside the axes, at the height `y`.
 
-        `handles` are the drawn symbols, and `handlelength` is their length.
+        `handles` are the drawn symbols, `texts` their labels, and `handlelength` is the length of a symbol.
         """
         options = {"bbox_to_anchor": (_LEFT / self.across, y), "handlelength": handlelength}
         _legend(self.figure, handles, texts, **options, ncols=len(texts), columnspacing=1.4)
@@ -308,7 +310,7 @@ class Sheet:
 def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
     """Assign a colour to each part of the circuit.
 
-    A part has the same colour in all panels, and the parts of a panel have different colours.
+    The part keeps its colour in all panels, and the parts of one panel have different colours.
     """
     together = [dict.fromkeys(name.partition(".")[0] for name in panel.names) for panel in panels]
     homes: dict[str, str] = {}
@@ -322,7 +324,8 @@ def home_colours(panels: Sequence[Panel]) -> dict[str, str]:
 def panel_colours(panel: Panel, homes: Mapping[str, str]) -> dict[str, str]:
     """Return the colour of each series in a panel.
 
-    The first series of a part has the colour of the part (`homes`). Further series have unused colours.
+    `homes` contains the colour of each part. The first series of a part has this colour, and its other series have
+    unused colours.
     """
     colours: dict[str, str] = {}
     remaining = []
@@ -342,14 +345,14 @@ def _legend(owner: Any, handles: Sequence[Any], texts: Sequence[str], **options:
 
 
 def _fill(style: CodeStyle) -> dict[str, Any]:
-    """Return the Matplotlib options for the area of a code in the timeline."""
+    """Return the Matplotlib options for the area of a state code in the timeline."""
     if style.is_hatched:
         return {"facecolor": style.colour, "edgecolor": "white", "linewidth": 0.0, "hatch": "////"}
     return {"facecolor": style.colour, "edgecolor": "none", "linewidth": 0.0}
 
 
 def time_unit(span: float) -> tuple[str, float]:
-    """Return the unit of a time axis and the size of this unit [s].
+    """Return the unit of a time axis, and the length of this unit in seconds.
 
     `span` is the length of the time axis [s].
     """
@@ -357,7 +360,10 @@ def time_unit(span: float) -> tuple[str, float]:
 
 
 def axis_unit(panel: Panel) -> str:
-    """Return the unit of a panel in brackets; for absolute pressures, the text includes "absolute"."""
+    """Return the text of an axis label for the unit of a panel, in brackets.
+
+    For absolute pressures, the text includes the word "absolute".
+    """
     if panel.unit in ("1", ""):
         return "[1]"
     is_pressure = panel.quantity == "pressure" and not panel.unit.endswith("g")
@@ -370,11 +376,10 @@ WIDTH, HEIGHT = 7.0, 2.2  # width of the figure and height of a panel [in]
 def plot_fitted_series(
     tables: Mapping[str, Mapping[str, Any]], path: str | Path | None = None, *, title: str = ""
 ) -> Figure:
-    """Draw measured and fitted series, with one panel for each table.
+    """Draw measured and fitted series.
 
-    Each table contains `measured` and `model` over `time` or `x`.
-
-    The optional series `low` and `high` of a table are the limits of a band about the model.
+    Each table has a panel of its own. It contains `measured` and `model` over `time` or `x`. The optional columns `low`
+    and `high` are the limits of a band around the model.
 
     Examples
     --------

@@ -100,7 +100,7 @@ def read_mdf(path: Path, *, group: str | int | None = None) -> Table:
 
 
 def known(metadata: Any) -> dict[str, Any]:
-    """Return the metadata of a poppet recording as a dictionary.
+    """Return the metadata of a recording that poppet has written, as a dictionary.
 
     The result is empty if another program wrote the file.
     """
@@ -156,7 +156,7 @@ def _vectors(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str
 
 
 def arrow() -> Any:
-    """Import and return the package pyarrow."""
+    """Import the package pyarrow, and return it."""
     with needed("pyarrow", "A Parquet file", "data"):
         import pyarrow
         import pyarrow.parquet
@@ -164,9 +164,9 @@ def arrow() -> Any:
 
 
 def table_in(path: Path, columns: list[str] | None = None) -> Any:
-    """Return the pyarrow table of a Parquet file.
+    """Return the content of a Parquet file as a pyarrow table.
 
-    `columns` selects columns; the default is all columns.
+    `columns` selects columns. The default is all columns.
     """
     package = arrow()
     path.open("rb").close()  # gives the usual error for a missing file
@@ -247,7 +247,7 @@ def read_table(
 
 
 def read_with(reader: Callable[[Path], Found], path: Path) -> Found:
-    """Call a reader with a path, and add the name of the file to each error."""
+    """Call the function `reader` with a path, and add the file name to each error."""
     try:
         return reader(path)
     except OSError as problem:

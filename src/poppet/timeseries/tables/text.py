@@ -56,7 +56,7 @@ class _TextLayout:
         return any(map(self.is_number, self.cells(text)))
 
     def is_sample(self, text: str) -> bool:
-        """Return True if a line contains a sample and not a heading.
+        """Return True if a line contains a sample, and False for a heading.
 
         A sample has a number in its first cell, or in all numeric columns.
 
@@ -77,7 +77,7 @@ def read(
 ) -> Table:
     """Read the columns of a text file.
 
-    The function guesses the options that are None and adds notes on the guesses.
+    Options that are None are detected from the text, and notes report the detected values.
     """
     text, bad_line = _text(path)
     notes = [Note("table.latin_1")] if bad_line else []
@@ -127,9 +127,10 @@ def read(
 
 
 def read_exact(path: Path) -> Table:
-    """Read the CSV file of a recording: UTF-8 with a heading line and a number in every cell.
+    """Read a CSV file that poppet has written, without guessing its layout.
 
-    The names in the table are the complete headings with their units. The function omits and guesses nothing.
+    The file is UTF-8, with a heading line and a number in each cell. The names in the table are the complete headings
+    with their units.
     """
     text, bad_line = _text(path)
     if bad_line:
@@ -156,9 +157,9 @@ def read_exact(path: Path) -> Table:
 
 
 def _text(path: Path) -> tuple[str, int]:
-    """Return the text of a file, and the number of the first line that is not UTF-8.
+    """Return the text of a file, and its first line that is not UTF-8.
 
-    The number is 0 if the file is UTF-8 or UTF-16. Otherwise, the text is decoded as Latin-1.
+    The line number is 0 if the whole file is UTF-8 or UTF-16. Otherwise the text is decoded as Latin-1.
     """
     with path.open("rb") as file:
         content = file.read(LARGEST_TEXT + 1)  # a device has no size and can be endless
@@ -181,9 +182,10 @@ def _lines(text: str) -> list[Line]:
 
 
 def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
-    """Return the layout (separator and decimal sign) with which most cells are numbers.
+    """Return the layout with which most cells of the lines are numbers.
 
-    If several layouts are equally good, the result is the one with the most columns.
+    A layout consists of column separator and decimal sign, from `separators` and `decimals`. If several are equally
+    good, the one with the most columns is returned.
     """
     sample = [text for _, text in (*lines[:: 1 + len(lines) // _BETWEEN], *lines[-_LAST:])]
     choices = [(s, d) for s in separators for d in decimals if s != d]
@@ -215,10 +217,10 @@ def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[
 def _headings(
     head: list[Line], comments: list[Line], layout: _TextLayout, body: list[Line]
 ) -> tuple[list[str], list[str], list[Note]]:
-    """Return the names and units of the columns, with notes.
+    """Return the names and the units of all columns, with notes.
 
-    Names are in the last header line. If the last header line contains only units, names are in the line above.
-    Without suitable header lines, the names come from a comment line or are generated.
+    The names are in the last line above the values (`body`). If that line contains only units, the names are in the
+    line above it. Without such lines, the names come from a comment, or are generated.
     """
     rows = [layout.cells(text) for _, text in head]
     units = [unit_of(cell.strip("[]()")) for cell in rows[-1]] if len(rows) > 1 else []
@@ -261,10 +263,10 @@ def _columns(body: list[Line], layout: _TextLayout, names: list[str]) -> tuple[l
 
 
 def _all_numbers(texts: list[str], delimiter: str | None, width: int) -> FloatArray | None:
-    """Convert lines that contain only numbers to columns, shape (width, n).
+    """Convert lines that contain only numbers to columns, (width, n).
 
-    The function is fast, so the readers try it first. The result is None if a cell is empty or is not a number, or if
-    the number of columns is not `width`.
+    This fast function is tried first. The result is None if a cell is empty or is not a number, or if a line does not
+    have `width` cells.
     """
     try:
         table = np.loadtxt(texts, delimiter=delimiter, comments=None, quotechar='"', ndmin=2)
