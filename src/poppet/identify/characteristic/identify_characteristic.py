@@ -140,7 +140,8 @@ def identify_characteristic(
     -------
     Result
         Coefficients of the stroke in mm, highest power first, or values at the knots, with intervals. `series` has the
-        curves with 95 % bands and the points of the tests.
+        curves with 95 % bands, and the points of the tests. A band contains the true value at a stroke with a
+        probability of 95 %, not the whole curve.
 
     Raises
     ------
@@ -413,7 +414,7 @@ def _conditions(
         "tested": [float(options.strokes[0]), float(options.strokes[-1])],
         **({"knots": list(knots)} if knots else {"argument_unit": "mm"}),
         "common_uncertainty": list(common),
-        "bands": f"bootstrap of {options.bootstrap}" if options.bootstrap else "delta method",
+        "bands": (f"bootstrap of {options.bootstrap}" if options.bootstrap else "delta method") + ", at each stroke",
         "evaluations": fit.evaluations,
         "tests": {
             label: [float(v) for v in (e.stroke, *e.centre, *e.uncertainty)]
