@@ -9,13 +9,18 @@ import dataclasses
 from collections import defaultdict
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.core.provenance import Number, Source
 from poppet.core.units import quantity
 from poppet.parts.fields import GroupSpec, MemberSpec, Spec, attribute, specs
 from poppet.parts.part import Part
+
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+_Owner = TypeVar("_Owner", bound="DataclassInstance")
 
 
 def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
@@ -54,7 +59,7 @@ def change_values(owners: Mapping[str, Any], values: Mapping[str, Any]) -> dict[
     return result
 
 
-def _change_owner(owner: Any, name: str, changes: Mapping[str, Any], inherited: Sequence[str] = ()) -> Any:
+def _change_owner(owner: _Owner, name: str, changes: Mapping[str, Any], inherited: Sequence[str] = ()) -> _Owner:
     """Return a copy of a part or section with changed fields.
 
     `owner` is the part or section, and `name` its name. `changes` maps paths such as `volume`, which do not contain
@@ -76,7 +81,7 @@ def _change_owner(owner: Any, name: str, changes: Mapping[str, Any], inherited: 
         raise error.within(name) from None
 
 
-def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> Any:
+def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any], inherited: Sequence[str]) -> object:
     """Return the new value of one field of a part.
 
     `changes` maps paths inside the field to new values. An empty path replaces the whole field. `owner` is the part
@@ -107,7 +112,7 @@ def _change_field(owner: Any, name: str, field: str, changes: Mapping[str, Any],
     return current
 
 
-def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -> Any:
+def _change_nested(current: Any, spec: Spec, name: str, path: str, value: Any) -> object:
     """Return a copy of a group or characteristic in which one parameter is changed.
 
     `current` is the present group or characteristic, or None if the part has none. `path` is the name of the parameter

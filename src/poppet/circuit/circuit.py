@@ -125,7 +125,7 @@ class BaseCircuit(HtmlMixin):
             signals = {a: signal for a, signal in self.signals.items() if a.partition(".")[0] not in checked}
             check_signals(errors, signals, self.inputs, self.parameters)
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[type[Self], tuple[Any, ...]]:
         # Copies and other processes get only the fields and derive the rest.
         values = (getattr(self, f.name) for f in fields(self) if f.init)
         return type(self), tuple(dict(value) if isinstance(value, MappingProxyType) else value for value in values)

@@ -135,10 +135,11 @@ class _Parts:
                 # Last, because a gauge value below vacuum raises an error here.
                 self.numbers |= {f"{name}.{key}": value for key, value in part.parameters(surroundings).items()}
 
-    def _value(self, key: str, value: Any) -> Any:
+    def _value(self, key: str, value: object) -> object:
         # Paths are relative to the folder of the file, as for signals.
-        is_path = key == "characteristic" and isinstance(value, str) and value.endswith(".toml")
-        return str(self.folder / value) if is_path else value
+        if key == "characteristic" and isinstance(value, str) and value.endswith(".toml"):
+            return str(self.folder / value)
+        return value
 
     def signals(self, tables: Mapping[str, Any]) -> dict[str, Any]:
         """Return a mapping from input addresses to the signals of the file."""

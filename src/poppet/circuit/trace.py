@@ -9,7 +9,7 @@ from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from graphlib import CycleError, TopologicalSorter
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from poppet.core.errors import ErrorCollector, InputError, NameSuggestion
 from poppet.engine.model import FlowInfo, InputInfo, Model, StateInfo, StoreInfo
@@ -32,6 +32,9 @@ from poppet.parts.part import (
     Store,
     Surroundings,
 )
+
+if TYPE_CHECKING:
+    import casadi
 
 SURROUNDINGS = (
     "ambient.pressure",
@@ -316,14 +319,15 @@ class _Tracer:
             resolved.append((self.joined[target], self._substitute(expressions[target], resolved)))
         return resolved
 
-    def _substitute(self, expression: Any, connected: Sequence[tuple[Any, Any]]) -> Any:
+    def _substitute(self, expression: casadi.SX, connected: Sequence[tuple[Any, Any]]) -> casadi.SX:
         """Return an expression in which connected inputs are replaced by their expressions."""
         if not connected or expression.is_empty():
             return expression
         symbols, values = zip(*connected, strict=True)
-        return self.ca.substitute([expression], list(symbols), list(values))[0]
+        substituted: casadi.SX = self.ca.substitute([expression], list(symbols), list(values))[0]
+        return substituted
 
-    def _update(self, scopes: Mapping[str, Scope], connected: Sequence[tuple[Any, Any]], fired: Any) -> Any:
+    def _update(self, scopes: Mapping[str, Scope], connected: Sequence[tuple[Any, Any]], fired: Any) -> casadi.SX:
         """Return the discrete states after a sample instant.
 
         `fired` contains 1 for each timer that is due. The timers act one after the other, each on the result of the

@@ -336,9 +336,21 @@ class MeasuredLoop(Plant):
         circuit = replace(circuit, run=replace(circuit.run, stop_when=None))
         if self.begins:
             circuit = circuit.with_values({self.begins: target})
-        steady_run, value, command = self._run_to_steady_state(
-            replace(circuit, signals={**signals, f"{name}.setpoint": Constant(target)}), target
-        )
+        controlled = replace(circuit, signals={**signals, f"{name}.setpoint": Constant(target)})
+        duration = max(float(controlled.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
+        previous, steady_run = np.inf, None
+        self.report_progress(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.shown(target))}")
+        # Until the mean command in the second half of a run is constant.
+        for _ in range(_RUNS):
+            steady_run = controlled.simulate(duration, start=steady_run)
+            is_late = steady_run.time > 0.5 * duration
+            outputs = self.loop.shown, f"{name}.command"
+            value, command = (float(np.mean(steady_run[output][is_late])) for output in outputs)
+            if abs(command - previous) <= _QUIET * min(self.amplitudes):
+                break
+            previous = command
+        else:
+            raise SimulationError(Note("tuning.not_held", self.measurement, **self.shown(target)))
         gains = part.gains_at(Scope(numbers, {}, {}, circuit.surroundings), value, value)
         derivative_time = float(gains["derivative_time"])
         filter_time = numbers["derivative_filter"] if derivative_time > 0.0 else self.loop.sample_time
@@ -352,25 +364,6 @@ class MeasuredLoop(Plant):
         )
         driven = driven.resumed(steady_run).with_values({f"{name}.initial_integral": 0.0})
         return SettledPlant(driven, steady_run, value, command, weak_gains, self.loop, self.sticking)
-
-    def _run_to_steady_state(self, circuit: BaseCircuit, target: float) -> tuple[Recording, float, float]:
-        """Run a circuit until the mean of the command is constant.
-
-        The result contains the last run, and the means of measurement and command in its second half. `target` is the
-        setpoint.
-        """
-        duration = max(float(circuit.run.duration or 0.0), 1000.0 * self.loop.sample_time)  # type: ignore[arg-type]
-        previous, start = np.inf, None
-        self.report_progress(f"the loop comes to rest at {'{value:.4g} {unit}'.format(**self.shown(target))}")
-        for _ in range(_RUNS):
-            run = start = circuit.simulate(duration, start=start)
-            is_late = run.time > 0.5 * duration
-            outputs = self.loop.shown, f"{self.controller}.command"
-            value, command = (float(np.mean(run[output][is_late])) for output in outputs)
-            if abs(command - previous) <= _QUIET * min(self.amplitudes):
-                return run, value, command
-            previous = command
-        raise SimulationError(Note("tuning.not_held", self.measurement, **self.shown(target)))
 
     def _sweep(self, settled: SettledPlant, size: float) -> MeasuredPlant:
         """Measure the frequency response of the plant with sines of one amplitude, `size`.

@@ -208,8 +208,19 @@ class Plant:
             # A recording of one row: the state at which the model is made.
             units = dict(instance.model.outputs)
             row = Recording.from_series([0.0], {f"{name} [{units[name]}]": [y] for name, y in steady.y.items()})
-            models[branch] = linearise(instance, self._inputs(nudged), at=row)
-            self._check_response(models[branch], branch, inputs)
+            models[branch] = model = linearise(instance, self._inputs(nudged), at=row)
+            index = model.outputs.index(self.measurement)
+            # The first nonzero C A^k B has the sign of the initial response.
+            state_rate = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
+            effect = float(model.C[index] @ state_rate)
+            for _ in model.states if effect == 0.0 else ():
+                state_rate = model.A @ state_rate
+                effect = effect or float(model.C[index] @ state_rate)
+            if not effect > 0.0:
+                code = "beyond_exhaust" if branch == "vent" else "beyond_supply"
+                code = f"plant.{code if effect else 'dead_zone'}"
+                facts = {"inputs": tuple(inputs), "branch": branch, **self.shown(model.y[index])}
+                raise InputError(code, self.measurement, **facts)
         return OperatingPoint(steady.y[self.measurement], command, models, weights)
 
     def _with_initial_value(self, target: float) -> Instance:
@@ -241,21 +252,6 @@ class Plant:
     def _inputs(self, command: float) -> dict[str, float]:
         values = {"command": command, "fill_command": max(command, 0.0), "vent_command": max(-command, 0.0)}
         return {target: values[output] for output, targets in self.commands.items() for target in targets}
-
-    def _check_response(self, model: LinearModel, branch: str, inputs: Mapping[str, float]) -> None:
-        row = model.outputs.index(self.measurement)
-        input_effect = sum(model.B[:, model.inputs.index(target)] * weight for target, weight in inputs.items())
-        # The first nonzero C A^k B has the sign of the initial response.
-        state_rate, derivatives = input_effect, [input_effect]
-        for _ in model.states:
-            state_rate = model.A @ state_rate
-            derivatives.append(state_rate)
-        effects = [effect for derivative in derivatives if (effect := float(model.C[row] @ derivative))]
-        if effects and effects[0] > 0.0:
-            return
-        code = "beyond_exhaust" if branch == "vent" else "beyond_supply"
-        code = f"plant.{code if effects else 'dead_zone'}"
-        raise InputError(code, self.measurement, inputs=tuple(inputs), branch=branch, **self.shown(model.y[row]))
 
 
 def point_label(plant: Plant, value: float, branch: str) -> str:

@@ -406,33 +406,23 @@ def _tune_points(
     by_name = dict(zip(plants, loop_margins, strict=True))
     values, commands = zip(*((point.value, point.command) for point in points), strict=True)
     result = TunedPoint(gains, factor, 1.0, 0.0, by_name, values, commands, plants)
-    if isinstance(plant, MeasuredLoop):
-        return _choose_weight_by_runs(plant, replace(result, vent_factor=plant.vent_factor), bound, form)
+    # The largest setpoint weight with an acceptable overshoot; a measured loop is tested in verification runs.
     for weight in _weights(gains):
-        overshoot = 0.0
-        for sampled, sampled_margins in zip(plants.values(), loop_margins, strict=True):
-            length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(sampled_margins.crossover, 1e-9)))
-            samples = min(_SAMPLES, int(20.0 * length / sampled.sample_time))
-            overshoot = max(overshoot, float(np.max(step_response(sampled, gains, weight, samples))) - 1.0)
+        if isinstance(plant, MeasuredLoop):
+            result = replace(result, vent_factor=plant.vent_factor, setpoint_weight=weight)
+            circuit = _make_tuning(plant, (result,), bound, form).applied(plant.loop.circuit)
+            verifications = [plant.verify(circuit, value, gains, by_name) for value in values]
+            result = replace(result, verified=tuple(itertools.chain(*verifications)))
+            overshoot = max(verification.overshoot for verification in result.verified) / 100.0
+        else:
+            overshoot = 0.0
+            for sampled, sampled_margins in zip(plants.values(), loop_margins, strict=True):
+                length = max(gains.integral_time, 1.0 / (2.0 * np.pi * max(sampled_margins.crossover, 1e-9)))
+                samples = min(_SAMPLES, int(20.0 * length / sampled.sample_time))
+                overshoot = max(overshoot, float(np.max(step_response(sampled, gains, weight, samples))) - 1.0)
         if overshoot <= _OVERSHOOT:
             break
     return replace(result, setpoint_weight=weight, overshoot=overshoot)
-
-
-def _choose_weight_by_runs(plant: MeasuredLoop, point: TunedPoint, bound: float, form: str) -> TunedPoint:
-    """Choose the largest setpoint weight with which simulated steps have acceptable overshoot.
-
-    The returned point contains these simulations.
-    """
-    for weight in _weights(point.gains):
-        point = replace(point, setpoint_weight=weight)
-        circuit = _make_tuning(plant, (point,), bound, form).applied(plant.loop.circuit)
-        verifications = tuple(plant.verify(circuit, value, point.gains, point.margins) for value in point.values)
-        point = replace(point, verified=tuple(itertools.chain(*verifications)))
-        point = replace(point, overshoot=max(verification.overshoot for verification in point.verified) / 100.0)
-        if point.overshoot <= _OVERSHOOT:
-            break
-    return point
 
 
 def _weights(gains: Gains) -> tuple[float, ...]:

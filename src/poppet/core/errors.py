@@ -5,6 +5,7 @@ Each message consists of the invalid input, the reason and the hint.
 
 from __future__ import annotations
 
+import copyreg
 import difflib
 import warnings
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -95,8 +96,8 @@ class InputError(PoppetError, ValueError):
         return f"{location}{self.given} {self.reason} {self.hint}"
 
     # By default, an exception is restored from its `args` and would lose its facts between processes.
-    def __reduce__(self) -> Any:
-        return _restore, (type(self), self.__dict__)
+    def __reduce__(self) -> tuple[Any, ...]:
+        return copyreg.__newobj__, (type(self),), self.__dict__  # type: ignore[attr-defined]
 
     def at(self, address: str) -> InputError:
         """Set the address of the error, and return the error.
@@ -298,13 +299,3 @@ class NameSuggestion:
     def __str__(self) -> str:
         code = "near.names" if self.names else "near.all" if self.valid_names else "near.none"
         return message_format.sentence(code, {"names": self.names or self.valid_names})
-
-
-def _restore(kind: type[InputError], state: dict[str, Any]) -> InputError:
-    """Create an error from its stored attributes, for example in another process.
-
-    `kind` is the class of the error, and `state` contains the attributes.
-    """
-    error = kind.__new__(kind)
-    error.__dict__.update(state)
-    return error

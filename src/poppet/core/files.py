@@ -25,7 +25,9 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     target = Path(os.path.realpath(path))
     if not target.parent.is_dir():
         raise InputError("files.no_folder", path=str(path), folder=str(target.parent))
-    start = f".{target.name}.{_host()}-"
+    # Processes of other hosts can write to a shared folder, but this host cannot detect whether they run.
+    host = zlib.crc32(os.uname().nodename.encode()) if hasattr(os, "uname") else 0
+    start = f".{target.name}.{host:08x}-"
     # In the same folder: a rename across file systems is a copy, which is not atomic.
     aside = target.with_name(f"{start}{os.getpid()}-{uuid.uuid4().hex[:12]}")
     with os.scandir(target.parent) as entries:
@@ -45,15 +47,6 @@ def write_whole(path: Path, fill: Callable[[IO[bytes]], Any]) -> Path:
     finally:
         aside.unlink(missing_ok=True)
     return path
-
-
-def _host() -> str:
-    """Return a hash of the name of this computer.
-
-    The hash becomes part of the names of temporary files, because several computers can write to a shared folder, and a
-    computer cannot detect whether a process of another computer still runs.
-    """
-    return f"{zlib.crc32(os.uname().nodename.encode()) if hasattr(os, 'uname') else 0:08x}"
 
 
 def _is_running(process: int) -> bool:

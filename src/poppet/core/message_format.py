@@ -78,21 +78,14 @@ class _Formatter(string.Formatter):
         if value is None and spec:
             return ""  # inside a text that is not shown
         if ">" in spec and not spec.startswith(">"):
-            return _in_unit(value, spec)
+            # The value in another unit: both units and the format, for example `Pa>bar .3f`.
+            units, _, number_spec = spec.rpartition(" ")
+            if units.endswith(">"):
+                units = next((pair for pair in DISPLAY_FACTORS if pair.startswith(units)), units + units[:-1])
+            unit, _, display_unit = units.partition(">")
+            return f"{value * (1.0 if unit == display_unit else DISPLAY_FACTORS[units]):{number_spec}} {display_unit}"
         text: str = format(value, spec)
         return text
-
-
-def _in_unit(value: float, spec: str) -> str:
-    """Return a fact as text in another unit.
-
-    `spec` contains both units and the number format, for example `Pa>bar .3f`.
-    """
-    units, _, number_spec = spec.rpartition(" ")
-    if units.endswith(">"):
-        units = next((pair for pair in DISPLAY_FACTORS if pair.startswith(units)), units + units[:-1])
-    unit, _, display_unit = units.partition(">")
-    return f"{value * (1.0 if unit == display_unit else DISPLAY_FACTORS[units]):{number_spec}} {display_unit}"
 
 
 _FORMATTER = _Formatter()

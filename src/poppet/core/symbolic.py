@@ -8,6 +8,8 @@ domain first, which also keeps derivatives finite.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -23,7 +25,7 @@ def is_array(*values: Any) -> bool:
     return any(isinstance(value, (np.ndarray, list, tuple)) for value in values)
 
 
-def _casadi() -> Any:
+def _casadi() -> ModuleType:
     import casadi
 
     return casadi
@@ -77,7 +79,7 @@ def clip(value: Any, low: Any, high: Any) -> Any:
 
 
 # `math` for floats: the functions of NumPy take ten times longer for one value.
-def _elementary(name: str, float_function: Any) -> Any:
+def _elementary(name: str, float_function: Callable[[Any], float]) -> Callable[[Any], Any]:
     def apply(value: Any) -> Any:
         if is_symbolic(value):
             return getattr(_casadi(), name)(value)

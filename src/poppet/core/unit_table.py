@@ -9,7 +9,6 @@ from __future__ import annotations
 import difflib
 import math
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -138,8 +137,18 @@ class _Expression:
 
     def __init__(self, text: str) -> None:
         self.text = text
-        self.tokens = list(_tokens(text))
+        self.tokens: list[str] = []
         self.at = 0
+        if len(text) > _LONGEST:
+            raise UnitError("unit.too_long", start=text[:20], limit=_LONGEST)
+        end = len(text.rstrip())
+        position = 0
+        while position < end:
+            match = _TOKEN.match(text, position)
+            if match is None:
+                raise UnitError("unit.character", unit=text, character=text[position:].strip()[0])
+            self.tokens.append(match.group(1))
+            position = match.end()
 
     def read(self) -> Unit:
         unit = self.product()
@@ -225,19 +234,6 @@ class _Expression:
         if decades > _LARGEST_DECADE or max(map(abs, (*dimension, exponent))) > _LARGEST_EXPONENT:
             raise self.refused("unit.too_high")
         return Unit(dimension, unit.scale * Fraction(factor.scale**exponent))
-
-
-def _tokens(text: str) -> Iterator[str]:
-    if len(text) > _LONGEST:
-        raise UnitError("unit.too_long", start=text[:20], limit=_LONGEST)
-    end = len(text.rstrip())
-    position = 0
-    while position < end:
-        match = _TOKEN.match(text, position)
-        if match is None:
-            raise UnitError("unit.character", unit=text, character=text[position:].strip()[0])
-        yield match.group(1)
-        position = match.end()
 
 
 def _decades(scale: Fraction) -> float:

@@ -470,7 +470,17 @@ def quantity(
 
 @lru_cache(maxsize=4096)
 def _from_text(text: str, unit: str, kind: Kind, is_told: bool) -> Quantity:
-    number, unit_text = _split(text, unit, kind)
+    if _DECIMAL_COMMA.fullmatch(text):
+        with_point, without = text.strip().replace(",", ".", 1), text.strip().replace(",", "")
+        if _THOUSANDS.match(text):  # 1,500 is ambiguous
+            raise InputError("quantity.comma", with_point=with_point, without=without)
+        raise InputError("quantity.decimal_comma", with_point=with_point)
+    match = _NUMBER.fullmatch(text)
+    if match is None:
+        raise InputError("quantity.no_number", example=_example(unit, kind))
+    number, unit_text = match[1], match[2]
+    if unit_text.startswith("_"):  # only Python accepts 1_000
+        raise InputError("quantity.underscore")
     if not unit_text.strip():
         if _parse(unit)[0].dimension != ONE:
             raise UnitError("quantity.no_unit", number=number, unit=unit)
@@ -486,20 +496,6 @@ def _from_text(text: str, unit: str, kind: Kind, is_told: bool) -> Quantity:
         mark = mark or "ANR"
     _check_unit(text, parsed, mark, unit, kind)
     return _checked(_in_si(number, parsed, mark, unit), unit, kind, mark)
-
-
-def _split(text: str, unit: str, kind: Kind) -> tuple[str, str]:
-    if _DECIMAL_COMMA.fullmatch(text):
-        with_point, without = text.strip().replace(",", ".", 1), text.strip().replace(",", "")
-        if _THOUSANDS.match(text):  # 1,500 is ambiguous
-            raise InputError("quantity.comma", with_point=with_point, without=without)
-        raise InputError("quantity.decimal_comma", with_point=with_point)
-    match = _NUMBER.fullmatch(text)
-    if match is None:
-        raise InputError("quantity.no_number", example=_example(unit, kind))
-    if match[2].startswith("_"):  # only Python accepts 1_000
-        raise InputError("quantity.underscore")
-    return match[1], match[2]
 
 
 def _check_unit(text: str, parsed: Unit, mark: _Mark, unit: str, kind: Kind) -> None:

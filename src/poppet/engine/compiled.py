@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from functools import lru_cache
 from importlib import import_module
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.engine.object_cache import object_code
 from poppet.engine.printers.llvm import PRELUDE, print_function
+
+if TYPE_CHECKING:
+    import llvmlite.binding
 
 
 class CompiledFunctions(NamedTuple):
@@ -35,7 +38,7 @@ class LaneFunctions(NamedTuple):
     n_derived: int
 
 
-def _target_machine() -> Any:
+def _target_machine() -> llvmlite.binding.TargetMachine:
     import llvmlite.binding as llvm
 
     llvm.initialize_native_target()
@@ -133,7 +136,7 @@ class PrebuiltIntegrator(NamedTuple):
         # Numba takes seconds; only after a change of the sources.
         return self.printed()
 
-    def compiled(self) -> Any:
+    def compiled(self) -> Callable[[int], int]:
         """Return the integrator as a function of one address.
 
         This is the address of a `Job` or of a `LaneJob`, the arguments of the integrator.
@@ -147,7 +150,7 @@ LANES = PrebuiltIntegrator("lanes.ll", ("lanes.py", *_SOURCES), "poppet.engine.l
 
 
 @lru_cache(maxsize=1)
-def integrator() -> Any:
+def integrator() -> Callable[[int], int]:
     """Return the compiled integrator of single runs.
 
     It is `poppet.engine.integrator.integrate`, a function of the address of a `Job`.
@@ -156,7 +159,7 @@ def integrator() -> Any:
 
 
 @lru_cache(maxsize=1)
-def lane_integrator() -> Any:
+def lane_integrator() -> Callable[[int], int]:
     """Return the compiled integrator that computes several runs simultaneously.
 
     It is `poppet.engine.lanes.integrate_lanes`, a function of the address of a `LaneJob`. Each of the simultaneous runs
@@ -165,7 +168,7 @@ def lane_integrator() -> Any:
     return LANES.compiled()
 
 
-def as_function(compiled: CompiledFunctions) -> Any:
+def as_function(compiled: CompiledFunctions) -> Callable[[int], int]:
     """Return the first of several compiled functions as a Python function.
 
     Its argument is an address.
@@ -173,6 +176,6 @@ def as_function(compiled: CompiledFunctions) -> Any:
     import ctypes
 
     # CFUNCTYPE releases the interpreter lock, unlike PYFUNCTYPE: `Call` runs it in another thread.
-    function: Any = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(next(iter(compiled.addresses.values())))
-    function.owner = compiled.owner  # keeps the code
+    function = ctypes.CFUNCTYPE(ctypes.c_int64, ctypes.c_void_p)(next(iter(compiled.addresses.values())))
+    function.owner = compiled.owner  # type: ignore[attr-defined]  # keeps the code
     return function

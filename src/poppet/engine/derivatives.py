@@ -11,7 +11,10 @@ from __future__ import annotations
 
 from functools import cache
 from heapq import heapify, heappop, heappush
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    import casadi
 
 
 class Edge(NamedTuple):
@@ -23,7 +26,7 @@ class Edge(NamedTuple):
     value: Any
     condition: Any = None
 
-    def expression(self) -> Any:
+    def expression(self) -> casadi.SX:
         """Return the derivative as a symbolic expression.
 
         The expression is zero if the condition is false, even if `value` is infinite.
@@ -37,7 +40,7 @@ class Edge(NamedTuple):
         return Edge(_binary("OP_MUL", self.value, factor.expression()), self.condition)
 
 
-def _binary(operation: str, first: Any, second: Any) -> Any:
+def _binary(operation: str, first: Any, second: Any) -> casadi.SX:
     """Return the symbolic result of a CasADi operation on two scalars.
 
     `operation` is the name of the operation. This function is twenty times faster than the operators of CasADi.
@@ -107,7 +110,7 @@ class DerivativeGraph:
 
 
 @cache
-def _partials(operation: int, count: int) -> Any:
+def _partials(operation: int, count: int) -> casadi.Function:
     """Return a CasADi function for the partial derivatives of an operation.
 
     `count` is the number of arguments of the operation.

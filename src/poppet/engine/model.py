@@ -14,7 +14,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import count
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    import casadi
 
 
 class StateInfo(NamedTuple):
@@ -180,7 +183,7 @@ class Model:
         return tuple(balances)
 
     @cached_property
-    def linear_function(self) -> Any:
+    def linear_function(self) -> casadi.Function:
         """CasADi function (t, x, u, p) -> (f, y, A, B, C, D) without quadratures."""
         import casadi as ca
 

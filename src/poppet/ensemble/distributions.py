@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import importlib
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -39,10 +41,8 @@ class Form(NamedTuple):
         return tuple(dict.fromkeys((*self.fields, *((self.relative,) if self.relative else ()), "low", "high")))
 
 
-def _special() -> Any:
-    from scipy import special  # slow to import
-
-    return special
+def _special() -> ModuleType:
+    return importlib.import_module("scipy.special")  # slow to import
 
 
 def _triangular(u: Array, n: Mapping[str, float]) -> Array:

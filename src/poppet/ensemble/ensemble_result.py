@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 from copy import deepcopy
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -27,6 +27,9 @@ from poppet.ensemble.dataset import Dataset, fingerprint
 from poppet.ensemble.ensemble_plan import ALL, EnsemblePlan, read_plan, varied_specs
 from poppet.ensemble.executors import run_missing
 from poppet.ensemble.statistics import SobolIndex, Summary, TornadoRange, Yield, sobol_indices, summary_of, wilson
+
+if TYPE_CHECKING:
+    import pandas
 
 MAX_EXACT_RUNS = 2**20
 """Maximum number of runs from which quantiles are computed, to limit the memory."""
@@ -71,7 +74,7 @@ class Ensemble(HtmlMixin):
         """Folder of the dataset."""
         return self.dataset.folder
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """Return parameters and metrics of all runs.
 
         Returns

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.circuit.circuit import BaseCircuit
 from poppet.core.codes import Note
@@ -341,7 +342,7 @@ def _range(
     return low, high
 
 
-def _holds(results: _Evaluations, share: float) -> Any:
+def _holds(results: _Evaluations, share: float) -> NDArray[np.bool_]:
     return results.shares >= share - 1e-12
 
 

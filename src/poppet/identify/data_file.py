@@ -95,7 +95,7 @@ def or_file(read: Callable[[str | Path], tuple[Any, dict[str, Any]]]) -> Callabl
         first = next(iter(inspect.signature(function).parameters))
 
         @wraps(function)
-        def call(*data: Any, **keywords: Any) -> Any:
+        def call(*data: Any, **keywords: Any) -> object:
             path = data[0] if data else keywords.get(first)
             if not isinstance(path, str | Path):
                 return function(*data, **keywords)

@@ -260,7 +260,14 @@ def _with_parameters(owner: Any, text: str) -> str:
 
     lines = ["Parameters", "----------"]
     for _, attribute_name, spec in declared(owner):
-        lines += [f"{attribute_name} : {_type_text(spec)}", f"    {_meaning_text(spec)}"]
+        # The meaning with the unit of a number, or the names of the fields of a group.
+        unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
+        meaning = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{spec.doc.removeprefix(spec.meaning)}"
+        if isinstance(spec, GroupSpec):
+            meaning += f": {', '.join(specs(spec.group))}"
+        elif isinstance(spec, MemberSpec):
+            meaning += f": {', '.join(name for name in specs(spec.part) if name not in spec.inherited)}"
+        lines += [f"{attribute_name} : {_type_text(spec)}", f"    {meaning}."]
     head, rule, rest = inspect.cleandoc(text).partition("\n-----")
     if len(lines) == 2:
         return head + rule + rest
@@ -282,21 +289,6 @@ def _type_text(spec: Any) -> str:
         case GroupSpec() | MemberSpec():
             return "mapping, optional" if spec.optional or isinstance(spec, MemberSpec) else "mapping"
     return ("number" if isinstance(spec, NumberSpec) else "str") + (", optional" if spec.optional else "")
-
-
-def _meaning_text(spec: Any) -> str:
-    """Return the meaning of a parameter for the documentation.
-
-    The text includes the unit of a number, or the names of the fields of a group.
-    """
-    unit = f" [{spec.unit}]" if isinstance(spec, NumberSpec) and spec.unit != "1" else ""
-    details = spec.doc.removeprefix(spec.meaning)
-    text = f"{spec.meaning[:1].upper()}{spec.meaning[1:]}{unit}{details}"
-    if isinstance(spec, GroupSpec):
-        text += f": {', '.join(specs(spec.group))}"
-    elif isinstance(spec, MemberSpec):
-        text += f": {', '.join(name for name in specs(spec.part) if name not in spec.inherited)}"
-    return f"{text}."
 
 
 def read_number(name: str, spec: NumberSpec, argument: NumberLike) -> Number:
@@ -420,7 +412,7 @@ def _complete(part: Any, library: Mapping[str, Number], path: str, errors: Error
 
 def _read_field(
     argument: Any, spec: Spec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
-) -> Any:
+) -> object:
     match spec:
         case NumberSpec():
             spec = spec.within(owner)
@@ -450,7 +442,7 @@ def _read_field(
 
 def _read_group(
     argument: Any, spec: GroupSpec, address: str, library: Mapping[str, Number], errors: ErrorCollector, owner: Any
-) -> Any:
+) -> object:
     valid = specs(spec.group)
     if argument is None and spec.optional and not any(key.startswith(f"{address}.") for key in library):
         return None

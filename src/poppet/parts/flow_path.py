@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -132,24 +132,18 @@ class FlowPath(Passage):
         if self.characteristic is not None:
             return values | {f"characteristic.{k}": v for k, v in self.characteristic.parameters().items()}
         if self._size != "sonic_conductance":
-            size = ambient.stated_size(*self._size_with_gas(values, ambient))
-            values["sonic_conductance"], values["critical_ratio"] = size
+            # Other specifications of the flow capacity give C and b for the gas of the circuit.
+            gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
+            if self._size == "effective_area":
+                nozzle = iso6358.conductance_from_effective_area(values[self._size], **gas)
+                conductance, ratio = nozzle.sonic_conductance, nozzle.critical_ratio
+            else:
+                ratio_of_air = values["critical_ratio"]
+                factor, shift = iso6358.factors_from_air(**gas)
+                of_air = _FROM_AIR[self._size](values[self._size], critical_ratio=ratio_of_air)
+                conductance, ratio = factor * of_air.sonic_conductance, ratio_of_air + (1.0 - ratio_of_air) * shift
+            values["sonic_conductance"], values["critical_ratio"] = ambient.stated_size(conductance, ratio)
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
-
-    def _size_with_gas(self, values: Mapping[str, float], ambient: Surroundings) -> tuple[float, float]:
-        """Return C and b for the gas of the circuit.
-
-        This applies to all specifications of the flow capacity except C itself and a characteristic.
-        """
-        name = self._size
-        gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
-        if name == "effective_area":
-            nozzle = iso6358.conductance_from_effective_area(values[name], **gas)
-            return nozzle.sonic_conductance, nozzle.critical_ratio
-        ratio = values["critical_ratio"]
-        factor, shift = iso6358.factors_from_air(**gas)
-        conductance = _FROM_AIR[name](values[name], critical_ratio=ratio).sonic_conductance
-        return factor * conductance, ratio + (1.0 - ratio) * shift
 
     def structure(self) -> Hashable:
         return super().structure(), None if self.characteristic is None else self.characteristic.structure()
@@ -187,7 +181,7 @@ class _PrefixedParameters(Mapping[str, Any]):
         start = len(self._prefix)
         return tuple(name[start:] for name in self._scope.numbers if name.startswith(self._prefix))
 
-    def __iter__(self) -> Any:
+    def __iter__(self) -> Iterator[str]:
         return iter(self._names)
 
     def __len__(self) -> int:

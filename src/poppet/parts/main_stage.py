@@ -198,6 +198,7 @@ class MainStage(Passage):
 
     def flows(self, scope: Scope, gas: Mapping[str, GasState]) -> PassageFlows:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]
+        # The fraction of the poppet force that acts on the plate; it is 1 for positive strokes.
         lifted = contact.seat_fraction(stroke, scope["contact.width"])
         mass = scope["emptying_mass"] + (scope["moving_mass"] - scope["emptying_mass"]) * lifted
         back_pressure = scope.surroundings.pressure if self.mode == "paper" else gas["outlet"].pressure
@@ -207,7 +208,16 @@ class MainStage(Passage):
             names = ("coulomb", "static", "stribeck_velocity", "smoothing_velocity", "viscous")
             friction = contact.stribeck_friction(velocity, *(scope[f"friction.{name}"] for name in names))
             resistance = resistance + friction
-        force = drive - self._springs(scope, gas, lifted) - resistance
+        # Forces of both springs and of the pressure on the supply seat.
+        upper = scope["upper_spring.rate"] * (scope["upper_spring.preload"] + stroke)
+        lower = scope["lower_spring.rate"] * (scope["lower_spring.preload"] + maximum(stroke, 0.0))
+        if self.mode == "regulator":
+            difference = gas["supply"].pressure - gas["outlet"].pressure
+            lower = lower + scope["seat_balance"] * scope["seat_area"] * difference
+        # Damped on the ramp of the seat only: 0 at its ends, 1 in its middle.
+        contact_fraction = lifted * (1.0 - lifted) * 4.0
+        damped = 1.0 + contact_fraction * contact.saturation(scope["contact.dissipation"] * velocity)
+        force = drive - (upper + lifted * lower * damped) - resistance
         rates = {"stroke": velocity, "velocity": (force + self._stops(scope)) / mass}
         size = characteristic_at(self.curve, scope, "characteristic.", stroke)
         supply, outputs = named_flow(scope, gas, "supply", ("supply", "outlet"), size)
@@ -224,23 +234,6 @@ class MainStage(Passage):
         hidden: Quantities = {"displacement": (scope["plate_area"] * stroke, "m^3")}
         hidden["outlet_pressure"] = gas["outlet"].pressure, "Pa"
         return PassageFlows((supply, exhaust), {name: outputs[name] for name in OUTPUTS}, rates, hidden)
-
-    def _springs(self, scope: Scope, gas: Mapping[str, GasState], lifted: Any) -> Any:
-        """Return the force of both springs, and of the pressure on the supply seat.
-
-        `lifted` is the fraction of the force on the poppet that acts on the plate. For positive strokes it is 1.
-        """
-        stroke = scope.states["stroke"]
-        upper = scope["upper_spring.rate"] * (scope["upper_spring.preload"] + stroke)
-        lift = maximum(stroke, 0.0)
-        lower = scope["lower_spring.rate"] * (scope["lower_spring.preload"] + lift)
-        if self.mode == "regulator":
-            difference = gas["supply"].pressure - gas["outlet"].pressure
-            lower = lower + scope["seat_balance"] * scope["seat_area"] * difference
-        # Damped on the ramp of the seat only: 0 at its ends, 1 in its middle.
-        contact_fraction = lifted * (1.0 - lifted) * 4.0
-        damped = 1.0 + contact_fraction * contact.saturation(scope["contact.dissipation"] * scope.states["velocity"])
-        return upper + lifted * lower * damped
 
     def _stops(self, scope: Scope) -> Any:
         stroke, velocity = scope.states["stroke"], scope.states["velocity"]

@@ -161,28 +161,22 @@ class Muscle(MuscleLawPart, MovingGasStore, Actuator):
         pressure, contraction = gas[SELF].pressure - scope.surroundings.pressure, self._contraction(scope)
         speed, rates = scope["direction"] * scope.body.velocity, dict[str, Any]()
         static = self.force_law(scope.numbers).force(pressure, contraction)
-        resistance = scope["damping"] * speed + self._hysteresis(scope, pressure, speed, rates)
+        resistance = scope["damping"] * speed
+        if self.hysteresis is not None:
+            # Rates of the elements of the Maxwell slip model, and their force against the contraction.
+            slips = [state.name for state in self.states()[len(super().states()) :]]
+            reach, level = scope["hysteresis.reach"], scope["hysteresis.force"]
+            for k, name in enumerate(slips, 1):
+                slip = scope.states[name]
+                if self.hysteresis.kind == "coulomb":
+                    rates[name] = bristle_rate(slip, speed / reach, 1.0, 1.0)
+                else:
+                    rates[name] = slip_rate(slip, speed, reach * k / len(slips))
+            level = level + scope["hysteresis.force_per_pressure"] * maximum(pressure, 0.0)
+            resistance = resistance + level * sum(scope.states[name] for name in slips) / len(slips)
         force = taut(static - resistance, scope["slack_force"])
         outputs: Quantities = {"contraction": (contraction, "1"), "force": (force, "N")}
         return ActuatorForce(scope["direction"] * force, outputs, rates)
-
-    def _hysteresis(self, scope: Scope, pressure: Any, speed: Any, rates: dict[str, Any]) -> Any:
-        """Return the hysteresis force, which opposes the contraction.
-
-        `rates` receives the rates of change of the elements of the Maxwell slip model.
-        """
-        if self.hysteresis is None:
-            return 0.0
-        slips = [state.name for state in self.states()[len(super().states()) :]]
-        reach, level = scope["hysteresis.reach"], scope["hysteresis.force"]
-        for k, name in enumerate(slips, 1):
-            slip = scope.states[name]
-            if self.hysteresis.kind == "coulomb":
-                rates[name] = bristle_rate(slip, speed / reach, 1.0, 1.0)
-            else:
-                rates[name] = slip_rate(slip, speed, reach * k / len(slips))
-        level = level + scope["hysteresis.force_per_pressure"] * maximum(pressure, 0.0)
-        return level * sum(scope.states[name] for name in slips) / len(slips)
 
     # Notes on runs --------------------------------------------------------------------------------------------------
 

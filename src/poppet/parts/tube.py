@@ -205,26 +205,22 @@ class Tube(Compound):
                 errors.add("tube.one_cell", "cells", ends=[self.from_, self.to])
             if self.loss == FRICTION and self.inertia != "true":
                 errors.add("tube.friction_without_inertia", "loss")
-        object.__setattr__(self, "profile", self._profile())
-
-    def _profile(self) -> Profile:
         table = self.profile.specified if isinstance(self.profile, Profile) else self.profile or {}
         if not isinstance(table, Mapping):
             raise InputError("fields.no_table", "profile", value=table)
         defaults: dict[str, Any] = {}
         for k in range(1, self._count + 1):
             defaults |= {f"pressure_{k}": self.initial_pressure, f"temperature_{k}": self.initial_temperature}
+        at_rest = Number(0.0, "kg/s", Source("assumed", note="at rest"))
         for name in self._open_passages if self.inertia == "true" else ():
-            defaults[f"mass_flow_rate_{self._cell_index(name)}"] = Number(
-                0.0, "kg/s", Source("assumed", note="at rest")
-            )
+            defaults[f"mass_flow_rate_{self._cell_index(name)}"] = at_rest
         with ErrorCollector() as errors:
             errors.extend(unknown_field(f"profile.{key}", key, defaults) for key in table if key not in defaults)
             numbers = {}
             for key in (key for key in table if key in defaults):
                 with errors.collecting():
                     numbers[key] = read_number(f"profile.{key}", _START[key.rpartition("_")[0]], table[key])
-        return Profile(numbers, defaults)
+        object.__setattr__(self, "profile", Profile(numbers, defaults))
 
     @property
     def _count(self) -> int:

@@ -113,7 +113,7 @@ class Columns(HtmlMixin):
         arguments = {name: getattr(self, name) for name in _SAME_NAME}
         return arguments | {"notes": self.remarks, "outcome": self.ending or ""}
 
-    def __reduce__(self) -> Any:
+    def __reduce__(self) -> tuple[partial[Self], tuple[()]]:
         # Values instead of functions, which can contain compiled code.
         return partial(type(self), **self.fields()), ()
 

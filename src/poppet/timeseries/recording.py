@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from fnmatch import fnmatchcase
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,6 +14,11 @@ from poppet.core.errors import InputError, UnitError, needed
 from poppet.core.units import check_unit, convert, same_dimension
 from poppet.timeseries.checks import FloatArray
 from poppet.timeseries.columns import Columns
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+    from matplotlib.figure import Figure
 
 
 class Recording(Columns):
@@ -202,7 +207,7 @@ class Recording(Columns):
             row_units[row] = unit
         return self._with(units=tuple(row_units), values=values)
 
-    def to_pandas(self) -> Any:
+    def to_pandas(self) -> pandas.DataFrame:
         """Return the recording as a pandas table.
 
         Returns
@@ -218,7 +223,7 @@ class Recording(Columns):
         frame.attrs["units"] = dict(zip(self.names, self.units, strict=True))
         return frame
 
-    def to_xarray(self) -> Any:
+    def to_xarray(self) -> xarray.Dataset:
         """Return the recording as an xarray data set.
 
         Returns
@@ -279,7 +284,7 @@ class Recording(Columns):
 
         return cls(**recording_files.read(Path(path)).fields())
 
-    def plot(self, path: str | Path | None = None, **options: Any) -> Any:
+    def plot(self, path: str | Path | None = None, **options: Any) -> Figure:
         """Draw the series over time, in one panel for each quantity.
 
         Parameters

@@ -145,7 +145,9 @@ def wave(
     Each segment has a start, a frequency, and a rate of change of the frequency (`rates`).
     """
     start, frequency, rate = (np.array(series, dtype=float) for series in (starts, frequencies, rates))
-    turns = np.append(0.0, _turns(frequency[:-1], rate[:-1], np.diff(start)))
+    tau = np.diff(start)
+    # Without whole turns: a large number of turns would reduce the accuracy of the phase.
+    turns = np.append(0.0, np.remainder((frequency[:-1] + 0.5 * rate[:-1] * tau) * tau, 1.0))
     phases = phase + 2.0 * np.pi * np.cumsum(turns)
     zeros, ones = np.zeros_like(start), np.ones_like(start)
     return SegmentTable(
@@ -386,12 +388,3 @@ def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
     rows, row_of_segment = np.unique(row_of_segment, return_inverse=True)
     names = ("value", "slope", "amplitude", "frequency", "chirp_rate", "phase", "start")
     return np.column_stack([getattr(table, name)[rows] for name in names]), row_of_segment
-
-
-def _turns(frequency: FloatArray, rate: FloatArray, tau: FloatArray) -> FloatArray:
-    """Return the phase of a sine with variable frequency after the time `tau`.
-
-    The phase is a fraction of a turn. `frequency` is the frequency at tau = 0, and `rate` its rate of change. Whole
-    turns are removed, because a large number of turns would reduce the accuracy of the phase.
-    """
-    return np.remainder((frequency + 0.5 * rate * tau) * tau, 1.0)

@@ -163,6 +163,9 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
     shares, largest_jump = [1], 0.0
     for sweep, branch in ((item, branch) for item in swept for branch in item.parts):
         x, y = sweep.late[branch.samples], sweep.y[branch.samples]
+        raw = sweep.x[branch.samples]
+        in_range = (np.maximum(raw[1:], raw[:-1]) >= RANGE[0]) & (np.minimum(raw[1:], raw[:-1]) <= RANGE[1])
+        jump = float(np.max(np.abs(np.diff(raw)), where=in_range, initial=0.0))
         holds = stairs(x)
         if len(holds) >= FEWEST_STAIRS and sum(s.stop - s.start for s in holds) > 0.8 * (branch.end - branch.first):
             ends = [rested(sweep.time[branch.samples], s, 0.2) for s in holds]
@@ -170,7 +173,7 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
             order = np.argsort(setpoints)
             value = np.interp(GRID, setpoints[order], levels[order], np.nan, np.nan)
             share = max(1, round(float(np.median(np.diff(setpoints[order])))))  # grid points per stair
-        elif (jump := _jump(sweep.x[branch.samples])) > WIDEST:
+        elif jump > WIDEST:
             largest_jump = max(largest_jump, jump)
             continue
         else:
@@ -181,15 +184,6 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
     up, down = (np.array(rows[sign]).reshape(-1, GRID.size) for sign in (1, -1))
     share = max(shares)
     return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share), largest_jump
-
-
-def _jump(x: FloatArray) -> float:
-    """Return the largest change of the setpoint between two neighbouring samples.
-
-    Only the evaluated range of setpoints is considered. `x` is the setpoint.
-    """
-    is_inside = (np.maximum(x[1:], x[:-1]) >= RANGE[0]) & (np.minimum(x[1:], x[:-1]) <= RANGE[1])
-    return float(np.max(np.abs(np.diff(x)), where=is_inside, initial=0.0))
 
 
 def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:

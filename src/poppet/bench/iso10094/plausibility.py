@@ -64,7 +64,13 @@ def suspicions(record: Record, scale: Scale) -> list[Note]:
 
     Signs are a sensor without signal, wrong units, inverted signals, exchanged columns and wrong times.
     """
-    notes = _time_suspicions(record)
+    # Times that are probably in another unit, by a factor of about 1000.
+    timing = {"total": float(record.time[-1] - record.time[0]), "step": record.step, "samples": record.time.size}
+    is_dynamic, notes = record.test in DYNAMIC, list[Note]()
+    if (is_dynamic and record.step > SLOW_STEP) or timing["total"] > SLOW_TOTAL:
+        notes.append(Note("recordings.slow", record.name, **timing))
+    elif timing["total"] < (FAST_DYNAMIC if is_dynamic else FAST_STATIC):
+        notes.append(Note("recordings.fast", record.name, **timing))
     if record.test not in MOVING or record.time.size < WINDOW:
         return notes
     x, y = scale.percents(record)
@@ -85,20 +91,6 @@ def suspicions(record: Record, scale: Scale) -> list[Note]:
         if math.isfinite(lead):
             notes.append(Note("recordings.leads", record.name, lead=lead))
     return notes
-
-
-def _time_suspicions(record: Record) -> list[Note]:
-    """Return a note if the times of a record are probably in another unit.
-
-    The criterion is an error by a factor of about 1000.
-    """
-    total, facts = float(record.time[-1] - record.time[0]), {"samples": record.time.size}
-    is_dynamic = record.test in DYNAMIC
-    if (is_dynamic and record.step > SLOW_STEP) or total > SLOW_TOTAL:
-        return [Note("recordings.slow", record.name, total=total, step=record.step, **facts)]
-    if total < (FAST_DYNAMIC if is_dynamic else FAST_STATIC):
-        return [Note("recordings.fast", record.name, total=total, step=record.step, **facts)]
-    return []
 
 
 def _lead(time: FloatArray, x: FloatArray, y: FloatArray) -> float:

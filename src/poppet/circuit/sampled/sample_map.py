@@ -41,37 +41,28 @@ def phases_of(point: SampledPoint, v: Array, between: IntersampleModel | None = 
     A phase is a sample instant with the time until the next instant. The maps are those at the steady state `v`.
     `between` contains the derivatives between instants if they have already been computed.
     """
+    from scipy.linalg import expm
+
     b = between or point.between(v)
     n, size, clock = v.size, point.size, point.clock
     # Rows of discrete states remain zero: they are constant between instants.
     rates_v, rates_u = np.zeros((n, n)), np.zeros((n, point.u.size))
     rates_v[: point.n] = b.rates_by_v * size[None, :] / size[: point.n, None]
     rates_u[: point.n] = b.rates_by_u / size[: point.n, None]
+    # The maps of variables and constant inputs over a duration are blocks of the matrix exponential of the rates.
+    # Columns of inputs are scaled to unit size.
+    scale = np.maximum(np.abs(rates_u).max(axis=0, initial=0.0), 1e-300)
+    combined = np.zeros((n + point.u.size, n + point.u.size))
+    combined[:n, :n], combined[:n, n:] = rates_v, rates_u / scale
     phases = []
     for fired, duration in zip(clock.fired, np.diff([*clock.times, clock.sample_time]), strict=True):
         _, w_v, w_u = point.instant(v, fired)
         at_v, at_u = np.eye(n), np.zeros((n, point.u.size))
         at_v[point.n :] = w_v * size[None, :] / size[point.n :, None]
         at_u[point.n :] = w_u / size[point.n :, None]
-        phases.append(Phase(float(duration), at_v, at_u, rates_v, rates_u, *_flow(rates_v, rates_u, float(duration))))
+        flow = expm(combined * float(duration))
+        phases.append(Phase(float(duration), at_v, at_u, rates_v, rates_u, flow[:n, :n], flow[:n, n:] * scale))
     return tuple(phases)
-
-
-def _flow(rates_v: Array, rates_u: Array, duration: float) -> tuple[Array, Array]:
-    """Return the matrices by which variables and constant inputs act over a time interval.
-
-    The interval has the length `duration` [s]. `rates_v` and `rates_u` are the derivatives of the rates. The matrices
-    are blocks of a matrix exponential.
-    """
-    from scipy.linalg import expm
-
-    n, m = rates_u.shape
-    combined = np.zeros((n + m, n + m))
-    # Columns of inputs are scaled to unit size.
-    scale = np.maximum(np.abs(rates_u).max(axis=0, initial=0.0), 1e-300)
-    combined[:n, :n], combined[:n, n:] = rates_v, rates_u / scale
-    result = expm(combined * duration)
-    return result[:n, :n], result[:n, n:] * scale
 
 
 def sample_map(point: SampledPoint, phases: tuple[Phase, ...]) -> tuple[Array, Array]:

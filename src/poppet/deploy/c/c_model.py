@@ -147,11 +147,8 @@ def comment_rows(quantities: Iterable[Any], *, with_value: bool = False) -> list
 
     The comment contains address, unit and, if `with_value` is True, the value.
     """
-    return [
-        (q.identifier, f"{comment_text(q.address)} [{_unit(q.unit)}]{f' {q.value:.6g}' if with_value else ''}")
-        for q in quantities
-    ]
-
-
-def _unit(unit: str) -> str:
-    return comment_text(unit if unit not in ("", "1") else "-")
+    rows = []
+    for q in quantities:
+        unit = comment_text(q.unit if q.unit not in ("", "1") else "-")
+        rows.append((q.identifier, f"{comment_text(q.address)} [{unit}]{f' {q.value:.6g}' if with_value else ''}"))
+    return rows

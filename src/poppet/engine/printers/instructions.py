@@ -22,11 +22,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from poppet.engine.derivatives import differentiate_rates
 from poppet.engine.elimination import solver_functions
 from poppet.engine.model import Model
+
+if TYPE_CHECKING:
+    import casadi
 
 SIGNATURES = {
     "rates": "t x u p -> f",
@@ -73,7 +76,7 @@ def trace_functions(model: Model) -> dict[str, Any]:
     return functions
 
 
-def outputs_function(model: Model) -> Any:
+def outputs_function(model: Model) -> casadi.Function:
     """Return the CasADi function that computes the outputs y of a model."""
     import casadi as ca
 

@@ -16,12 +16,14 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from itertools import pairwise
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 from poppet.engine.problem import Array, Outcome, Problem, RawRun
 from poppet.engine.reference_solvers.track import Leg, Track, jacobian, rates, rounding, tolerances
+
+_T = TypeVar("_T")
 
 SOLVERS: tuple[str, ...] = ("cvodes", "lsoda", "bdf", "radau")
 
@@ -178,7 +180,7 @@ class _Scipy(_Legs):
                     return
 
     @staticmethod
-    def _quietly(work: Callable[[], Any]) -> Any:
+    def _quietly(work: Callable[[], _T]) -> _T | None:
         """Call a function of a solver without its warnings, and return the result.
 
         `work` is this function. The result is None after a numerical error.
@@ -294,8 +296,18 @@ class _Cvodes(_Legs):
         coefficients = self.problem.coefficients[self.problem.courses[segment], :n_u].T.copy()
         coefficients[6] = start - coefficients[6]
         p = np.concatenate([self.problem.p, [start], self.scale, coefficients.ravel()])
+        # Offset and length of each interval, (2, rows). Both are constant for equidistant rows: CasADi restarts CVODES
+        # after a change.
+        times, warp = stops - start, np.zeros((2, self.rows))
+        lengths = np.diff(times)
+        groups = np.cumsum(np.abs(np.diff(lengths, prepend=lengths[0])) > 1e-9 * lengths)
+        for group in np.unique(groups):
+            indices = np.flatnonzero(groups == group)
+            first, last = indices[0], indices[-1] + 1
+            length = (times[last] - times[first]) / indices.size
+            warp[:, indices] = np.array([[times[first] - length * first], [length]])
         try:
-            states = self.integrator(x0=x / self.scale, p=p, u=_warp(stops - start, self.rows))["xf"].full()
+            states = self.integrator(x0=x / self.scale, p=p, u=warp)["xf"].full()
         except RuntimeError as error:
             # Only the text of the error contains the reason.
             if "TOO_MUCH_WORK" in str(error):
@@ -305,20 +317,3 @@ class _Cvodes(_Legs):
         self.accepted += int(statistics["nsteps"])
         self.rejected += int(statistics["netfails"])
         return [np.ascontiguousarray(z * self.scale) for z in states.T[: stops.size - 1]]
-
-
-def _warp(stops: Array, rows: int) -> Array:
-    """Return offset and length of each interval for the scaled time of CVODES, (2, rows).
-
-    The real time is offset plus length times scaled time. For equidistant intervals both are constant, which avoids
-    restarts: CasADi restarts CVODES after a change.
-    """
-    lengths = np.diff(stops)
-    groups = np.cumsum(np.abs(np.diff(lengths, prepend=lengths[0])) > 1e-9 * lengths)
-    warp = np.zeros((2, rows))
-    for group in np.unique(groups):
-        indices = np.flatnonzero(groups == group)
-        first, last = indices[0], indices[-1] + 1
-        length = (stops[last] - stops[first]) / indices.size
-        warp[:, indices] = np.array([[stops[first] - length * first], [length]])
-    return warp

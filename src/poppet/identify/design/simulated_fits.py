@@ -78,14 +78,23 @@ def simulate_fits(
         If the user interrupted a fit.
     """
     count, generator = count_fits(plan, selected), np.random.default_rng([plan.seed, len(selected)])
-    simulated = [_noise_free(f"test_{k}", candidate, plan.free) for k, candidate in enumerate(selected, start=1)]
+    assumed = by_name(plan.free, [f.start for f in plan.free])
+    simulated = []  # noise-free measurements
+    for k, candidate in enumerate(selected, start=1):
+        measurement = empty_measurement(f"test_{k}", candidate)
+        values = noise_free_values(measurement, candidate, assumed, plan.free)
+        simulated.append(with_values(measurement, values))
     tables: list[Mapping[str, Estimate]] = []
     for k in range(count):
         on_fit(k, count)
-        measurements = [
-            _with_errors(measurement, candidate, generator)
-            for measurement, candidate in zip(simulated, selected, strict=True)
-        ]
+        measurements = []
+        for measurement, candidate in zip(simulated, selected, strict=True):
+            rows = []
+            for channel, sensor in zip(measurement.channels, candidate.sensors, strict=True):
+                # A free offset without prior is zero.
+                offset = generator.normal(0.0, sensor.offset) if np.isfinite(sensor.offset) else 0.0
+                rows.append(channel.values + offset + generator.normal(0.0, sensor.noise, channel.values.size))
+            measurements.append(with_values(measurement, rows))
         circuits, roles = [candidate.circuit for candidate in selected], ["fit"] * len(selected)
         free = (
             *plan.free,
@@ -145,21 +154,3 @@ def noise_free_values(
     lags = recording_parameters([started], [candidate.circuit], ["fit"])
     experiment = Experiment(candidate.circuit.instance, started, (*free, *lags))
     return experiment.outputs({**values, **by_name(lags, [f.start for f in lags])})
-
-
-def _noise_free(name: str, candidate: TestCandidate, free: Sequence[FreeParameter]) -> Measurement:
-    measurement = empty_measurement(name, candidate)
-    assumed = by_name(free, [f.start for f in free])
-    return with_values(measurement, noise_free_values(measurement, candidate, assumed, free))
-
-
-def _with_errors(measurement: Measurement, candidate: TestCandidate, generator: np.random.Generator) -> Measurement:
-    """Add random noise and random offsets to a measurement.
-
-    `generator` is the random generator. A free offset without a prior is zero.
-    """
-    rows = []
-    for channel, sensor in zip(measurement.channels, candidate.sensors, strict=True):
-        offset = generator.normal(0.0, sensor.offset) if np.isfinite(sensor.offset) else 0.0
-        rows.append(channel.values + offset + generator.normal(0.0, sensor.noise, channel.values.size))
-    return with_values(measurement, rows)

@@ -36,11 +36,11 @@ class DataFrame(Protocol):
     """Interface of a table with column labels and an index, as in pandas."""
 
     @property
-    def columns(self) -> Any:
+    def columns(self) -> Iterable[Any]:
         """Labels of the columns."""
 
     @property
-    def index(self) -> Any:
+    def index(self) -> Iterable[Any]:
         """Labels of the rows."""
 
     def __getitem__(self, key: Any, /) -> Any: ...
@@ -312,7 +312,14 @@ class _RecordingReader:
             if address in self.noise:
                 fields[address]["noise"] = self.noise[address]
             if address in self.offsets:
-                fields[address]["offset"] = _offset_field(self.offsets[address], address)
+                offset = self.offsets[address]
+                if not isinstance(offset, str | int | float | Mapping):
+                    first, second = OFFSET_MOMENTS
+                    if not isinstance(offset, Sequence) or len(offset) != 2:
+                        name = f"offsets.{address}"
+                        raise InputError("fit.no_pair", name, value=offset, first=first, second=second)
+                    offset = {first: offset[0], second: offset[1]}
+                fields[address]["offset"] = offset
         for address in (address for address in recorded if address in self.inputs):
             default, unit = self.inputs[address].default, self.inputs[address].unit
             if isinstance(default, str):
@@ -323,19 +330,6 @@ class _RecordingReader:
                 column = {"column": table.names.index(address), "unit": units[address] or unit, "hold": self.hold}
                 fields["inputs"][address] = column
         return fields, omitted
-
-
-def _offset_field(argument: Any, address: str) -> Any:
-    """Return the argument for a sensor offset in the form of a fit file.
-
-    A pair of values becomes a table.
-    """
-    if isinstance(argument, str | int | float | Mapping):
-        return argument
-    if not isinstance(argument, Sequence) or len(argument) != 2:
-        first, second = OFFSET_MOMENTS
-        raise InputError("fit.no_pair", f"offsets.{address}", value=argument, first=first, second=second)
-    return dict(zip(OFFSET_MOMENTS, argument, strict=True))
 
 
 def _frame_table(frame: DataFrame, location: str) -> Table:

@@ -85,8 +85,14 @@ def findings(
             yield Note("flow.error_needed", size=size, source=effect.source)
     yield from _point_notes(*_fit_of_points(fit, influence, alternative))
     lowest = float(np.min(points.pressure_2))
-    if lowest < BELOW_ATMOSPHERE and not points.is_absolute and not _excludes_gauge(fit):
-        yield Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3)
+    is_suspicious = lowest < BELOW_ATMOSPHERE and not points.is_absolute
+    shifted_fit = _fit_shifted(fit, ATMOSPHERE) if is_suspicious else None
+    if shifted_fit is not None:
+        # A clearly worse fit excludes that gauge pressures were read as absolute.
+        worse = _chi_square(shifted_fit, fit.sigma) / max(fit.chi_square, 1e-300)
+        gain = fit.chi_square * (worse - 1.0) if fit.scatter_is_known else len(points) * math.log(worse)
+        if not gain > 2.0 * BETTER:
+            yield Note("flow.below_atmosphere", "pressure_2", lowest_kpa=lowest / 1e3)
     temperature = points.temperature_1
     if not USUAL_TEMPERATURES[0] <= float(np.mean(temperature)) <= USUAL_TEMPERATURES[1]:
         facts = {"low": float(np.min(temperature)), "high": float(np.max(temperature))}
@@ -219,16 +225,6 @@ def _fit_shifted(fit: FlowFit, shift: float) -> FlowFit | None:
     except InputError:
         return None
     return fit_flow(FlowModel(shifted_points, fit.model.fixed))
-
-
-def _excludes_gauge(fit: FlowFit) -> bool:
-    """Return True if the pressures cannot be gauge pressures that were read as absolute."""
-    shifted_fit = _fit_shifted(fit, ATMOSPHERE)
-    if shifted_fit is None:
-        return True
-    worse = _chi_square(shifted_fit, fit.sigma) / max(fit.chi_square, 1e-300)
-    gain = fit.chi_square * (worse - 1.0) if fit.scatter_is_known else len(fit.model.points) * math.log(worse)
-    return gain > 2.0 * BETTER
 
 
 def _chi_square(fit: FlowFit, sigma: FloatArray) -> float:

@@ -278,16 +278,6 @@ class FlowFit:
         """Derivatives of the estimates by the residuals, and a mask of determined parameters."""
         return gain(self.jacobian)
 
-    def _robust_error(self, row: FloatArray) -> float:
-        """Return a standard error that is valid if the scatter differs between points (HC3).
-
-        `row` contains the derivatives of an estimate by the residuals. An estimated scatter has the same size at all
-        points, but that of many flow meters is proportional to the flow.
-        """
-        n = len(self.model.points)
-        left = 1.0 - np.einsum("ij,ji->i", self.jacobian, self.gain[0])[:n]
-        return float(np.linalg.norm(row[:n] * self.residuals[:n] / np.maximum(left, 0.1)))
-
     @cached_property
     def budgets(self) -> dict[str, dict[str, Any]]:
         """Uncertainty budget of each free parameter by name.
@@ -295,6 +285,10 @@ class FlowFit:
         Scatter is of type A, and common errors are of type B.
         """
         n, budgets = len(self.model.points), {}
+        # An estimated scatter has the same size at all points, but that of many flow meters is proportional to the
+        # flow. The standard error HC3 is also valid then.
+        left = 1.0 - np.einsum("ij,ji->i", self.jacobian, self.gain[0])[:n]
+        robust_residuals = self.residuals[:n] / np.maximum(left, 0.1)
         for name, row, scale in zip(self.model.free, self.gain[0], self.model.scales.tolist(), strict=False):
             parts = {f"scatter of {source}": part / self.sigma**2 for source, part in self.scatter.items()}
             size = scale * self.scatter_factor
@@ -302,7 +296,8 @@ class FlowFit:
             effects = zip(self.model.effects, row[n:].tolist(), strict=True)
             common = {effect.source: scale * abs(u) for effect, u in effects}
             type_a, type_b = math.hypot(*scatter.values()), math.hypot(*common.values())
-            if not self.scatter_is_known and 0.0 < type_a < (robust := scale * self._robust_error(row)):
+            robust = scale * float(np.linalg.norm(row[:n] * robust_residuals))
+            if not self.scatter_is_known and 0.0 < type_a < robust:
                 scatter = {source: u * robust / type_a for source, u in scatter.items()}
                 type_a = robust
             freedom = effective_degrees_of_freedom([(type_a, self.scatter_freedom), (type_b, math.inf)])

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.core.codes import Note, notes_of
 from poppet.core.errors import ErrorCollector, InputError
@@ -317,5 +318,5 @@ def _pressure_curve(analysis: FrictionFits, residual: FloatArray) -> dict[str, A
     }
 
 
-def _select_points(count: int) -> Any:
+def _select_points(count: int) -> NDArray[np.int_]:
     return np.unique(np.linspace(0, count - 1, min(count, MOST)).round().astype(int))

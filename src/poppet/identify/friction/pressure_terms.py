@@ -36,7 +36,13 @@ def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArra
     records = [np.where(rows.record == k, 1.0, 0.0) for k in np.unique(rows.record)]
     root = np.sqrt(rows.weight)
     candidates = [*(rows.sign * record for record in records), *records, *law_columns.T]
-    basis = _orthonormal([candidate * root for candidate in candidates])
+    basis = np.zeros((root.size, 0))  # orthonormal, (n, rank)
+    for candidate in candidates:
+        weighted = candidate * root
+        rest = weighted - basis @ (basis.T @ weighted)
+        rest -= basis @ (basis.T @ rest)
+        if np.linalg.norm(rest) > INDEPENDENT * np.linalg.norm(weighted):
+            basis = np.column_stack([basis, rest / np.linalg.norm(rest)])
     term, friction = column * rows.pressure * root, rows.friction * root
     rest = term - basis @ (basis.T @ term)
     freedom = len(rows) - basis.shape[1] - 1
@@ -58,17 +64,6 @@ def term_statistic(rows: SlidingRows, law_columns: FloatArray, column: FloatArra
         return statistic
     between = _statistic_between_recordings(rows, candidates, column, records)
     return min(statistic, between, key=abs)
-
-
-def _orthonormal(columns: Sequence[FloatArray]) -> FloatArray:
-    """Return an orthonormal basis of the space that columns span, (n, rank)."""
-    basis = np.zeros((columns[0].size, 0))
-    for column in columns:
-        rest = column - basis @ (basis.T @ column)
-        rest -= basis @ (basis.T @ rest)
-        if np.linalg.norm(rest) > INDEPENDENT * np.linalg.norm(column):
-            basis = np.column_stack([basis, rest / np.linalg.norm(rest)])
-    return basis
 
 
 def _statistic_between_recordings(

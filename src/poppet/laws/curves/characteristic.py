@@ -89,7 +89,23 @@ class Characteristic:
     def __post_init__(self) -> None:
         # Only valid curves can be evaluated over the domain.
         collect([*self._form_problems()])
-        collect([*self._value_problems()])
+        problems = []
+        for name, (symbol, unit) in _CURVES.items():
+            curve = self._curve(name)
+            # C is not negative, and b is in 0..1. Extreme values occur at the ends of the domain or at turning points.
+            strokes = [*self.domain, *curve.turning_points(*self.domain)] if self._bounded else [0.0]
+            values = {x: float(curve(x)) for x in strokes}
+            lowest, highest = min(values, key=values.__getitem__), max(values, key=values.__getitem__)
+            # The sum of the segments of a table has rounding errors at points that are exactly zero.
+            if values[lowest] < -1e-12 * abs(values[highest]):
+                worst, limits = lowest, "negative"
+            elif name == "critical_ratio" and values[highest] >= 1.0:
+                worst, limits = highest, "1 or more"
+            else:
+                continue
+            facts: dict[str, Any] = {"value": values[worst], "unit": unit, "stroke_mm": 1e3 * worst, "limits": limits}
+            problems.append(OutOfRangeError("curves.impossible_value", name, **facts, symbol=symbol, name=self.name))
+        collect(problems)
 
     def sonic_conductance_at(self, x: Any, parameters: Mapping[str, Any] | None = None) -> Any:
         """Return the sonic conductance at a stroke.
@@ -320,27 +336,6 @@ class Characteristic:
             yield InputError("fields.not_an_option", "edge", meaning="edge policy", value=self.edge, near=near)
         if self.closing is not None and not 0.0 < float(self.closing) < math.inf:
             yield OutOfRangeError("curves.closing", shown=self.closing.display())
-
-    def _value_problems(self) -> Iterable[InputError]:
-        """Yield an error if C or b has an impossible value in the domain.
-
-        C must not be negative, and b must be between 0 and 1. Only the ends of the domain and turning points are
-        checked, because extreme values occur there.
-        """
-        for name, (symbol, unit) in _CURVES.items():
-            curve = self._curve(name)
-            strokes = [*self.domain, *curve.turning_points(*self.domain)] if self._bounded else [0.0]
-            values = {x: float(curve(x)) for x in strokes}
-            lowest, highest = min(values, key=values.__getitem__), max(values, key=values.__getitem__)
-            # The sum of the segments of a table has rounding errors at points that are exactly zero.
-            if values[lowest] < -1e-12 * abs(values[highest]):
-                worst, limits = lowest, "negative"
-            elif name == "critical_ratio" and values[highest] >= 1.0:
-                worst, limits = highest, "1 or more"
-            else:
-                continue
-            facts: dict[str, Any] = {"value": values[worst], "unit": unit, "stroke_mm": 1e3 * worst, "limits": limits}
-            yield OutOfRangeError("curves.impossible_value", name, **facts, symbol=symbol, name=self.name)
 
 
 def _joined(parts: Mapping[str, Mapping[str, T]]) -> dict[str, T]:

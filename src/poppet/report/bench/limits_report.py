@@ -18,6 +18,7 @@ from poppet.report.tables import ReportTable, numeric
 from poppet.timeseries.plotting.figures import GREY, INK, PALETTE, axes_in, new_figure, style
 
 if TYPE_CHECKING:
+    from matplotlib.collections import QuadMesh
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
@@ -228,7 +229,7 @@ def stability_figure(result: LimitsResult) -> Figure:
 
     norm = SymLogNorm(10.0, vmin=-2000.0, vmax=2000.0)
 
-    def draw(axes: Any, spring: float) -> Any:
+    def draw(axes: Any, spring: float) -> QuadMesh:
         growth, hum = (_array(result.map(name, spring)) for name in ("growth", "smooth_frequency"))
         does = np.array(result.map("smooth", spring))
         _write(
@@ -244,7 +245,7 @@ def stability_figure(result: LimitsResult) -> Figure:
 def hum_figure(result: LimitsResult) -> Figure:
     """Draw the amplitude and the frequency of the limit cycles (self-excited oscillations) of the complete valve."""
 
-    def draw(axes: Any, spring: float) -> Any:
+    def draw(axes: Any, spring: float) -> QuadMesh:
         amplitude, frequency = (_array(result.map(name, spring)) for name in ("amplitude", "frequency"))
         mesh, mark = _heat(axes, amplitude, (10.0, 1e4), "viridis_r")
 
@@ -354,14 +355,15 @@ def _spring_figure(result: LimitsResult, draw: Callable[[Any, float], Any], labe
     return figure
 
 
-def _mesh(axes: Any, values: Array, **options: Any) -> Any:
+def _mesh(axes: Any, values: Array, **options: Any) -> QuadMesh:
     x, y = (np.arange(count + 1) - 0.5 for count in values.shape[::-1])  # cells about whole numbers
-    return axes.pcolormesh(x, y, values, **options)
+    mesh: QuadMesh = axes.pcolormesh(x, y, values, **options)
+    return mesh
 
 
 def _heat(
     axes: Any, values: Array, limits: tuple[float, float], colours: str = "viridis"
-) -> tuple[Any, Callable[[float], str]]:
+) -> tuple[QuadMesh, Callable[[float], str]]:
     """Draw a map of values in colours on a logarithmic scale.
 
     The second result is a function that returns a readable text colour for a value.

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from poppet.core.number_format import pretty, readable_unit, scaled, with_unit
 from poppet.core.units import convert
@@ -192,7 +193,7 @@ def _y_unit(trace: Trace) -> str:
     return "degC" if trace.unit == "K" else _readable(trace.unit, trace.measured, trace.model)
 
 
-def _visible_rows(x: FloatArray, y: FloatArray) -> Any:
+def _visible_rows(x: FloatArray, y: FloatArray) -> NDArray[np.int_]:
     return thinned(x, y, _COLUMNS) if np.all(np.diff(x) > 0.0) else np.arange(x.size)
 
 

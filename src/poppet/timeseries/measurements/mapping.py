@@ -293,7 +293,7 @@ class _MeasurementReader:
             return None
         return index
 
-    def _time(self, table: Table, value: Any, location: str) -> Any:
+    def _time(self, table: Table, value: Any, location: str) -> FloatArray | None:
         """Return the times of all samples of a table [s].
 
         `value` is the field `time`, and `location` its address in error messages.

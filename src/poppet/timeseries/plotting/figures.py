@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 import warnings
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -52,7 +52,7 @@ _DOTS_PER_INCH = 150
 _HINTED = 1.05  # maximum width of letters that are fitted to pixels, relative to their outlines
 
 
-def style(purpose: str, path: str | Path | None = None) -> Any:
+def style(purpose: str, path: str | Path | None = None) -> AbstractContextManager[None]:
     """Return a context manager that applies the common style of all figures.
 
     `purpose` describes the task, for the error message if Matplotlib is not installed. `path` is the file of the
@@ -62,7 +62,8 @@ def style(purpose: str, path: str | Path | None = None) -> Any:
         check_format(path)
     with needed("matplotlib", purpose, "plot"):
         import matplotlib as mpl
-    return mpl.rc_context(_STYLE)
+    context: AbstractContextManager[None] = mpl.rc_context(_STYLE)
+    return context
 
 
 def new_figure(width: float, height: float) -> Figure:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import importlib
 import inspect
 import json
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import Any, TypeVar
+from types import ModuleType
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -18,6 +20,10 @@ from poppet.core.units import LARGEST
 from poppet.timeseries.checks import METADATA, FloatArray
 from poppet.timeseries.tables import text
 from poppet.timeseries.tables.table import Table, groups_of, seconds, table_of
+
+if TYPE_CHECKING:
+    import pyarrow
+    from numpy.typing import NDArray
 
 __all__ = ["Table", "read_table", "read_with"]
 
@@ -132,7 +138,7 @@ def read_mat(path: Path) -> Table:
     return table_of(columns, {}, meta=meta)
 
 
-def _hdf5_item(item: Any) -> Any:
+def _hdf5_item(item: Any) -> dict[str, Any] | NDArray[Any] | None:
     if hasattr(item, "items"):
         return {name: _hdf5_item(inner) for name, inner in item.items()}
     if item.dtype.kind not in "iufb" or item.attrs.get("MATLAB_class", b"") in (b"char", b"cell"):
@@ -155,15 +161,15 @@ def _vectors(content: Mapping[str, Any], prefix: str = "") -> Iterator[tuple[str
                     yield f"{prefix}{name}(:,{k})", column.astype(float)
 
 
-def arrow() -> Any:
+def arrow() -> ModuleType:
     """Import the package pyarrow, and return it."""
     with needed("pyarrow", "A Parquet file", "data"):
-        import pyarrow
-        import pyarrow.parquet
-    return pyarrow
+        package = importlib.import_module("pyarrow")
+        importlib.import_module("pyarrow.parquet")
+    return package
 
 
-def table_in(path: Path, columns: list[str] | None = None) -> Any:
+def table_in(path: Path, columns: list[str] | None = None) -> pyarrow.Table:
     """Return the content of a Parquet file as a pyarrow table.
 
     `columns` selects columns. The default is all columns.
