@@ -36,7 +36,7 @@ MOST_ATTEMPTS = 1_500_000
 
 @dataclass(frozen=True)
 class SineResponse:
-    """Response of an output to a sinusoidal input."""
+    """Response of an output to a sinusoidal input, as gain and phase."""
 
     gain: complex  # fundamental of the output per amplitude of the input, in the units of both
     mean: float  # mean of the output, in the unit of the output
@@ -210,7 +210,10 @@ class Agreement:
 
 
 def without_bands(circuit: BaseCircuit) -> BaseCircuit:
-    """Return the circuit with averaged solenoids, without controller bands, delays and quantisation."""
+    """Return the circuit with a controller that acts continuously.
+
+    Solenoids are averaged. The controller has no bands, delays and quantisation.
+    """
     changes: dict[str, float | str] = {}
     for name, part in circuit.parts.items():
         members = part.members if isinstance(part, Compound) else {"": part}
@@ -244,12 +247,14 @@ def agreement(
     edges = np.flatnonzero(np.diff(np.concatenate([[0], (differences <= tolerance).astype(int), [0]])))
     if edges.size:
         first, end = max(zip(edges[::2], edges[1::2], strict=True), key=lambda run: run[1] - run[0])
-        low = 0.0 if first == 0 else _edge(difference, candidates[first], candidates[first - 1], tolerance)
-        high = np.inf if end == SCANNED else _edge(difference, candidates[end - 1], candidates[end], tolerance)
+        low = 0.0 if first == 0 else _end_of_agreement(difference, candidates[first], candidates[first - 1], tolerance)
+        high = (
+            np.inf if end == SCANNED else _end_of_agreement(difference, candidates[end - 1], candidates[end], tolerance)
+        )
     return Agreement(low, high, frequency, tolerance, tuple(candidates.tolist()), tuple(differences.tolist()))
 
 
-def _edge(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
+def _end_of_agreement(difference: Callable[[float], float], inside: float, outside: float, tolerance: float) -> float:
     """Return the amplitude at which the agreement with the linear model ends.
 
     `difference` is a function that returns the deviation from the linear model. The bisection starts with the amplitude

@@ -144,7 +144,7 @@ def closed(properties: Schema, required: Any = (), description: str = "") -> Sch
 def _field(name: str, spec: Spec, owner: type) -> Schema:
     match spec:
         case NumberSpec():
-            return _number(spec, owner)
+            return _number_schema(spec, owner)
         case OptionSpec(choices=choices) if choices == OFF_ON:
             return {"type": "boolean", "default": False, "description": spec.doc}
         case OptionSpec():
@@ -163,7 +163,7 @@ def _field(name: str, spec: Spec, owner: type) -> Schema:
     return _REFERENCES[name]() | {"description": spec.doc}
 
 
-def _number(spec: NumberSpec, owner: type) -> Schema:
+def _number_schema(spec: NumberSpec, owner: type) -> Schema:
     """Return the JSON schema of a numeric field of the class `owner`.
 
     The field is a number in SI units within limits, a text with a unit, or a table with value and source.

@@ -44,9 +44,9 @@ def run_bench_command(options: argparse.Namespace) -> int:
         collect([InputError("cli.bench.of_circuit", option=name) for name in unused])
     require_matplotlib(options.report)
     # Both files are read before the first run: an error in the second must not cost a bench of the first.
-    run = _prepare(options, Path(options.file or options.recording), options.values, is_comparison=False)
+    run = _result_provider(options, Path(options.file or options.recording), options.values, is_comparison=False)
     run_comparison = (
-        _prepare(options, Path(options.compare), [], is_comparison=True) if options.compare else lambda _: None
+        _result_provider(options, Path(options.compare), [], is_comparison=True) if options.compare else lambda _: None
     )
     with BenchProgress(is_quiet=options.quiet) as progress:
         result = run(progress)
@@ -63,7 +63,7 @@ def run_bench_command(options: argparse.Namespace) -> int:
     return {"failed": FAILED, "interrupted": INTERRUPTED}.get(result.outcome, 0)
 
 
-def _prepare(
+def _result_provider(
     options: argparse.Namespace, path: Path, values: list[str], *, is_comparison: bool
 ) -> Callable[[BenchProgress], BenchResult]:
     """Return a function that provides the bench result for a file.

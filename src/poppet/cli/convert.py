@@ -186,7 +186,7 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
         return f"{convert(value, _SI[target_name], unit) if unit else value:.8g} {unit or target_name}"
 
     source_value = float(convert(number, source_unit, _SI[source_name])) if source_name in _SI else number
-    conductance = _conductance(source_name, source_value, context)
+    conductance = _convert_to_conductance(source_name, source_value, context)
     b = conductance.critical_ratio
     factor, shift = context.factors_from_air(target_name)
     target_conductance, target_ratio = conductance.sonic_conductance / factor, (b - shift) / (1.0 - shift)
@@ -202,7 +202,7 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
     if target_unit == SIZES[target_name] and target_name in _SECOND_UNITS:
         texts.append(format_value(target_value, _SECOND_UNITS[target_name]))
     # The note of the inverse conversion states the definition and atmosphere of the target.
-    inverse_note = _conductance(target_name, target_value, context._replace(critical_ratio=b)).note
+    inverse_note = _convert_to_conductance(target_name, target_value, context._replace(critical_ratio=b)).note
     ratio_note = "" if conductance.critical_ratio_assumed else f"b = {b:.4g}"
     notes = dict.fromkeys(filter(None, (conductance.note, inverse_note, ratio_note)))
     if "C" in (source_name, target_name) and context.gas:
@@ -212,7 +212,7 @@ def _convert_capacity(number: float, source: tuple[str, str], target: tuple[str,
     return [f"{number:.10g} {source_unit} = {' = '.join(texts)}", *notes]
 
 
-def _conductance(capacity: str, value: float, context: _Context) -> Conductance:
+def _convert_to_conductance(capacity: str, value: float, context: _Context) -> Conductance:
     """Convert a flow capacity in SI units to C and b, with a note.
 
     `capacity` is the kind of flow capacity, such as `Kv`. The note describes the conversion.

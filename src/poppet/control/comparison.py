@@ -185,7 +185,7 @@ def compare(
     plants = {name: plant_of(circuit, controller_name) for name, circuit in circuits.items()}
     prefix = f"{controller_name}."
     with ErrorCollector() as errors:
-        properties = {name: {**c.parameters, **_shape(c, plants[name])} for name, c in circuits.items()}
+        properties = {name: {**c.parameters, **_properties_to_compare(c, plants[name])} for name, c in circuits.items()}
         first_properties = next(iter(properties.values()))
         for name, circuit in circuits.items():
             for key in sorted({*properties[name], *first_properties}):
@@ -251,7 +251,7 @@ class _Contender:
         self.figures.append(dict.fromkeys(self.kinds, np.inf) if missing else metrics)
 
 
-def _shape(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
+def _properties_to_compare(circuit: BaseCircuit, plant: Plant) -> dict[str, Any]:
     """Return all properties of a circuit that must be equal in a comparison.
 
     Parameter values and the controller itself are not included.

@@ -64,7 +64,7 @@ class ManualPlant(Plant):
             factor /= self.part.parameters(self.instance.surroundings).get("vent_factor", 1.0)
         a, b, c = model.A * size[None, :] / size[:, None], factor * model.B[:, column] / size, model.C[row] * size
         # Without states that the command cannot reach or the measurement does not depend on.
-        relevant = _reachable(a != 0.0, b != 0.0) & _reachable(a.T != 0.0, c != 0.0)
+        relevant = _reachable_states(a != 0.0, b != 0.0) & _reachable_states(a.T != 0.0, c != 0.0)
         return SampledPlant(a[np.ix_(relevant, relevant)], b[relevant], c[relevant], model.sample_time)
 
     @property
@@ -146,7 +146,7 @@ class ManualPlant(Plant):
         yield trim.point.start, command
 
 
-def _reachable(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDArray[np.bool_]:
+def _reachable_states(edges: NDArray[np.bool_], start: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Return a mask of all states that can be reached from the states in `start`.
 
     `edges[i, j]` is True if state j directly affects state i.

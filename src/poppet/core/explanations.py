@@ -36,22 +36,26 @@ def example_texts(code: str, example: Mapping[str, Any]) -> dict[str, str]:
 
     An error has three texts with the keys `given`, `reason` and `hint`. A note has one text with an empty key.
     """
-    facts = {name: _restored(value) for name, value in example.get("facts", {}).items()}
+    facts = {name: _with_original_types(value) for name, value in example.get("facts", {}).items()}
     if "cause" in example:
         cause = example["cause"]
-        facts["cause"] = InputError(cause["code"], **{name: _restored(value) for name, value in cause["facts"].items()})
+        facts["cause"] = InputError(
+            cause["code"], **{name: _with_original_types(value) for name, value in cause["facts"].items()}
+        )
     facts["address"] = example.get("address", "")
     return {part: sentence(code, facts, part) for part in (("",) if isinstance(template(code), str) else PARTS)}
 
 
-def _restored(value: Any) -> Any:
+def _with_original_types(value: Any) -> Any:
     """Convert a fact from a file back to its original types.
 
     Files contain lists instead of tuples, and tables instead of notes.
     """
     if isinstance(value, dict):
         if "code" in value and "address" in value:
-            facts = {key: _restored(member) for key, member in value.items() if key not in ("code", "address")}
+            facts = {
+                key: _with_original_types(member) for key, member in value.items() if key not in ("code", "address")
+            }
             return Note(value["code"], value["address"], **facts)
-        return {key: _restored(member) for key, member in value.items()}
-    return tuple(map(_restored, value)) if isinstance(value, list) else value
+        return {key: _with_original_types(member) for key, member in value.items()}
+    return tuple(map(_with_original_types, value)) if isinstance(value, list) else value

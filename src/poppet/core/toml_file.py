@@ -192,7 +192,7 @@ def _dotted(text: str) -> str:
     return ".".join(a or b or c for a, b, c in _PIECE.findall(text))
 
 
-def _like(path: Path, table: str) -> NameSuggestion:
+def _similar_files(path: Path, table: str) -> NameSuggestion:
     """Return a suggestion for the name of a file that does not exist.
 
     The suggestion contains files in the same folder that have a similar name and contain the table `table`.
@@ -219,7 +219,7 @@ def read_text(path: Path, table: str = "") -> str:
         with path.open("rb") as file:
             data = file.read(LARGEST + 1)  # devices have no size
     except FileNotFoundError:
-        suggestion = _like(path, table)
+        suggestion = _similar_files(path, table)
         is_lost = not suggestion.names
         new = is_lost and table == "parts"
         raise InputError("toml.no_file", path=name, near="" if is_lost else suggestion, lost=is_lost, new=new) from None

@@ -199,7 +199,7 @@ class _Expression:
         if token in TABLE:
             return TABLE[token]
         if token[0].isalpha():
-            raise _unknown(self.text, token)
+            raise _unknown_symbol_error(self.text, token)
         raise self.refused("unit.unreadable", at=token)
 
     def exponent(self) -> Fraction:
@@ -243,7 +243,7 @@ def _decades(scale: Fraction) -> float:
 _MEANT = {"C": "degC", "F": "degF", "sec": "s", "lpm": "l/min", "liter": "l", "litre": "l"}
 
 
-def _unknown(text: str, symbol: str) -> UnitError:
+def _unknown_symbol_error(text: str, symbol: str) -> UnitError:
     """Return the error for a symbol that is not a unit.
 
     The error contains the most specific hint that is available, for example a similar unit.

@@ -157,10 +157,10 @@ def controller_program(circuit: BaseCircuit, parts: Sequence[str] = ()) -> Contr
     )  # fmt: skip
 
 
-def select_parts(circuit: BaseCircuit, text: str | None) -> list[str]:
-    """Return the names of the controllers in the text of the option --part.
+def controllers_of_option(circuit: BaseCircuit, text: str | None) -> list[str]:
+    """Return the names of the controllers that the option --part selects.
 
-    The text `controller` selects the only controller of the circuit.
+    `text` is the value of the option. The text `controller` selects the only controller of the circuit.
     """
     parts = [name.strip() for name in (text or "").split(",") if name.strip()]
     return [] if parts == ["controller"] and "controller" not in circuit.parts else parts

@@ -109,7 +109,10 @@ class ExportModel:
 
     @cached_property
     def functions(self) -> dict[str, casadi.Function]:
-        """CasADi functions of the model by name, from which a code generator (printer) writes code."""
+        """CasADi functions of the model by name.
+
+        A printer (code generator) writes code from them.
+        """
         return trace_functions(self.model)
 
 
@@ -191,7 +194,10 @@ def _export_parameters(circuit: BaseCircuit, instance: Instance, problem: Proble
 
 
 def _parameter_specs(circuit: BaseCircuit) -> dict[str, NumberSpec]:
-    """Return the declaration of each parameter by address: unit, limits and meaning."""
+    """Return the declarations of all parameters of a circuit by address.
+
+    A declaration contains unit, limits and meaning.
+    """
     specs = number_specs(circuit)
     for section in ("ambient", "gas"):
         specs |= {f"{section}.{key}": spec for key, spec, _ in flatten(getattr(circuit, section))}
@@ -219,7 +225,7 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     """
     specs, values = _parameter_specs(circuit), circuit.parameters
     tied, neighbours = set(), {}
-    for address in circuit.numbers().keys() & values.keys():
+    for address in (address for address in circuit.numbers() if address in values):
         value, spec = values[address], specs.get(address) or NumberSpec("1", address)
         candidates = [value * (1.0 + sign * 1e-6) if value else sign * 1e-6 for sign in (1.0, -1.0)]
         valid = [candidate for candidate in candidates if spec.holds(candidate)]
@@ -233,9 +239,12 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
             with ErrorCollector() as errors:
                 check_starts(errors, {**circuit.parts, name: changed}, circuit.signals)
 
-        tied |= {f"{name}.{key}" for key in _tied_in_part(part, _below(neighbours, name), circuit.surroundings, check)}
+        tied |= {
+            f"{name}.{key}"
+            for key in _tied_in_part(part, _values_within(neighbours, name), circuit.surroundings, check)
+        }
     for section in ("ambient", "gas"):
-        for key, neighbour in _below(neighbours, section).items():
+        for key, neighbour in _values_within(neighbours, section).items():
             address = f"{section}.{key}"
             try:
                 is_tied = circuit.with_values({address: neighbour}).parameters != {**values, address: neighbour}
@@ -246,7 +255,7 @@ def find_tied(circuit: BaseCircuit) -> frozenset[str]:
     return frozenset(tied)
 
 
-def _below(values: Mapping[str, float], name: str) -> dict[str, float]:
+def _values_within(values: Mapping[str, float], name: str) -> dict[str, float]:
     """Return the values of one part or section by their names inside it.
 
     `values` contains all addresses. Only those that begin with `name` and a dot are selected.
@@ -266,7 +275,7 @@ def _tied_in_part(
     if isinstance(part, Compound) and type(part).parameters is Compound.parameters:
         # The values of a member depend on the member and on the parameters of the compound itself.
         for name, member in part.members.items():
-            keys = _tied_in_part(member, _below(neighbours, name), surroundings, lambda changed: None)
+            keys = _tied_in_part(member, _values_within(neighbours, name), surroundings, lambda changed: None)
             tied |= {f"{name}.{key}" for key in keys}
         neighbours = {key: v for key, v in neighbours.items() if key.partition(".")[0] not in part.members}
     elif set(values) <= set(part.numbers()) and type(part).check is Part.check:

@@ -27,7 +27,10 @@ UNITS = {"mass": "kg", "energy": "J", "motion": "J"}
 
 
 class Residual(NamedTuple):
-    """Error of one balance over a run, with the values that determine its limit."""
+    """Error of one mass or energy balance over a run.
+
+    It contains the values that determine the largest permitted error.
+    """
 
     store: str
     quantity: str  # mass, energy or motion
@@ -46,7 +49,7 @@ class Residual(NamedTuple):
 
     @property
     def allowed(self) -> float:
-        """Limit of the error for a correct run.
+        """Largest error of the balance that a correct run can have.
 
         Gas: 1e-9 of the mass and 1e-7 of the energy that flowed, and 1e-12 of the inventory. Bodies: 1e-4 of the work
         and 1e-7 J.
@@ -55,7 +58,7 @@ class Residual(NamedTuple):
 
     @property
     def is_kept(self) -> bool:
-        """True if the error of the balance is within the limit."""
+        """True if the error of the balance is within its limit."""
         return self.error <= self.allowed
 
 

@@ -80,13 +80,13 @@ class Call:
 
     @property
     def memory(self) -> Array:
-        """Discrete state at the end of the last run."""
+        """Discrete states at the end of the last run."""
         return self._p[len(self.problem.kernel.model.parameters) :]
 
     def run(self, progress: Callable[[float], Any] | None = None) -> RawRun:
-        """Integrate once and return the result.
+        """Integrate the problem once, and return the result.
 
-        Use `repeat` for several runs. `progress` is called with the time reached [s].
+        For several runs, use `repeat`. `progress` is called with the time reached [s].
         """
         function = integrator()
         # Without `progress`, no thread: its start takes longer than a short run.

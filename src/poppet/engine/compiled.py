@@ -83,7 +83,7 @@ def load(code: bytes, names: Iterable[str]) -> CompiledFunctions:
 
 
 def optimised_object(text: str) -> bytes:
-    """Compile LLVM IR with optimisation, and return the object code."""
+    """Compile LLVM IR with optimisation to object code, and return the code."""
     import llvmlite.binding as llvm
 
     machine = _target_machine()
@@ -118,7 +118,7 @@ class PrebuiltIntegrator(NamedTuple):
         return f"made from {', '.join(self.sources)}, sha256 {hashlib.sha256(source).hexdigest()}"
 
     def printed(self) -> str:
-        """Generate LLVM IR from the present source files with Numba."""
+        """Generate the LLVM IR of the integrator with Numba from the source files."""
         module, name = self.maker.rsplit(".", 1)
         text: str = getattr(import_module(module), name)()
         return text

@@ -31,16 +31,16 @@ class Edge(NamedTuple):
 
         The expression is zero if the condition is false, even if `value` is infinite.
         """
-        return self.value if self.condition is None else _binary("OP_IF_ELSE_ZERO", self.condition, self.value)
+        return self.value if self.condition is None else _apply_operation("OP_IF_ELSE_ZERO", self.condition, self.value)
 
     def multiply(self, factor: Edge) -> Edge:
         """Return the product of this derivative and the next one (chain rule)."""
         if self.condition is None:
-            return Edge(_binary("OP_MUL", self.value, factor.value), factor.condition)
-        return Edge(_binary("OP_MUL", self.value, factor.expression()), self.condition)
+            return Edge(_apply_operation("OP_MUL", self.value, factor.value), factor.condition)
+        return Edge(_apply_operation("OP_MUL", self.value, factor.expression()), self.condition)
 
 
-def _binary(operation: str, first: Any, second: Any) -> casadi.SX:
+def _apply_operation(operation: str, first: Any, second: Any) -> casadi.SX:
     """Return the symbolic result of a CasADi operation on two scalars.
 
     `operation` is the name of the operation. This function is twenty times faster than the operators of CasADi.
@@ -72,7 +72,7 @@ class DerivativeGraph:
         If there is an edge between them already, the derivatives are added.
         """
         existing = self.out[source].get(target)
-        total = edge if existing is None else Edge(_binary("OP_ADD", existing.expression(), edge.expression()))
+        total = edge if existing is None else Edge(_apply_operation("OP_ADD", existing.expression(), edge.expression()))
         self.out[source][target] = self.into[target][source] = total
 
     def eliminate(self, vertex: int) -> tuple[dict[int, Edge], dict[int, Edge]]:
@@ -110,7 +110,7 @@ class DerivativeGraph:
 
 
 @cache
-def _partials(operation: int, count: int) -> casadi.Function:
+def _partial_derivatives(operation: int, count: int) -> casadi.Function:
     """Return a CasADi function for the partial derivatives of an operation.
 
     `count` is the number of arguments of the operation.
@@ -122,7 +122,7 @@ def _partials(operation: int, count: int) -> casadi.Function:
     return ca.Function("partials", symbols, [ca.densify(ca.jacobian(result, symbol)) for symbol in symbols])
 
 
-def _edges(operation: int, arguments: list[Any]) -> list[Edge]:
+def _edges_to_arguments(operation: int, arguments: list[Any]) -> list[Edge]:
     """Return the partial derivative of an operation by each of its arguments."""
     import casadi as ca
 
@@ -135,9 +135,9 @@ def _edges(operation: int, arguments: list[Any]) -> list[Edge]:
     if operation in (ca.OP_FMIN, ca.OP_FMAX):
         low, high = arguments if operation == ca.OP_FMIN else reversed(arguments)
         # Equal arguments: the first is the maximum, the second the minimum.
-        first = _binary("OP_LT" if operation == ca.OP_FMIN else "OP_LE", low, high)
+        first = _apply_operation("OP_LT" if operation == ca.OP_FMIN else "OP_LE", low, high)
         return [Edge(first), Edge(ca.SX.unary(ca.OP_NOT, first))]
-    return [Edge(partial) for partial in _partials(operation, len(arguments)).call(arguments)]
+    return [Edge(partial) for partial in _partial_derivatives(operation, len(arguments)).call(arguments)]
 
 
 class _OperationGraph:
@@ -178,7 +178,7 @@ class _OperationGraph:
                 value = ca.SX.unary(operation, *values) if len(read) == 1 else ca.SX.binary(operation, *values)
                 sources = [slots[slot][1] for slot in read]
                 if any(source is not None for source in sources):
-                    edges = zip(sources, _edges(operation, values), strict=True)
+                    edges = zip(sources, _edges_to_arguments(operation, values), strict=True)
                     vertex = self._add_vertex([(i, e) for i, e in edges if i is not None and not e.value.is_zero()])
             slots[written[0]] = value, vertex
 

@@ -55,9 +55,9 @@ def eliminate(pattern: set[tuple[int, int]], size: int) -> Elimination:
 
 
 def solver_functions(sparsity: Any) -> tuple[Any, Any]:
-    """Return CasADi functions that factorise and solve ``(I*s - J) x = b``.
+    """Return CasADi functions that solve the linear system ``(I*s - J) x = b``.
 
-    `sparsity` is the pattern of nonzeros of J.
+    One function factorises the matrix, and the other solves the system. `sparsity` is the pattern of nonzeros of J.
     """
     import casadi as ca
 
@@ -79,12 +79,12 @@ def solver_functions(sparsity: Any) -> tuple[Any, Any]:
     keys = sorted(entries)
     lu = ca.SX.sym("lu", len(keys))
     right = ca.SX.sym("b", size)
-    solution = _substitute(plan, {key: lu[k] for k, key in enumerate(keys)}, [right[k] for k in range(size)])
+    solution = _solve_factorised(plan, {key: lu[k] for k, key in enumerate(keys)}, [right[k] for k in range(size)])
     factor = ca.Function("factor", [jacobian, shift], [ca.vertcat(*(entries[key] for key in keys))])
     return factor, ca.Function("solve", [lu, right], [ca.vertcat(*solution)])
 
 
-def _substitute(plan: Elimination, lu: dict[tuple[int, int], Any], values: list[Any]) -> list[Any]:
+def _solve_factorised(plan: Elimination, lu: dict[tuple[int, int], Any], values: list[Any]) -> list[Any]:
     """Return the solution of a factorised linear system for one right-hand side.
 
     `plan` describes the factors, and `lu` contains their elements. `values` is the right-hand side. All elements are

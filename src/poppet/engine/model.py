@@ -109,7 +109,7 @@ class Model:
 
     @property
     def size(self) -> int:
-        """Length of the vector x, including quadratures."""
+        """Length of the state vector x, including quadratures (integrals of flows)."""
         return len(self.states) + self.n_quadratures
 
     @property
@@ -154,7 +154,7 @@ class Model:
 
     @cached_property
     def columns(self) -> tuple[tuple[str, ...], tuple[str, ...]]:
-        """Addresses of the outputs, and their SI units."""
+        """Addresses of all outputs, and their SI units."""
         return tuple(name for name, _ in self.outputs), tuple(unit for _, unit in self.outputs)
 
     @cached_property
@@ -184,7 +184,10 @@ class Model:
 
     @cached_property
     def linear_function(self) -> casadi.Function:
-        """CasADi function (t, x, u, p) -> (f, y, A, B, C, D) without quadratures."""
+        """CasADi function of the linear model without quadratures (integrals of flows).
+
+        The function is (t, x, u, p) -> (f, y, A, B, C, D) with rates f and outputs y.
+        """
         import casadi as ca
 
         s, n = self.symbols, len(self.states)

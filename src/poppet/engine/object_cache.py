@@ -43,7 +43,7 @@ def object_code(source: str, compile_it: Callable[[str], bytes]) -> bytes:
     # Without a usable folder, the next process compiles again.
     with contextlib.suppress(OSError):
         path.parent.mkdir(mode=0o700, parents=True, exist_ok=True)
-        _check(path.parent.stat())
+        _check_permissions(path.parent.stat())
         # With rights 0600.
         handle, name = tempfile.mkstemp(dir=path.parent, suffix=".new")
         try:
@@ -86,15 +86,15 @@ def _key(source: str) -> str:
 
 
 def _read(path: Path) -> bytes:
-    _check(path.parent.stat())
+    _check_permissions(path.parent.stat())
     # The open file is checked, and links are not followed: another process could replace the path after a check.
     handle = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0))
     with os.fdopen(handle, "rb") as file:
-        _check(os.fstat(file.fileno()))
+        _check_permissions(os.fstat(file.fileno()))
         return file.read()
 
 
-def _check(status: os.stat_result) -> None:
+def _check_permissions(status: os.stat_result) -> None:
     """Raise PermissionError if another user could change a file.
 
     `status` is the status of the file. Windows protects the folder of the user itself.

@@ -100,7 +100,7 @@ def constant_coefficients(u: Array, begin: float = 0.0) -> Array:
 
 @dataclass(frozen=True)
 class RawRun:
-    """Result of a solver run as arrays."""
+    """Result of a run by any solver, as plain arrays."""
 
     outcome: Outcome
     time: Array  # (n_times,) output times reached [s]
@@ -128,7 +128,7 @@ class RawRun:
 
 
 def is_failure(problem: Problem, run: RawRun) -> bool:
-    """Return True if a run failed.
+    """Return True if a run has failed.
 
     A run that reaches its end or a stop condition of the user has not failed.
     """
@@ -136,7 +136,7 @@ def is_failure(problem: Problem, run: RawRun) -> bool:
 
 
 def ending(problem: Problem, run: RawRun) -> Note:
-    """Return a note on the outcome of a run, with the time and the cause."""
+    """Return a note on how a run ended, with the time and the cause."""
     if run.outcome is Outcome.STOPPED:
         reason = problem.stop_conditions[run.stop].reason
         return Note(reason.code, reason.address, **reason.facts, time=run.reached)

@@ -204,7 +204,9 @@ def size(
     standard = np.unique([read_value(raw, "sizes") for raw in sizes])
     for value in standard.tolist():
         spec.check_range("sizes", value, f"{value:g}", spec.meaning)
-    low, high = _range(between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free)
+    low, high = _search_range(
+        between, nominal, (max(spec.low, spec.above), min(spec.high, spec.below)), read_value, free
+    )
     uncertain = plan_of(circuit, **fields) if share is not None else None
     if share is not None:
         Field(unit="1", above=0.0, below=1.0, meaning="required fraction").read(share, "share")
@@ -319,7 +321,7 @@ class _Evaluator:
         return _Evaluations(np.asarray(values), met.mean(axis=1), metrics.mean(axis=1), margins, worst)
 
 
-def _range(
+def _search_range(
     ends: tuple[Any, Any] | None,
     nominal: float,
     limits: tuple[float, float],

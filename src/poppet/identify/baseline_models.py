@@ -83,7 +83,8 @@ class FirstOrder:
 
 @dataclass(frozen=True, eq=False)
 class SecondOrderArx:
-    r"""Linear second-order difference equation with dead time and a constant.
+    r"""Linear difference equation of second order, with dead time and a constant.
+
 
     .. math:: y_k = a_1 y_{k-1} + a_2 y_{k-2} + b_1 u_{k-d} + b_2 u_{k-d-1} + c
     """

@@ -86,7 +86,10 @@ class FreeParameter:
 
 
 def by_name(free: Sequence[FreeParameter], x: Iterable[float]) -> dict[str, float]:
-    """Return a mapping from the name of each free parameter to its value in `x`."""
+    """Return the value of each free parameter by name.
+
+    `x` contains the values in the order of `free`.
+    """
     return {f.name: float(v) for f, v in zip(free, x, strict=True)}
 
 

@@ -127,9 +127,11 @@ def few_runs_probability(residuals: FloatArray) -> float:
 
 
 def gain(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_]]:
-    r"""Return the derivative of the estimates by the residuals, and a mask of determined parameters.
+    r"""Return the derivative of the estimates by the residuals.
 
     The derivative G is the pseudo-inverse of the Jacobian J of the residuals. cov is the covariance of the estimates.
+    The second item is a mask of the parameters that the data determine.
+
 
     .. math:: G = J^{+}, \qquad \mathrm{cov} = G G^\mathsf{T}
     """

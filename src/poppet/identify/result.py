@@ -163,7 +163,7 @@ class Result(ResultFileMixin, HtmlMixin):
 
     @property
     def findings(self) -> tuple[str, ...]:
-        """Findings as sentences."""
+        """Findings of the identification as sentences."""
         return tuple(str(remark) for remark in self.remarks)
 
     def values(self) -> dict[str, Number]:
@@ -252,7 +252,7 @@ class Result(ResultFileMixin, HtmlMixin):
         return plot_fitted_series(tables, path, title=self.title)
 
     def content(self) -> dict[str, Any]:
-        """Return the content of the result file as plain tables."""
+        """Return the content of the result file as nested tables."""
         return {
             "method": self.method,
             "title": self.title,

@@ -202,10 +202,10 @@ def number_spec(part: Part, path: str) -> NumberSpec:
 def expand_compounds(
     parts: Mapping[str, Part], connections: Mapping[str, str]
 ) -> tuple[dict[str, Part], dict[str, str], dict[str, str]]:
-    """Replace each compound of a circuit by its members.
+    """Replace each compound part of a circuit by its members.
 
-    Return the elementary parts, all connections between them, and a mapping from inner names of outputs to outer
-    names.
+    The result contains the elementary parts, all connections between them, and a mapping from inner names of outputs to
+    outer names.
     """
     flat: dict[str, Part] = {}
     flat_connections: dict[str, str] = {}

@@ -49,11 +49,11 @@ def spear_travel(depth: Any, length: Any, closing_length: Any) -> tuple[Any, Any
 
 @dataclass(frozen=True)
 class Cushion(MovingGasStore, Passage):
-    """Gas between a piston and its cover, with its flow path to the port; a member of `Cylinder`.
+    """Gas between a piston and its cover, with its flow path to the port.
 
-    The default of `closing_length` is a quarter of the spear diameter, where the ring between edge and spear has the
-    area of the bore. The default of `open_conductance` is that of an ideal nozzle with the area of the bore. The
-    default initial state is that of the chamber on this side.
+    It is a member part of `Cylinder`. The default of `closing_length` is a quarter of the spear diameter, where the
+    ring between edge and spear has the area of the bore. The default of `open_conductance` is that of an ideal nozzle
+    with the area of the bore. The default initial state is that of the chamber on this side.
     """
 
     kind: ClassVar[str] = "cushion"
@@ -91,7 +91,7 @@ class Cushion(MovingGasStore, Passage):
         if "open_conductance" not in values:
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = conductance_from_effective_area(values["spear_area"], **gas)
-            values["open_conductance"] = ambient.stated_size(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
+            values["open_conductance"] = ambient.capacity_as_stated(nozzle.sonic_conductance, nozzle.critical_ratio)[0]
         return values
 
     def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:

@@ -50,7 +50,10 @@ class FirstOrderSensor:
 
 @dataclass(frozen=True)
 class Converter:
-    """Analogue-to-digital converter for the sensors of outlet pressure and pilot pressure."""
+    """Parameters of the analogue-to-digital converter for the pressure sensors.
+
+    The sensors measure outlet pressure and pilot pressure.
+    """
 
     bits: NumberLike = number("1", 0.0, doc="bits of the converter", low=0.0, high=32.0, note="no quantisation")
     span: NumberLike = number("Pa", "10 bar", doc="pressure difference at full scale", above=0.0)
@@ -191,7 +194,7 @@ class Electronics(Controller):
         limits: dict[str, Any] = {"low": first, "high": last}
         if self.setpoint_type == "pressure":
             limits = {"low": "scaling.low", "high": "scaling.high", "kind": "pressure"}
-        setpoint = Input("setpoint", unit, "setpoint", delay="setpoint_delay", **limits)
+        setpoint = Input("setpoint", unit, "setpoint", delay="setpoint_delay", is_command=True, **limits)
         pressures = [Input(name, "Pa", name, kind="pressure", low=0.0) for name in self.measured]
         return setpoint, Input("power", "1", 1.0, low=0.0, high=1.0), *pressures
 

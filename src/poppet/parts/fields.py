@@ -50,7 +50,7 @@ class Declaration:
 
 @dataclass(frozen=True)
 class NumberSpec(Declaration, NumberRange):
-    """Declaration of a number: unit, limits, default and meaning."""
+    """Declaration of a field with a number: unit, limits, default and meaning."""
 
     unit: str
     kind: Kind = "plain"
@@ -67,7 +67,10 @@ class NumberSpec(Declaration, NumberRange):
         return self if self.varies is None else _vary(self, tuple(self.varies(part).items()))
 
     def check(self, name: str, value: float, text: str) -> None:
-        """Raise `OutOfRangeError` if a value is outside the declared limits."""
+        """Raise `OutOfRangeError` if a value is outside the declared limits.
+
+        `name` is the name of the field, and `text` the value as the user wrote it.
+        """
         self.check_range(name, value, text, self.meaning)
 
 
@@ -87,7 +90,7 @@ class OptionSpec(Declaration):
 
 
 class PortSpec(Declaration):
-    """Declaration of a port; its value is the name of the connected gas node."""
+    """Declaration of a field that names the gas node connected to a port."""
 
 
 class BodySpec(Declaration):
@@ -158,7 +161,10 @@ def laminar_limit() -> Any:
 
 
 def option(default: str, *choices: str, doc: str) -> Any:
-    """Declare an option; the default is also one of the choices."""
+    """Declare a field with a choice of words.
+
+    `default` is the default word, and `choices` are the other words.
+    """
     return _field(OptionSpec(doc, (default, *choices)), default)
 
 
@@ -208,9 +214,9 @@ def _field(spec: Spec, default: str | None = None) -> Any:
 
 
 def specs(kind: Any) -> Mapping[str, Spec]:
-    """Return the declarations of all fields of a class by field name.
+    """Return the declarations of all fields of a part class by field name.
 
-    The names are those of a circuit file (`from`, not `from_`).
+    `kind` is the class. The names are those of a circuit file (`from`, not `from_`).
     """
     # A separate function: type checkers do not accept a class as an argument of a cached function.
     return _specs(kind)
@@ -233,15 +239,15 @@ def declared(kind: Any, *types: type) -> tuple[tuple[str, str, Any], ...]:
 
 
 def attribute(name: str) -> str:
-    """Return the Python attribute for the name of a field.
+    """Return the Python attribute in which a field is stored.
 
-    The field `from` is a Python keyword and has the attribute `from_`.
+    It has the name of the field, except for `from`, a Python keyword, which is stored as `from_`.
     """
     return "from_" if name == "from" else name
 
 
 class ParameterDocstring:
-    """Docstring of a class with a generated section on parameters.
+    """Docstring of a class, extended by a section on its parameters.
 
     The section describes the declared fields. It is generated when the docstring is read.
     """
@@ -366,7 +372,7 @@ def default_number(name: str, spec: NumberSpec) -> Number | None:
 
 
 def from_table(kind: type[T], table: Any) -> T:
-    """Create an object with declared fields from a table of a file.
+    """Create an object of the class `kind` from a table of a file.
 
     All errors are reported together.
     """

@@ -35,7 +35,10 @@ _FROM_AIR: dict[str, Callable[..., iso6358.Conductance]] = {
 
 
 def read_characteristic(argument: Any, address: str) -> Characteristic:
-    """Read a flow characteristic by library name, from a TOML file or from a table."""
+    """Read a flow characteristic from the library, a TOML file or a table.
+
+    `argument` is the name in the library, the path of the file, or the table.
+    """
     if isinstance(argument, Characteristic):
         return argument
     if isinstance(argument, Mapping):
@@ -142,7 +145,7 @@ class FlowPath(Passage):
                 factor, shift = iso6358.factors_from_air(**gas)
                 of_air = _FROM_AIR[self._size](values[self._size], critical_ratio=ratio_of_air)
                 conductance, ratio = factor * of_air.sonic_conductance, ratio_of_air + (1.0 - ratio_of_air) * shift
-            values["sonic_conductance"], values["critical_ratio"] = ambient.stated_size(conductance, ratio)
+            values["sonic_conductance"], values["critical_ratio"] = ambient.capacity_as_stated(conductance, ratio)
         return {name: value for name, value in values.items() if name not in _SIZES[1:]}
 
     def structure(self) -> Hashable:
@@ -197,7 +200,7 @@ def iso_flow(
     `ports` and `gas` are the names and the gas states of the two ports. `size` contains C and b. `name` is the output
     of the mass flow rate, and `regime` that of the flow regime.
     """
-    conductance, ratio = scope.surroundings.size_with_gas(*size)
+    conductance, ratio = scope.surroundings.capacity_in_circuit_gas(*size)
     first, second = gas
     law = {"cracking_pressure": cracking_pressure, "laminar_ratio": scope["laminar_ratio"], "one_way": one_way}
     law_of_size = {"sonic_conductance": conductance, "subsonic_index": scope["subsonic_index"], **law}
@@ -268,10 +271,10 @@ class Orifice(FlowPath):
         return symbols.VARIABLE_RESTRICTION if is_variable and self.symbol is symbols.RESTRICTION else self.symbol
 
     def inputs(self) -> tuple[Input, ...]:
-        opening = Input("opening", "1", "opening", low=0.0, high=1.0)
+        opening = Input("opening", "1", "opening", low=0.0, high=1.0, is_command=True)
         if self.characteristic is None:
             return (opening,)
-        return Input("stroke", "m", "stroke" if self.stroke is not None else 0.0), opening
+        return Input("stroke", "m", "stroke" if self.stroke is not None else 0.0, is_command=True), opening
 
     def domains(self) -> dict[str, tuple[Any, tuple[float, float]]]:
         return {"stroke": (self.characteristic, ANYWHERE)} if self.characteristic is not None else {}

@@ -64,7 +64,10 @@ class Contact:
 
 @dataclass(frozen=True)
 class Exhaust:
-    """Exhaust seat; below the overlap it opens fully over the stroke `opening`."""
+    """Parameters of the exhaust seat of a main stage.
+
+    The seat opens at strokes below minus the overlap. It is fully open after a further stroke of `opening`.
+    """
 
     sonic_conductance: NumberLike = number("m^3/(s Pa)", doc="sonic conductance C of the exhaust", low=0.0)
     critical_ratio: NumberLike = number("1", doc="critical ratio b of the exhaust", low=0.0, below=1.0)
@@ -160,7 +163,7 @@ class MainStage(Passage):
 
     @property
     def curve(self) -> Characteristic:
-        """Characteristic of the supply seat."""
+        """Flow characteristic of the supply seat."""
         result: Characteristic = self.characteristic
         return result
 
@@ -188,7 +191,7 @@ class MainStage(Passage):
         return State("stroke", "m", 1e-3, LOOSER, 1.0), State("velocity", "m/s", 0.1, LOOSER, 1.0)
 
     def inputs(self) -> tuple[Input, ...]:
-        return (Input("pilot_pressure", "Pa", "pilot_pressure", kind="pressure", low=0.0),)
+        return (Input("pilot_pressure", "Pa", "pilot_pressure", kind="pressure", low=0.0, is_command=True),)
 
     def start(self, scope: Scope) -> dict[str, Any]:
         return {"stroke": scope["initial_stroke"], "velocity": scope["initial_velocity"]}

@@ -55,9 +55,9 @@ class MovingGasStore(Store):
 
     @abstractmethod
     def volume_and_area(self, scope: Scope) -> tuple[Any, Any]:
-        """Return the volume and its derivative with respect to the travel of the body.
+        """Return the gas volume, and its derivative by the travel of the body.
 
-        The travel is positive in the direction of the part.
+        The derivative is an area. The travel is positive in the direction of the part.
         """
 
     def states(self) -> tuple[State, ...]:

@@ -20,7 +20,7 @@ REQUIRED = {"sarosi": "sarosi", "chou_hannaford": "braid_angle", "tondu_lopez": 
 
 @dataclass(frozen=True)
 class SarosiNumbers:
-    """Parameters a1 to a6 of Sarosi's force law."""
+    """Parameters a1 to a6 of the muscle force law of Sarosi."""
 
     a1: NumberLike = number("N/Pa", doc="Sarosi's a1")
     a2: NumberLike = number("N", doc="Sarosi's a2")

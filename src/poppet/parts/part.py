@@ -54,7 +54,7 @@ Quantities = dict[str, tuple[Any, str]]
 
 @dataclass(frozen=True)
 class State:
-    """Continuous state of a part with its local name and SI unit."""
+    """Declaration of a continuous state of a part, with local name and SI unit."""
 
     name: str
     unit: str
@@ -77,6 +77,7 @@ class Input:
     delay: str = ""  # name of the parameter that delays a signal
     slope_of: str = ""  # input whose time derivative it is; it cannot be driven on its own
     by_signal: bool = False  # only a signal can drive it
+    is_command: bool = False  # setpoint or command that a user changes to move a body
 
 
 @dataclass(frozen=True)
@@ -142,7 +143,10 @@ class BodyDynamics:
 
 @dataclass(frozen=True)
 class Flow:
-    """Gas flow between two ports; it is positive from `source` to `target`."""
+    """Gas flow between two ports.
+
+    It is positive from `source` to `target`.
+    """
 
     name: str  # output of the mass flow rate
     source: str | None  # a port or `SELF`; None is outside the circuit
@@ -163,7 +167,7 @@ class PassageFlows:
 
 @dataclass(frozen=True)
 class GasBalance:
-    """Outputs and state rates of a gas node that result from its flows.
+    """Outputs and state rates that the flows into a gas node cause.
 
     `heat` is the heat from the wall and `work` the work on the gas [W]. `energy` is given only if it is linear in the
     states [J].
@@ -212,14 +216,17 @@ class Surroundings:
         """Specific heat capacity at constant volume [J/(kg K)]."""
         return self.gas_constant / (self.isentropic_exponent - 1.0)
 
-    def size_with_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
-        """Convert C and b from the basis of the circuit file to the gas of the circuit."""
+    def capacity_in_circuit_gas(self, conductance: Any, ratio: Any) -> tuple[Any, Any]:
+        """Convert stated C and b to the gas of the circuit.
+
+        A circuit file can state them as measured with air.
+        """
         return conductance * self.conductance_factor, ratio + (1.0 - ratio) * self.ratio_shift
 
-    def stated_size(self, conductance: float, ratio: float) -> tuple[float, float]:
-        """Convert C and b from the gas of the circuit to the basis of the circuit file.
+    def capacity_as_stated(self, conductance: float, ratio: float) -> tuple[float, float]:
+        """Convert C and b of the circuit gas to their stated form.
 
-        This is the inverse of `size_with_gas`.
+        A circuit file can state them as measured with air. This is the inverse of `capacity_in_circuit_gas`.
         """
         return conductance / self.conductance_factor, (ratio - self.ratio_shift) / (1.0 - self.ratio_shift)
 
@@ -302,7 +309,7 @@ class Part(ABC):
         return {} if data is None else library.numbers(str(data), self.kind, self.variant())
 
     def variant(self) -> str:
-        """Return the variant of the library set that the options of the part select."""
+        """Return the variant of the library set that the options select."""
         return ""
 
     def check(self) -> None:  # noqa: B027 - most parts have no rule beyond those of their fields
@@ -315,9 +322,9 @@ class Part(ABC):
         """
 
     def notes(self) -> tuple[Note, ...]:
-        """Return notes on the fields of the part, which accompany every result.
+        """Return notes on the fields of the part.
 
-        The addresses in the notes are relative to the part.
+        They accompany every result. Their addresses are relative to the part.
         """
         return ()
 
@@ -330,7 +337,7 @@ class Part(ABC):
         return ()
 
     def numbers(self) -> dict[str, Number]:
-        """Return the mapping from dotted local names to all numbers of the part."""
+        """Return all numbers of the part by dotted name, for example `lower_spring.rate`."""
         return {name: value for name, _, value in flatten(self)}
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
@@ -363,9 +370,9 @@ class Part(ABC):
         return {}
 
     def stores(self) -> tuple[str, ...]:
-        """Return the local names of the gas nodes of the part to which ports can be connected.
+        """Return the local names of the gas nodes of the part.
 
-        An empty name is the part itself.
+        Ports can be connected to them. An empty name is the part itself.
         """
         return ()
 
@@ -417,7 +424,7 @@ class Part(ABC):
         return ()
 
     def memory(self) -> tuple[DiscreteState, ...]:
-        """Return the discrete states of the part; timers are not included."""
+        """Return the discrete states of the part, without its timers."""
         return ()
 
     def timers(self) -> tuple[Timer, ...]:
@@ -464,9 +471,10 @@ class Store(Part):
 
     @abstractmethod
     def balance(self, scope: Scope, flows: tuple[tuple[Any, Any], ...]) -> GasBalance:
-        """Return rates and outputs of the node for all its flows.
+        """Return rates and outputs of the gas node.
 
-        Each flow is a pair of mass flow rate [kg/s] and enthalpy flow rate [W], positive into the node.
+        `flows` contains all its gas flows. Each flow is a pair of mass flow rate [kg/s] and enthalpy flow rate [W],
+        positive into the node.
         """
 
 

@@ -85,7 +85,7 @@ class PressureController(SampledLoop):
 
     def _open_rates(self, scope: Scope, pressure: Any) -> tuple[Any, Any]:
         stated_sizes = ((scope[f"{v}.sonic_conductance"], scope[f"{v}.critical_ratio"]) for v in ("fill", "vent"))
-        fill, vent = (scope.surroundings.size_with_gas(*size) for size in stated_sizes)
+        fill, vent = (scope.surroundings.capacity_in_circuit_gas(*size) for size in stated_sizes)
         return open_rates(
             maximum(pressure, 0.0), scope.inputs["supply_pressure"], scope.inputs["exhaust_pressure"],
             gas_temperature=scope.inputs["gas_temperature"], supply_temperature=scope["supply_temperature"],

@@ -45,13 +45,13 @@ COMMANDS = {OPENING: ControlledQuantity("1", 1.0), **QUANTITIES}
 
 
 def quantity_of(part: Any) -> str:
-    """Return the name of the quantity that a controller measures."""
+    """Return the name of the quantity that a controller measures, for example `pressure`."""
     name = getattr(part, "quantity", "pressure")
     return name if name in QUANTITIES else "pressure"  # the field itself reports an invalid name
 
 
 def command_of(part: Any) -> str:
-    """Return the name of the quantity that a controller commands."""
+    """Return the name of the quantity that a controller commands, for example `opening`."""
     name = getattr(part, "command_quantity", OPENING)
     return name if name in COMMANDS else OPENING
 

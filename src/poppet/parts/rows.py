@@ -69,7 +69,10 @@ class NumberTable:
         return cls(columns, form)
 
     def numbers(self) -> dict[str, Number]:
-        """Return all numbers by name and row index, such as `pressure_1` and `gain_1`."""
+        """Return all numbers of the table by column name and row number.
+
+        Examples of names are `pressure_1` and `gain_1`.
+        """
         return {f"{name}_{k}": n for name, column in self.columns.items() for k, n in enumerate(column, 1)}
 
     def parameters(self, ambient_pressure: float) -> dict[str, float]:

@@ -69,7 +69,10 @@ class SampledLoop(Controller):
 
     @property
     def is_of_openings(self) -> bool:
-        """True if the command opens valves; False if it is the setpoint of another loop."""
+        """True if the command opens valves.
+
+        Otherwise the command is the setpoint of another loop.
+        """
         return command_of(self) == OPENING
 
     @property
@@ -84,7 +87,10 @@ class SampledLoop(Controller):
 
     @property
     def _sensor_state(self) -> str:
-        """Name of the state of the sensor; the state is also an output."""
+        """Name of the state that contains the lagged sensor value.
+
+        The state is also an output.
+        """
         return f"sensor_{self.controls}"
 
     def parameters(self, ambient: Surroundings) -> dict[str, float]:
@@ -130,7 +136,8 @@ class SampledLoop(Controller):
     def inputs(self) -> tuple[Input, ...]:
         measured = QUANTITIES[self.controls]
         options: dict[str, Any] = {"kind": measured.kind, "low": measured.low}
-        return tuple(Input(name, measured.unit, name, **options) for name in ("setpoint", "measurement"))
+        setpoint = Input("setpoint", measured.unit, "setpoint", is_command=True, **options)
+        return setpoint, Input("measurement", measured.unit, "measurement", **options)
 
     def sensors(self) -> dict[str, tuple[str, str]]:
         return {self._sensor_state: ("measurement", "sensor")}

@@ -87,7 +87,7 @@ RELIEF_VALVE = (
 )
 
 
-def _blocked(*positions: float, depth: float, width: float) -> Symbol:
+def _blocked_port_lines(*positions: float, depth: float, width: float) -> Symbol:
     """Return the lines that mark blocked ports of a valve square.
 
     The ports are at its bottom and its top.
@@ -103,7 +103,7 @@ VALVE = (
     rectangle(0.02, 0.24, 0.48, 0.52)
     + rectangle(0.5, 0.24, 0.48, 0.52)
     + arrow((0.14, 0.24), (0.38, 0.76))
-    + _blocked(0.74, depth=0.14, width=0.08)
+    + _blocked_port_lines(0.74, depth=0.14, width=0.08)
 )
 CONTINUOUS_VALVE = VALVE + line((0.02, 0.84), (0.98, 0.84)) + line((0.02, 0.16), (0.98, 0.16))
 SPOOL_VALVE = (
@@ -114,7 +114,7 @@ SPOOL_VALVE = (
     + arrow((0.1, 0.76), (0.1, 0.24))
     + arrow((0.86, 0.24), (1.18, 0.76))
     + arrow((0.86, 0.76), (1.18, 0.24))
-    + _blocked(0.38, 0.62, depth=0.12, width=0.07)
+    + _blocked_port_lines(0.38, 0.62, depth=0.12, width=0.07)
     + line((-0.28, 0.16), (1.28, 0.16))
     + line((-0.28, 0.84), (1.28, 0.84))
     + coil(-0.5, 0.36)

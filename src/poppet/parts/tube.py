@@ -79,7 +79,7 @@ class TubeSegment(Passage):
         if self.loss == FRICTION:  # the choked flow is that of the cross-section
             gas = {"isentropic_exponent": ambient.isentropic_exponent, "gas_constant": ambient.gas_constant}
             nozzle = iso6358.conductance_from_effective_area(0.25 * math.pi * values["bore"] ** 2, **gas)
-            values["sonic_conductance"], _ = ambient.stated_size(nozzle.sonic_conductance, 0.0)
+            values["sonic_conductance"], _ = ambient.capacity_as_stated(nozzle.sonic_conductance, 0.0)
         return values
 
     def states(self) -> tuple[State, ...]:
@@ -107,7 +107,7 @@ class TubeSegment(Passage):
         `mass` is the mass flow rate. `first` and `second` are the gas states of both cells.
         """
         pressures, surroundings = (first.pressure, second.pressure), scope.surroundings
-        conductance, ratio = surroundings.size_with_gas(scope["sonic_conductance"], scope["critical_ratio"])
+        conductance, ratio = surroundings.capacity_in_circuit_gas(scope["sonic_conductance"], scope["critical_ratio"])
         # Times the square root of the temperature, which follows.
         sonic = conductance * iso6358.REFERENCE_DENSITY * sqrt(iso6358.REFERENCE_TEMPERATURE) * maximum(*pressures)
         temperature = iso6358.temperature_of_flow(
@@ -138,7 +138,7 @@ class Profile:
     defaults: Mapping[str, Number]
 
     def numbers(self) -> dict[str, Number]:
-        """Return the initial states as numbers by name and index, such as `pressure_3`."""
+        """Return the initial states by name and index, for example `pressure_3`."""
         return {**self.defaults, **self.specified}
 
     def with_numbers(self, values: Mapping[str, Number]) -> Profile:
@@ -262,11 +262,14 @@ class Tube(Compound):
 
     @property
     def _open_passages(self) -> list[str]:
-        """Names of all flow paths except the one at a closed end."""
+        """Names of all flow paths that are not at a closed end."""
         return [name for name in self._passages if name != "outlet" or self._ends[1] != CLOSED]
 
     def _cell_index(self, passage: str) -> str:
-        """Return the index of the cell upstream of a flow path, which is 0 for the inlet."""
+        """Return the index of the cell upstream of a flow path.
+
+        The index is 0 for the first flow path, `inlet`.
+        """
         return {"inlet": "0", "outlet": str(self._count)}.get(passage) or passage.partition("_")[0]
 
     def _value(self, name: str) -> float:

@@ -47,7 +47,7 @@ _STYLE = "pre { overflow-x: auto; background: var(--wash); padding: .6rem .9rem;
 
 
 def margin_table(tuning: Tuning) -> ReportTable:
-    """Return the robustness margins of every tuned control loop."""
+    """Return a table of the robustness margins of all tuned control loops."""
     rows = [
         (name, m.sensitivity, m.complementary, m.gain_margin, m.phase_margin, m.delay_margin, m.crossover)
         for point in tuning.points
@@ -151,7 +151,7 @@ def comparison_page(comparison: Comparison, title: str) -> str:
 
 
 def loop_figure(tuning: Tuning) -> Figure:
-    """Draw sensitivity versus frequency and the step response of a tuned control loop.
+    """Draw the sensitivity and the step response of a tuned control loop.
 
     Each plant for which the sensitivity is bounded has its own curves.
     """
@@ -204,7 +204,7 @@ def plot_comparison(comparison: Comparison, path: str | Path | None = None, *, t
 
 
 def response_figure(comparison: Comparison) -> Figure:
-    """Draw the response and the nominal command for every controller.
+    """Draw the response and the command of each controller on the nominal plant.
 
     A band shows the spread of the response over all samples of the plant.
     """

@@ -67,7 +67,7 @@ def yield_table(ensemble: Ensemble) -> ReportTable:
 
 
 def metric_table(ensemble: Ensemble) -> ReportTable:
-    """Return the mean, the standard deviation and quantiles of every metric."""
+    """Return a table with mean, standard deviation and quantiles of each metric."""
     rows = []
     for s in ensemble.summaries():
         values = s.mean, *(s.quantiles.get(q, math.nan) for q in QUANTILES), s.least, s.greatest
@@ -262,7 +262,7 @@ def bands_figure(bands: Bands, units: Mapping[str, str], curve: str) -> Figure:
     return figure
 
 
-def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
+def _figure_with_panels(titles: list[str], draw: Callable[[int, Any], None], height: float = _PANEL) -> Figure:
     """Return a figure with a small panel for each title.
 
     There are two or three panels in a row. `draw` draws the panel with a given index.
@@ -279,7 +279,10 @@ def _panels(titles: list[str], draw: Callable[[int, Any], None], height: float =
 
 
 def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
-    """Draw the histogram of every metric, with the bounds of the requirements."""
+    """Draw the histogram of each metric, with the bounds of the requirements.
+
+    `rows` contains the metrics of all runs.
+    """
     metrics = ensemble.plan.metrics
 
     def draw(k: int, axes: Any) -> None:
@@ -290,7 +293,7 @@ def histogram_figure(ensemble: Ensemble, rows: Mapping[str, Array]) -> Figure:
             _draw_bounds(ensemble, metric, axes.axvline, axes.get_xlim())
         axes.set(xlabel=usual_unit(metric.unit), ylabel="runs")
 
-    return _panels([metric.name.replace("_", " ") for metric in metrics], draw)
+    return _figure_with_panels([metric.name.replace("_", " ") for metric in metrics], draw)
 
 
 def _draw_bounds(ensemble: Ensemble, metric: Metric, line: Callable[..., Any], limits: tuple[float, float]) -> None:
@@ -325,7 +328,7 @@ def scatter_figure(ensemble: Ensemble, rows: Mapping[str, Array], units: Mapping
             _draw_bounds(ensemble, metric, axes.axhline, axes.get_ylim())
         axes.set_xlabel(with_unit(address, units[address]), fontsize=8.5)
 
-    return _panels([with_unit(metric.name.replace("_", " "), metric.unit) for metric in metrics], draw)
+    return _figure_with_panels([with_unit(metric.name.replace("_", " "), metric.unit) for metric in metrics], draw)
 
 
 def tornado_figure(metric: Metric, ranges: list[TornadoRange], indices: list[SobolIndex] | None) -> Figure:
@@ -430,9 +433,9 @@ def _margin_table(sizing: Sizing) -> ReportTable:
 
 
 def curve_figure(sizing: Sizing) -> Figure:
-    """Draw every metric versus the free parameter.
+    """Draw each metric versus the parameter that is sized.
 
-    The yield is also drawn if there are several runs at each value.
+    If there are several runs at each value, the yield is also drawn.
     """
     unit = readable_unit(sizing.unit, float(np.median(sizing.values)))
     x = np.array([scaled(value, sizing.unit, unit) for value in sizing.values])

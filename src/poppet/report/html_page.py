@@ -29,7 +29,7 @@ Content: TypeAlias = "str | ReportTable | Iterable[str | ReportTable] | None"
 
 
 class Section(NamedTuple):
-    """Heading and content of a section of a page.
+    """Section of a page, with heading and content.
 
     A section without content is omitted.
     """
@@ -90,7 +90,10 @@ def head(title: str, lead: str) -> str:
 
 
 def paragraph(text: str, *, css_class: str = "", bold: bool = False) -> str:
-    """Return a text as an HTML paragraph, or an empty text if it is empty."""
+    """Return a text as an HTML paragraph.
+
+    The result is empty if the text is empty.
+    """
     content = f"<strong>{html.escape(text)}</strong>" if bold else html.escape(text)
     kind = f' class="{css_class}"' if css_class else ""
     return f"<p{kind}>{content}</p>\n" if text else ""

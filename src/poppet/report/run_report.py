@@ -105,12 +105,12 @@ def run_page(
             Section("Values", extreme_table(recording) if recording.time.size else ""),
             Section("Balances", balances),
             Section("Solver", ReportTable(("", ""), settings)),
-            Section("Parameters", _parameters(circuit)),
+            Section("Parameters", _parameter_tables(circuit)),
         ]
     return document(title, sections, style=stylesheet("run"))
 
 
-def _parameters(circuit: BaseCircuit) -> str:
+def _parameter_tables(circuit: BaseCircuit) -> str:
     """Return tables of the parameters, grouped by the source of their values.
 
     The least certain source comes first.

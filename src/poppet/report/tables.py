@@ -99,7 +99,7 @@ class ReportTable:
         return [column.heading for column in self._columns()]
 
     def cells(self) -> list[list[str]]:
-        """Return the content of the table as text, row by row."""
+        """Return the cells of the table as texts, row by row."""
         columns = self._columns()
         return [[column.format(value) for column, value in zip(columns, row, strict=True)] for row in self.rows]
 

@@ -111,7 +111,7 @@ def _of_metadata(table: Table, suffix: str) -> Columns:
     return Columns(**(checked.fields() | metadata))
 
 
-def _metadata(recording: Columns, columns: Sequence[str]) -> str:
+def _metadata_text(recording: Columns, columns: Sequence[str]) -> str:
     """Return the metadata of a recording as JSON text: title, notes, names and units.
 
     `columns` are the names of the columns in the file, in the order of the series.
@@ -150,10 +150,10 @@ def _write_parquet(recording: Columns, stream: IO[bytes]) -> None:
     from poppet.timeseries.tables.reading import arrow
 
     pa = arrow()
-    variables = _apart(recording.names)
+    variables = _unique_column_names(recording.names)
     headings = [("time", "s"), *zip(variables, recording.units, strict=True)]
     fields = [pa.field(name, pa.float64(), metadata={"unit": unit}) for name, unit in headings]
-    schema = pa.schema(fields, metadata={METADATA: _metadata(recording, variables)})
+    schema = pa.schema(fields, metadata={METADATA: _metadata_text(recording, variables)})
     columns = [pa.array(row) for row in (recording.time, *recording.values)]
     pa.parquet.write_table(pa.Table.from_arrays(columns, schema=schema), stream)
 
@@ -163,13 +163,13 @@ def _write_mat(recording: Columns, stream: IO[bytes]) -> None:
 
     # Names for MATLAB have letters, digits and underscores, and at most 63 characters: 58 leave space for a counter.
     stems = (re.sub(r"\W", "_", name.replace(".", "__"), flags=re.ASCII) for name in recording.names)
-    variables = _apart((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
-    content: dict[str, Any] = {"time": recording.time, METADATA: _metadata(recording, variables)}
+    variables = _unique_column_names((stem if stem[:1].isalpha() else f"x{stem}")[:58] for stem in stems)
+    content: dict[str, Any] = {"time": recording.time, METADATA: _metadata_text(recording, variables)}
     content.update(zip(variables, recording.values, strict=True))
     savemat(stream, content, oned_as="column")
 
 
-def _apart(names: Iterable[str]) -> list[str]:
+def _unique_column_names(names: Iterable[str]) -> list[str]:
     """Make column names unique, and different from the name of the time column.
 
     A repeated name gets a number as its ending.

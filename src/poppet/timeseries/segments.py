@@ -360,7 +360,7 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
     last_of_group = all_starts[np.append(first_of_group[1:], True)]
     jumps, courses = np.zeros(len(starts), dtype=bool), np.zeros(len(starts), dtype=np.int64)
     rows: list[NDArray[np.int64]] = []  # for each input so far: its coefficient row in every course
-    courses_by_table = [_own_courses(table) for table in tables]
+    courses_by_table = [_distinct_coefficients(table) for table in tables]
     for table, (coefficients, of_segment) in zip(tables, courses_by_table, strict=True):
         k = np.searchsorted(table.start, last_of_group, side="right") - 1
         # The count of jumps increases at a start that has a jump.
@@ -376,7 +376,7 @@ def merge(tables: Sequence[SegmentTable]) -> MergedSegments:
     return MergedSegments(starts, courses, np.ascontiguousarray(joined), jumps)
 
 
-def _own_courses(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
+def _distinct_coefficients(table: SegmentTable) -> tuple[FloatArray, NDArray[np.int64]]:
     """Return the distinct coefficients of a signal, and their index for each segment.
 
     The coefficients have the shape (m, 7). Constant segments with equal values share their coefficients.

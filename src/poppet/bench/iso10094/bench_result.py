@@ -111,7 +111,7 @@ def read_bench_result(path: str | Path) -> BenchResult:
                 curves.setdefault(test, []).append(PlottedCurve(name, case, x, y))
         rows = {name: data[test.table or name] for name, test in TESTS.items() if (test.table or name) in data}
         conditions, comparison = data.get("conditions", {}), data.get("comparison", {})
-        outcome, notes = data.get("outcome", "done"), _notes(data)
+        outcome, notes = data.get("outcome", "done"), _notes_of_content(data)
         return BenchResult(data["title"], data["source"], figures, rows, curves, notes, conditions, comparison, outcome)
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         raise InputError("bench.no_result", path=str(path), why=str(error)) from None
@@ -122,7 +122,7 @@ def is_result(data: Mapping[str, Any]) -> bool:
     return data.get("method") == METHOD
 
 
-def _notes(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
+def _notes_of_content(data: Mapping[str, Any]) -> dict[str, tuple[Note, ...]]:
     """Return the notes in the content of a result file, grouped by test.
 
     If the file contains no note codes, each note is a sentence that begins with the name of a test.

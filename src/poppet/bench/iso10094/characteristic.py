@@ -133,8 +133,8 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
     }  # fmt: skip
     lag_change, uncertainty = moved_by(lags) if lags else (0.0, Uncertainty(0.0))
     shift_error = float(np.linalg.norm([lag.shift_error for lag in lags])) / len(lags) if lags else 0.0
-    _deviations(evaluation, sweep, up, down, shift_error)
-    _ends(evaluation, all_sweeps, lag_change, uncertainty.standard)
+    _add_deviations(evaluation, sweep, up, down, shift_error)
+    _add_zero_values(evaluation, all_sweeps, lag_change, uncertainty.standard)
     if lags:
         delay = max(0.0, float(np.mean([lag.time for lag in lags])))
         evaluation.add("sweep_lag", max(0.0, lag_change), uncertainty, time=delay)
@@ -186,7 +186,7 @@ def _branch_curves(swept: Sequence[SetpointSweep]) -> tuple[Branches, float]:
     return Branches(up, down, roughness(np.concatenate([up, down])[:, INSIDE], share), share), largest_jump
 
 
-def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
+def _add_deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: FloatArray, lag: float) -> None:
     """Add linearity, hysteresis, accuracy and repeatability to the evaluation.
 
     `up` and `down` are the means of all rising and of all falling branches. `lag` is the standard uncertainty of the
@@ -240,7 +240,7 @@ def _deviations(evaluation: Evaluation, sweep: Branches, up: FloatArray, down: F
         evaluation.note_absence("one_cycle", "repeatability")
 
 
-def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
+def _add_zero_values(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, error: float) -> None:
     """Add zero suppression and zero offset to the evaluation.
 
     A note reports an outlet pressure that does not reach the upper end of the range. `lag` is the change of the outlet
@@ -257,11 +257,11 @@ def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, e
         for branch in sweep.parts:
             low, high = (branch.first, branch.end - 1)[:: branch.sign]
             if branch.sign > 0:
-                zero.append(_leaves_zero(sweep.late[branch.samples], y[branch.samples], lag))
+                zero.append(_setpoint_of_first_rise(sweep.late[branch.samples], y[branch.samples], lag))
                 if x[high] > 95.0 and not np.any(sweep.cut):
-                    short.append(float(np.mean(y[_held_at(x, high)])) - float(x[high]))
-            if abs(_level(x, low)) < ZERO_STEP:
-                holds[_held_at(x, low).start] = y[_held_at(x, low)]
+                    short.append(float(np.mean(y[_end_of_hold(x, high)])) - float(x[high]))
+            if abs(_median_setpoint(x, low)) < ZERO_STEP:
+                holds[_end_of_hold(x, low).start] = y[_end_of_hold(x, low)]
     # A sweep without a hold at zero gives no offset.
     longest = max((part.size for part in holds.values()), default=0)
     holds = {begin: part for begin, part in holds.items() if part.size > 0.3 * longest}
@@ -278,7 +278,7 @@ def _ends(evaluation: Evaluation, sweeps: Sequence[SetpointSweep], lag: float, e
         evaluation.note("characteristic.short", short=-min(short))
 
 
-def _level(x: FloatArray, index: int) -> float:
+def _median_setpoint(x: FloatArray, index: int) -> float:
     """Return the setpoint near one sample, as a median that is robust to noise.
 
     `x` is the setpoint, and `index` the index of the sample.
@@ -286,12 +286,12 @@ def _level(x: FloatArray, index: int) -> float:
     return float(np.median(x[max(0, index - 4) : index + 5]))
 
 
-def _held_at(x: FloatArray, index: int) -> slice:
+def _end_of_hold(x: FloatArray, index: int) -> slice:
     """Return the final part of the hold that contains one sample.
 
     `x` is the setpoint, and `index` the index of the sample. In a hold, the setpoint is constant.
     """
-    is_away = np.abs(x - _level(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
+    is_away = np.abs(x - _median_setpoint(x, index)) > max(ZERO_STEP, 5.0 * scatter_of(x))
     hold = stretch_without(is_away, index, index)
     size = hold.stop - hold.start
     # The last third without the last eighth, in which a noisy setpoint may already change.
@@ -299,7 +299,7 @@ def _held_at(x: FloatArray, index: int) -> slice:
     return slice(middle, max(middle + 1, hold.stop - size // 8))
 
 
-def _leaves_zero(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
+def _setpoint_of_first_rise(x: FloatArray, y: FloatArray, lag: float) -> tuple[float, Uncertainty]:
     """Return the setpoint at which the outlet pressure begins to rise, with its uncertainty.
 
     `x` is the setpoint, `y` the outlet pressure and `lag` the delay of the outlet, all in % FS. After the start, the

@@ -213,7 +213,10 @@ class PlottedCurve:
 
 @dataclass
 class Evaluation:
-    """Results of one test: characteristic values, rows, curves, notes and conditions."""
+    """Results of one test of the bench.
+
+    They are characteristic values, rows, curves, notes and conditions.
+    """
 
     test: BenchTest
     scale: Scale
@@ -316,7 +319,10 @@ class Evaluation:
         self.add(name, limit, bound=AT_MOST, **conditions)
 
     def add_nonnegative(self, name: str, value: float, uncertainty: Uncertainty, **conditions: Any) -> None:
-        """Add a nonnegative value, or an upper bound if noise alone can explain the value."""
+        """Add a nonnegative characteristic value, or an upper bound.
+
+        The bound is added if noise alone can explain the value.
+        """
         half = NORMAL * uncertainty.standard
         self.add_or_bound(name, value, 0.0 if value > half else max(value, 0.0) + half, uncertainty, **conditions)
 

@@ -100,10 +100,10 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         row: Row = {"record": record.name, "setpoint": float(np.median(x)), "outlet": outlet}
         evaluation.rows.append(row)
         for side in SIDES:
-            sweep = _one(evaluation, record, y, row, side, uncertainty)
+            sweep = _evaluate_direction(evaluation, record, y, row, side, uncertainty)
             sweeps[side] += [sweep] if sweep else []
     for side in SIDES:
-        _read(evaluation, side, sweeps[side])
+        _add_flow_values(evaluation, side, sweeps[side])
     # The smallest flow capacity of all cases. If the outlet did not fall sufficiently in any case, the smallest of the
     # tested maximum flows is a lower bound.
     for key, bound in (("capacity", ""), ("capacity_at_least", AT_LEAST)):
@@ -117,7 +117,7 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         evaluation.note_absence("none_drawn", "flow_capacity")
 
 
-def _one(
+def _evaluate_direction(
     evaluation: Evaluation, record: Record, y: FloatArray, row: Row, side: Side, rest_uncertainty: Uncertainty
 ) -> FlowSweep | None:
     """Evaluate one direction of the flow in a record.
@@ -137,7 +137,7 @@ def _one(
     lags = lags_of(record.time, clipped_flow, y, branches(clipped_flow, TURN * top))
     delayed = caught_up(record.time, clipped_flow, lags)
     grid = np.linspace(0.0, top, PLACES)
-    going, coming = _there_and_back(clipped_flow, delayed, y, grid)
+    going, coming = _outlet_at_flows(clipped_flow, delayed, y, grid)
     if going is None:
         evaluation.note("flow.no_rise", record.name, way=side.direction)
         return None
@@ -150,7 +150,7 @@ def _one(
             is_shown = grid <= end
             evaluation.add_curve(f"{side.name} {direction}", case, side.sign * grid[is_shown], curve[is_shown])
     if side.sign > 0.0:
-        _falls(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)
+        _set_flow_capacity(evaluation, row, record.time, delayed, row["outlet"] - y, rest_uncertainty)
         if "capacity" in row:
             uncertainty = evaluation.uncertainties[id(row), "capacity"]
             evaluation.set_value(row, "capacity", row["capacity"], uncertainty.wider(_lag_error(lags)))
@@ -179,7 +179,7 @@ def _lag_error(lags: Sequence[Lag]) -> float:
     return float(np.linalg.norm(errors)) / len(errors) if errors else 0.0
 
 
-def _there_and_back(
+def _outlet_at_flows(
     flow: FloatArray, delayed: FloatArray, y: FloatArray, grid: FloatArray
 ) -> tuple[FloatArray | None, FloatArray | None]:
     """Return the outlet pressure at given flows, for increasing and for decreasing flow.
@@ -201,7 +201,7 @@ def _there_and_back(
     return going, coming
 
 
-def _falls(
+def _set_flow_capacity(
     evaluation: Evaluation, row: Row, time: FloatArray, flow: FloatArray, droop: FloatArray, rest: Uncertainty
 ) -> None:
     """Set the flow at which the outlet pressure has fallen by `DROOP`.
@@ -238,7 +238,7 @@ def _falls(
     evaluation.set_value(row, "capacity", middle + rate * offset, Uncertainty(math.hypot(error * rate, flow_error)))
 
 
-def _read(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> None:
+def _add_flow_values(evaluation: Evaluation, side: Side, sweeps: Sequence[FlowSweep]) -> None:
     """Add droop or rise at the rated flow, and the hysteresis, to the evaluation.
 
     By default, the rated flow is half of the largest flow that all sweeps reach.

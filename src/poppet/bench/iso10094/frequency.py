@@ -42,7 +42,8 @@ def frequency_trial(
 ) -> Trial:
     """Return a trial with a sinusoidal setpoint about a mean value.
 
-    `mean` and `amplitude` are in % FS, and `hold` is the settling time of the valve [s].
+    `mean` and `amplitude` are in % FS, and `hold` is the settling time of the valve [s]. `frequency` is that of the
+    sine [Hz].
     """
     settling = max(2.0, math.ceil(hold * frequency)) / frequency
     unit = (scale.setpoint_high - scale.setpoint_low) / 100.0
@@ -78,7 +79,7 @@ def sine_rows(evaluation: Evaluation, record: Record) -> list[Row]:
     parts = sines(record.time, x)
     if not parts:
         evaluation.note("frequency.no_sine", record.name, fewest=FEWEST)
-    rows = (_one(evaluation, record, part, x[part], y[part]) for part in parts)
+    rows = (_evaluate_sine(evaluation, record, part, x[part], y[part]) for part in parts)
     return [row for row in rows if row is not None]
 
 
@@ -91,7 +92,7 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
     """
     series: dict[str, list[Row]] = {}
     for row in rows:
-        series.setdefault(_series(row, rows), []).append(row)
+        series.setdefault(_name_of_bode_plot(row, rows), []).append(row)
     for name, group in series.items():
         by_frequency: dict[float, Row] = {}
         for row in group:
@@ -108,13 +109,13 @@ def conclude(evaluation: Evaluation, rows: Sequence[Row]) -> None:
         evaluation.add_curve("gain", name, frequency, gains)
         evaluation.add_curve("phase", name, frequency, phases)
         if not evaluation.rows:  # the first series is the one that counts
-            _bandwidths(evaluation, ordered, frequency)
+            _add_bandwidths(evaluation, ordered, frequency)
         evaluation.rows += ordered
     if not series:
         evaluation.note_absence("no_sine", "bandwidth_gain", "bandwidth_phase", "distortion")
 
 
-def _sides(values: FloatArray) -> NDArray[np.int64]:
+def _sides_of_middle(values: FloatArray) -> NDArray[np.int64]:
     """Return +1 above the middle of a series, -1 below it, and 0 near it.
 
     The range near the middle extends to a quarter of the range on either side. It prevents repeated crossings caused by
@@ -135,7 +136,7 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     [(0, 1001)]
     """
     middle = 0.5 * (float(np.min(setpoint)) + float(np.max(setpoint)))
-    side = _sides(setpoint)
+    side = _sides_of_middle(setpoint)
     indices = np.flatnonzero(side)
     rises = np.diff(side[indices]) > 0
     # A crossing is interpolated between the last sample below and the first sample above.
@@ -147,7 +148,7 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
         if k == periods.size or abs(periods[k] / np.mean(periods[begin:k]) - 1.0) > ALIKE:
             ends = np.searchsorted(time, [crossings[begin], crossings[k]])
             period = (crossings[k] - crossings[begin]) / (k - begin)
-            part = _whole(time, setpoint, slice(int(ends[0]), int(ends[1])), period)
+            part = _extend_to_whole_sine(time, setpoint, slice(int(ends[0]), int(ends[1])), period)
             # At a change of frequency, one period can look like a third frequency.
             is_alone = begin == 0 and k == periods.size
             if (is_alone or k - begin > 1) and time[part.stop - 1] - time[part.start] > (FEWEST - 0.1) * period:
@@ -156,14 +157,14 @@ def sines(time: FloatArray, setpoint: FloatArray) -> list[slice]:
     return parts
 
 
-def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
+def _extend_to_whole_sine(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -> slice:
     """Extend a time window to all samples of its sine.
 
     `part` is the window between rising zero crossings. The extension is at most 1.5 periods on either side.
     """
     if part.stop - part.start < 8:
         return part
-    frequency = _frequency(time[part], setpoint[part], 1.0 / period)
+    frequency = _refine_frequency(time[part], setpoint[part], 1.0 / period)
     fit = wave(time[part], setpoint[part], frequency, highest=1)
     turn = 2.0 * math.pi * frequency * time
     deviation = np.abs(setpoint - fit.mean - fit.value.real * np.sin(turn) - fit.value.imag * np.cos(turn))
@@ -173,17 +174,17 @@ def _whole(time: FloatArray, setpoint: FloatArray, part: slice, period: float) -
     return stretch_without(is_foreign, part.start, part.stop)
 
 
-def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
+def _evaluate_sine(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: FloatArray) -> Row | None:
     """Evaluate the response to one sine in its final steady periods, and return a row.
 
     `x` and `y` are setpoint and outlet pressure in the window `part`. If the sine cannot be evaluated, a note states
     the reason and the result is None.
     """
     time = record.time[part]
-    side = _sides(x)
+    side = _sides_of_middle(x)
     indices = np.flatnonzero(side)
     crossings = 0.5 * (time[indices[:-1]] + time[indices[1:]])[np.diff(side[indices]) != 0]
-    frequency = _frequency(time, x, 0.5 * (crossings.size - 1) / float(crossings[-1] - crossings[0]))
+    frequency = _refine_frequency(time, x, 0.5 * (crossings.size - 1) / float(crossings[-1] - crossings[0]))
     if record.cuts("setpoint", "outlet", part=part):
         evaluation.note("frequency.clipped", record.name, frequency=frequency)
         return None
@@ -220,7 +221,7 @@ def _one(evaluation: Evaluation, record: Record, part: slice, x: FloatArray, y: 
     return row
 
 
-def _series(row: Row, rows: Sequence[Row]) -> str:
+def _name_of_bode_plot(row: Row, rows: Sequence[Row]) -> str:
     """Return the name of the Bode plot to which a row belongs.
 
     The name contains amplitude, mean and volume. Rows with approximately equal values of these belong to one plot,
@@ -237,7 +238,7 @@ def _series(row: Row, rows: Sequence[Row]) -> str:
     return f"{first['amplitude']:.2g} % FS about {first['mean']:.3g} % FS{volume}"
 
 
-def _frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
+def _refine_frequency(time: FloatArray, x: FloatArray, guess: float) -> float:
     """Return the exact frequency of a sine from a first estimate.
 
     `guess` is this estimate [Hz]. It is corrected until both halves of the series `x` have the same phase.
@@ -322,7 +323,7 @@ def _steady_periods(time: FloatArray, y: FloatArray, frequency: float) -> int:
     return len(waves)
 
 
-def _bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) -> None:
+def _add_bandwidths(evaluation: Evaluation, rows: list[Row], frequency: FloatArray) -> None:
     first, highest = rows[0], float(frequency[-1])
     evaluation.conditions |= {
         "amplitude": first["amplitude"], "mean": first["mean"], "lowest": float(frequency[0]), "highest": highest,

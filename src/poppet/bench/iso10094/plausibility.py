@@ -87,13 +87,13 @@ def suspicions(record: Record, scale: Scale) -> list[Note]:
     elif is_quasistatic and moved < SMALL * driven:
         notes.append(Note("recordings.outlet_small", record.name, **facts))
     else:
-        lead = _lead(record.time, x, y)
+        lead = _lead_of_outlet(record.time, x, y)
         if math.isfinite(lead):
             notes.append(Note("recordings.leads", record.name, lead=lead))
     return notes
 
 
-def _lead(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
+def _lead_of_outlet(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
     """Return the time by which the outlet changes before the setpoint [s].
 
     `x` is the setpoint, and `y` the outlet. The times at which both series cross the middle of their ranges are
@@ -116,7 +116,10 @@ def _lead(time: FloatArray, x: FloatArray, y: FloatArray) -> float:
 
 
 def _crossings(time: FloatArray, values: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the times at which a series rises and falls through the middle of its range."""
+    """Return the times at which a series crosses the middle of its range.
+
+    The first item contains the upward crossings, the second the downward ones.
+    """
     low, high = np.percentile(values, EXTREMES)
     middle, zone = 0.5 * (low + high), 0.15 * (high - low)
     side = np.where(values > middle + zone, 1, np.where(values < middle - zone, -1, 0))

@@ -99,7 +99,7 @@ class BenchRun:
         while True:
             record = self._respond(step_trial(scale, volume, amplitude, hold))
             rows = TESTS["step"].evaluated([record], scale).rows
-            needed = _needed(rows)
+            needed = _required_hold_time(rows)
             if needed <= hold or hold >= self.settings.longest_hold:
                 break
             hold = min(LONGER * hold, self.settings.longest_hold)
@@ -151,7 +151,7 @@ class BenchRun:
         return evaluation
 
 
-def _needed(rows: list[Row]) -> float:
+def _required_hold_time(rows: list[Row]) -> float:
     """Return the hold time that measured steps require to settle [s].
 
     `rows` are the results of the steps. The result is infinite if a step did not settle.
@@ -209,7 +209,7 @@ def run_bench(
             outcome = "interrupted"
             break
     all_conditions = {"supply_pressure": specimen.supply, "volumes": list(settings.volumes)} | dict(conditions or {})
-    return _assembled(specimen.title, source, evaluations, specimen.scale, all_conditions, notes, outcome)
+    return _combine_evaluations(specimen.title, source, evaluations, specimen.scale, all_conditions, notes, outcome)
 
 
 def run_recordings(
@@ -223,7 +223,7 @@ def run_recordings(
     check_tests(tests)
     evaluations = {name: TESTS[name].evaluated(records[name], scale, rated_flow) for name in tests if records.get(name)}
     missing = [Note("bench.not_given", name) for name in tests if name not in evaluations]
-    return _assembled(title, "recordings", evaluations, scale, conditions or {}, [*notes, *missing])
+    return _combine_evaluations(title, "recordings", evaluations, scale, conditions or {}, [*notes, *missing])
 
 
 def check_tests(tests: Sequence[str]) -> None:
@@ -236,7 +236,7 @@ def check_tests(tests: Sequence[str]) -> None:
             raise InputError("fields.not_an_option", "tests", value=test, meaning="test", near=suggestion)
 
 
-def _assembled(
+def _combine_evaluations(
     title: str, source: str, evaluations: Mapping[str, Evaluation], scale: Scale, conditions: Mapping[str, Any],
     notes: Sequence[Note | str], outcome: str = "done",
 ) -> BenchResult:  # fmt: skip

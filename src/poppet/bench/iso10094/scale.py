@@ -50,12 +50,12 @@ class Scale:
         return self.pressure_high - self.pressure_low
 
     def setpoint(self, percent: float | FloatArray) -> FloatArray:
-        """Return the setpoint, in its unit, for a percentage of the setpoint range."""
+        """Return the setpoint for a percentage of its range, in its unit."""
         part = np.asarray(percent) / PERCENT
         return np.asarray(self.setpoint_low * (1.0 - part) + self.setpoint_high * part)  # exact at both ends
 
     def setpoint_percent(self, setpoint: float | FloatArray) -> FloatArray:
-        """Return a setpoint as a percentage of its range."""
+        """Return a setpoint as a percentage of the setpoint range."""
         width = self.setpoint_high - self.setpoint_low
         return np.asarray(PERCENT * (np.asarray(setpoint) - self.setpoint_low) / width)
 
@@ -157,13 +157,13 @@ def setpoint_scale(raw: Any, full_scale: tuple[float, float], ambient: float, un
         return Scale(low, high, unit, *full_scale)
     if not isinstance(raw, list | tuple) or len(raw) != 2:
         raise InputError("bench.range.setpoint", "setpoint_range", given=raw)
-    (low, unit), (high, high_unit) = (_setpoint(end, ambient) for end in raw)
+    (low, unit), (high, high_unit) = (_read_setpoint(end, ambient) for end in raw)
     if unit != high_unit:
         raise InputError("bench.range.two_quantities", "setpoint_range", given=raw)
     return Scale(low, high, unit, *full_scale)
 
 
-def _setpoint(raw: Any, ambient: float) -> tuple[float, str]:
+def _read_setpoint(raw: Any, ambient: float) -> tuple[float, str]:
     """Return the value and the SI unit of a setpoint.
 
     A text is read as a pressure if its unit is that of a pressure, and otherwise as an electric signal. A number is a

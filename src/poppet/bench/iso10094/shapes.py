@@ -170,7 +170,7 @@ def stairs(setpoint: FloatArray) -> list[slice]:
 
 
 def _end_mean(values: FloatArray) -> float:
-    """Return the mean of the last third of the values."""
+    """Return the mean of the last third of some values."""
     return float(np.mean(values[-max(1, values.size // 3) :]))
 
 
@@ -223,9 +223,10 @@ class Lag:
 
 
 def lags_of(time: FloatArray, x: FloatArray, y: FloatArray, parts: Sequence[Branch]) -> list[Lag]:
-    """Return the lags of all rising sweeps that end in a sufficiently long hold.
+    """Return the lags of the outlet behind all rising sweeps.
 
-    `x` is the swept quantity, `y` the outlet, and `parts` the branches of the sweep.
+    Only sweeps that end in a sufficiently long hold are included. `x` is the swept quantity, `y` the outlet, and
+    `parts` the branches of the sweep.
     """
     pairs = zip(parts, [*parts[1:], None], strict=False)
     lags = [lag_of(time, x, y, branch, following) for branch, following in pairs if branch.sign > 0]
@@ -250,8 +251,8 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     level = float(np.median(x[max(branch.first, branch.end - 3) : branch.end + 2]))
     extent = float(np.ptp(x[branch.samples]))
     for _ in range(2):  # the hold gives a more accurate level
-        stop = _meets(time, x, branch, level, extent)
-        go = _meets(time, x, following, level, extent) if following is not None else float(time[-1])
+        stop = _time_of_level(time, x, branch, level, extent)
+        go = _time_of_level(time, x, following, level, extent) if following is not None else float(time[-1])
         is_still = (time > stop) & (time < go)
         level = float(np.mean(x[is_still])) if is_still.sum() > FEWEST else level
     is_held = (time > stop + 0.8 * (go - stop)) & (time < go)
@@ -266,10 +267,10 @@ def lag_of(time: FloatArray, x: FloatArray, y: FloatArray, branch: Branch, follo
     valid_ends = [end for end in ends if end is not None]
     if not valid_ends:
         return None
-    end = valid_ends[_agreeing([(end.moved, end.error) for end in valid_ends])]
+    end = valid_ends[_first_consistent_estimate([(end.moved, end.error) for end in valid_ends])]
     # The rate needs less accuracy than the motion, but varies more in a narrow section.
     wide_ends = valid_ends[:WIDE]
-    steady = wide_ends[_agreeing([(end.rate, end.rate_error) for end in wide_ends])]
+    steady = wide_ends[_first_consistent_estimate([(end.rate, end.rate_error) for end in wide_ends])]
     delay = end.moved / steady.rate
     span = abs(float(time[branch.end - 1] - time[branch.first]))
     error = SELECTED * math.hypot(held_error, end.error)
@@ -295,9 +296,10 @@ class SweepEnd:
 def _end_of_sweep(
     time: FloatArray, x: FloatArray, y: FloatArray, stop: float, held: float, is_coming: Mask, degree: int
 ) -> SweepEnd | None:
-    """Return the end of a sweep from a polynomial in a section.
+    """Return motion and rate of the outlet at the end of a sweep.
 
-    `held` is the outlet in the hold. The result is None without enough samples or if the outlet is constant.
+    Both come from a polynomial of degree `degree` in a section before the end. `held` is the outlet in the hold. The
+    result is None without enough samples or if the outlet is constant.
     """
     if is_coming.sum() < (FEWEST if degree == SECTIONS[0][1] else 2 * FEWEST):
         return None
@@ -315,7 +317,7 @@ def _end_of_sweep(
     return SweepEnd(moved, error, rate, rate_error, sweep)
 
 
-def _agreeing(estimates: Sequence[tuple[float, float]]) -> int:
+def _first_consistent_estimate(estimates: Sequence[tuple[float, float]]) -> int:
     """Return the index of the first estimate that agrees with all later ones.
 
     The estimates are values with their standard uncertainties. Their errors by curvature decrease from one to the next.
@@ -327,7 +329,7 @@ def _agreeing(estimates: Sequence[tuple[float, float]]) -> int:
     return len(estimates) - 1
 
 
-def _meets(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
+def _time_of_level(time: FloatArray, x: FloatArray, branch: Branch, level: float, extent: float) -> float:
     """Return the time at which a straight line through a branch reaches a level [s].
 
     `x` is the swept quantity, and `extent` the range of the sweep. The result is NaN if the branch has too few samples.

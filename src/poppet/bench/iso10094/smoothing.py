@@ -44,7 +44,7 @@ class SmoothedSeries:
 
     def summit(self) -> tuple[float, Uncertainty]:
         """Return the largest value and its uncertainty, from a polynomial fitted to the peak."""
-        return _agreed([self._peak(flank) for flank in FLANKS])
+        return _first_agreeing_estimate([self._peak(flank) for flank in FLANKS])
 
     def _peak(self, part: float) -> tuple[float, Uncertainty]:
         """Return the largest value from the samples near the peak, with its uncertainty.
@@ -118,7 +118,7 @@ class SmoothedSeries:
             return time, uncertainty
         # The band depends on the final value; its uncertainty divided by the slope is an uncertainty of the time.
         slope = band / max(time - float(self.time[max(k - reach, 0)]), 1e-300)
-        exit_time, error = _agreed(estimates)
+        exit_time, error = _first_agreeing_estimate(estimates)
         return exit_time, error.wider(extra / slope)
 
     def _left_on_cubic(self, k: int, reach: int, side: float, band: float) -> tuple[float, float]:
@@ -208,7 +208,7 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeri
     for width in WIDTHS:
         if 2 * width + 1 > values.size or not is_open.any():
             break
-        weights = _parabola(width)
+        weights = _parabola_weights(width)
         inner = slice(width, values.size - width)
         fitted = np.convolve(values, weights, "valid")
         error = noise.of(weights)
@@ -226,7 +226,7 @@ def smoothed(time: FloatArray, values: FloatArray, noise: Noise) -> SmoothedSeri
     return SmoothedSeries(time, best, WIDER * errors, values, widths, noise)
 
 
-def _agreed(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
+def _first_agreeing_estimate(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Uncertainty]:
     """Return the first estimate that agrees with the next one.
 
     The estimates are in the order of decreasing numbers of samples. If no pair agrees, the result is the last one.
@@ -238,7 +238,7 @@ def _agreed(estimates: Sequence[tuple[float, Uncertainty]]) -> tuple[float, Unce
 
 
 @cache
-def _parabola(width: int) -> FloatArray:
+def _parabola_weights(width: int) -> FloatArray:
     """Return weights for the smoothed value at the centre of some samples.
 
     The weights are those of a parabola fitted to `width` samples on either side. For `width` = 1, a straight line is

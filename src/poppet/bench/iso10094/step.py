@@ -53,11 +53,11 @@ def _evaluate(evaluation: Evaluation, records: Sequence[Record]) -> None:
         for k, jump in enumerate(steps):
             begin = steps[k - 1].after if k else 0
             end = steps[k + 1].before + 1 if k + 1 < len(steps) else record.time.size
-            _one(evaluation, record, x, y, jump, slice(begin, jump.before + 1), slice(jump.after, end))
-    _figures(evaluation)
+            _evaluate_step(evaluation, record, x, y, jump, slice(begin, jump.before + 1), slice(jump.after, end))
+    _add_characteristic_values(evaluation)
 
 
-def _one(
+def _evaluate_step(
     evaluation: Evaluation, record: Record, x: FloatArray, y: FloatArray, jump: Jump, before: slice, after: slice
 ) -> None:
     """Evaluate one step of the setpoint, and add its row to the evaluation.
@@ -108,7 +108,7 @@ def _one(
     row["is_settled"] = reason != "unsettled"
     if not record.is_exact and jump.duration > COARSE * row.get("delay", math.inf):
         note("coarse", error=0.5 * jump.duration, delay=row["delay"])
-    _curve(evaluation, record, row, y, jump, after.stop)
+    _add_step_curve(evaluation, record, row, y, jump, after.stop)
 
 
 def _add_times(
@@ -155,7 +155,7 @@ def _add_times(
     return ""
 
 
-def _figures(evaluation: Evaluation) -> None:
+def _add_characteristic_values(evaluation: Evaluation) -> None:
     """Add the characteristic values of all steps to the evaluation.
 
     If steps are clipped, the largest values of the other steps become bounds.
@@ -224,7 +224,7 @@ def _case(row: Row) -> Row:
     return {key: row[key] for key in CASE if key in row}
 
 
-def _curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump: Jump, stop: int) -> None:
+def _add_step_curve(evaluation: Evaluation, record: Record, row: Row, y: FloatArray, jump: Jump, stop: int) -> None:
     """Add the step response, as a percentage of the total change, to the curves.
 
     The curve begins shortly before the step and ends after the outlet has settled.

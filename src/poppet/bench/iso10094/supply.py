@@ -54,7 +54,7 @@ def supply_trials(pace: Pace) -> list[Trial]:
 
 
 def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> Trial:
-    """Return a trial with a constant setpoint and no flow at the outlet.
+    """Return a trial at constant setpoint without flow at the outlet.
 
     `setpoint` is in % FS, and `hold` is the settling time of the valve [s].
     """
@@ -63,7 +63,7 @@ def leakage_trial(scale: Scale, volume: float, setpoint: float, hold: float) -> 
 
 
 def leakage_trials(pace: Pace) -> list[Trial]:
-    """Return one trial without outlet flow for setpoint zero and for each setpoint."""
+    """Return trials without outlet flow, at setpoint zero and at each other setpoint."""
     setpoints = (0.0, *pace.settings.setpoints)
     return [leakage_trial(pace.specimen.scale, pace.volume, setpoint, pace.hold) for setpoint in setpoints]
 

@@ -41,7 +41,7 @@ class Uncertainty:
 
     @property
     def standard(self) -> float:
-        """Standard uncertainty of the sum of both distributions."""
+        """Standard uncertainty of the value, from both distributions."""
         return math.hypot(self.normal, self.even / math.sqrt(3.0), self.common / math.sqrt(3.0))
 
     def wider(self, normal: float) -> Uncertainty:

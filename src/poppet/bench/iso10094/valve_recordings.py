@@ -96,7 +96,7 @@ def recorded(
     notes: list[Note] = []
     for name, table in data["recordings"].items():
         try:
-            record, found_notes = _record(name, table, path.parent, ambient, scale)
+            record, found_notes = _read_recording(name, table, path.parent, ambient, scale)
         except InputError as error:
             problems.append(error)
             continue
@@ -114,7 +114,7 @@ def recorded(
     return ValveRecordings(str(data.get("title", path.stem)), scale, records, rated_flow, tuple(notes), conditions)
 
 
-def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
+def _read_recording(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -> tuple[Record, list[Note]]:
     """Read one recording, and return its record and notes.
 
     `table` is the table of the recording in the file, and `ambient` the ambient pressure [Pa].
@@ -148,7 +148,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     own_names = tuple(OF_RECORDING)
     other_fields = {key: value for key, value in table.items() if key not in own_names}
     measurement = read_measurement(name, other_fields, folder, ambient_pressure=ambient, other_fields=own_names)
-    record, n_spikes = _joined(name, measurement, fields, address, scale)
+    record, n_spikes = _record_of_measurement(name, measurement, fields, address, scale)
     # Clipping is checked here with the meaning of the channels: an outlet follows the setpoint, a command has limits.
     findings = [finding for finding in measurement.findings if finding.code != "suspicion.clipped"]
     # If the outlet is at rest while the setpoint is constant, the steps of the setpoint are commands and not the
@@ -179,7 +179,7 @@ def _record(name: str, table: Any, folder: Path, ambient: float, scale: Scale) -
     return record, notes
 
 
-def _joined(
+def _record_of_measurement(
     name: str, measurement: Measurement, fields: Mapping[str, Any], address: str, scale: Scale
 ) -> tuple[Record, int]:
     """Return the channels of a measurement as a record, and the number of replaced spikes.
@@ -248,7 +248,7 @@ def clipped(series: Mapping[str, FloatArray]) -> dict[str, Mask]:
             # A digital setpoint has no noise to test.
             is_cut = name != "setpoint" and stays_in_noise(values, level, quantum_of(values))
             if not is_cut and name in ("setpoint", "flow"):
-                is_cut = any(_goes_on(sign * values, series["outlet"], run) for run in runs)
+                is_cut = any(_outlet_moves_in_section(sign * values, series["outlet"], run) for run in runs)
             elif not is_cut and name == "outlet":
                 is_cut = any(_is_stuck(series, sign, run) for run in runs)
             if is_cut:
@@ -268,13 +268,13 @@ def _is_stuck(series: Mapping[str, FloatArray], sign: float, run: slice) -> bool
     half = slice((run.start + run.stop) // 2, run.stop)
     is_held = _is_ramp(x, run) and float(np.ptp(x[half])) < max(BELOW, CLEAR * noise_of(x))
     is_peak = not is_held and cuts_a_peak(y, (run.start, run.stop), _step(y))
-    is_loaded = bool(flow.size) and _is_left(-sign * flow, run, LOADED * float(np.ptp(flow)))
+    is_loaded = bool(flow.size) and _changes_meanwhile(-sign * flow, run, LOADED * float(np.ptp(flow)))
     # A sudden stop while the outlet is still below the setpoint.
     is_abrupt = False
     if run.start >= 4 and float(np.max(x[run])) - y[run.start] >= BELOW and not _is_ramp(x, run):
         earlier, last = np.diff(y[run.start - 3 : run.start])
         is_abrupt = bool(min(earlier, last) > STEEP * _step(y) and last > SLOWER * earlier)
-    return is_peak or is_loaded or is_abrupt or _is_left(x, run, ONWARD)
+    return is_peak or is_loaded or is_abrupt or _changes_meanwhile(x, run, ONWARD)
 
 
 def _runs(mask: Mask) -> list[slice]:
@@ -296,7 +296,7 @@ def _is_ramp(x: FloatArray, run: slice) -> bool:
     return bool(change > max(RAMP * _step(x), CLEAR * noise_of(x)) and np.max(np.diff(approach)) < 0.5 * change)
 
 
-def _is_left(x: FloatArray, run: slice, threshold: float) -> bool:
+def _changes_meanwhile(x: FloatArray, run: slice, threshold: float) -> bool:
     """Return True if setpoint or flow still changes while the outlet is constant.
 
     `x` is the setpoint or flow. The outlet is constant in the slice `run`. Changes below `threshold` do not count.
@@ -304,7 +304,7 @@ def _is_left(x: FloatArray, run: slice, threshold: float) -> bool:
     return bool(float(np.max(x[run])) - x[run.start] > max(threshold, CLEAR * noise_of(x)))
 
 
-def _goes_on(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
+def _outlet_moves_in_section(x: FloatArray, outlet: FloatArray, run: slice) -> bool:
     """Return True if the outlet moves although `x` seems constant after a ramp.
 
     `x` is constant in the slice `run`. A motion of the outlet away and back shows that `x` is clipped there.

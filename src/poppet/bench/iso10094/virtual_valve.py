@@ -66,7 +66,7 @@ class StandIn:
         sign, slope = (1.0, self.droop) if float(np.max(load)) > 0.0 else (-1.0, self.rise)
         effect = -sign * slope * play(sign * load, self.flow_play)  # of the flow on the outlet [% FS]
         target += effect + 100.0 * self.supply_sensitivity * (supply - self.supply) / self.scale.span
-        y = _answer(target, trial.step / finer, constant, self.damping)
+        y = _linear_response(target, trial.step / finer, constant, self.damping)
         y += self.offset + self.hum * np.sin(2.0 * math.pi * self.hum_frequency * time)
         rows_shown = np.arange(rows + 1) * finer
         rows_shown = rows_shown[time[rows_shown] >= trial.lead - 1e-9 * trial.step]
@@ -122,7 +122,7 @@ def play(values: FloatArray, width: float) -> FloatArray:
     return result
 
 
-def _answer(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:
+def _linear_response(target: FloatArray, step: float, constant: float, damping: float) -> FloatArray:
     """Return the exact response of the linear dynamics to a piecewise linear input.
 
     `target` is the input, and `step` the time between its points [s]. `constant` is the time constant [s]. The response

@@ -113,18 +113,18 @@ def bandwidth_point(
     The part that limits the bandwidth is also determined: each part in `parts` is made ideal, one at a time. `guess` is
     a start value of the bandwidth [Hz].
     """
-    sweep = _sweep(plan, volume, amplitude)
+    sweep = _settled_frequency_response(plan, volume, amplitude)
     if sweep is None:
         return Point(math.nan, math.nan, math.nan, math.nan, math.nan, {}, "")
     begin = guess if guess and math.isfinite(guess) else guessed(plan, volume, amplitude)
     end = _bandwidth(plan, sweep, begin)
     start = end if plan.lowest < end < plan.highest else begin
     lag = crossing(lambda f: -sweep.lag(f), -LAG, start, plan.lowest, plan.highest)
-    up, down = (_rise(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
+    up, down = (_time_to_90_percent(plan, volume, amplitude, sign) for sign in (1.0, -1.0))
     gains = {}  # the bandwidth with each part ideal, relative to the unchanged bandwidth
     for part in parts if 0.0 < end < math.inf else ():
         changes = ideal(plan, part) if part in PARTS else None
-        changed = _sweep(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
+        changed = _settled_frequency_response(plan, volume / IDEAL if part == LOAD else volume, amplitude, changes)
         if changed is not None:
             gains[part] = min(_bandwidth(plan, changed, end), plan.highest) / end
     best = max(gains, key=lambda part: gains[part], default="")
@@ -136,7 +136,9 @@ def _bandwidth(plan: LimitsPlan, sweep: Sweep, guess: float) -> float:
     return crossing(sweep.gain, GAIN, guess / BELOW, plan.lowest, plan.highest)
 
 
-def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None) -> Sweep | None:
+def _settled_frequency_response(
+    plan: LimitsPlan, volume: float, amplitude: float, changes: Changes | None = None
+) -> Sweep | None:
     """Return the frequency response of a circuit that has settled.
 
     `changes` are changed parameters. The result is None if the circuit does not settle.
@@ -147,12 +149,12 @@ def _sweep(plan: LimitsPlan, volume: float, amplitude: float, changes: Changes |
         return None
 
 
-def _rise(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
+def _time_to_90_percent(plan: LimitsPlan, volume: float, amplitude: float, sign: float) -> float:
     """Return the time that the outlet needs for 90 % of a step [s].
 
     The height of the step is twice the amplitude, and it is symmetric about the mean pressure. `sign` is +1 for a step
     up and -1 for a step down. The result is NaN if the outlet does not reach the value.
     """
-    sweep = _sweep(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
+    sweep = _settled_frequency_response(replace(plan, mean=plan.mean - sign * amplitude), volume, amplitude)
     change = 2.0 * sign * amplitude
     return math.nan if sweep is None else sweep.rig.rise(change * plan.per_pascal, change, RISEN, LONGEST)

@@ -96,7 +96,10 @@ class LimitsPlan:
         return SineRig(instance, self.setpoint, self.pressure, settling=SETTLING, relative_tolerance=LOOSE)
 
     def case(self, volume: float, changes: Changes | None = None) -> BaseCircuit:
-        """Return the circuit at the mean pressure with another outlet volume and changed parameters."""
+        """Return the circuit at the mean pressure, with changed parameters.
+
+        `volume` is the outlet volume [m^3], and `changes` are other changed parameters.
+        """
         numbers = self.circuit.parameters
         electronics = f"{self.valve}.electronics.outer"
         ambient = self.circuit.surroundings.pressure
@@ -132,8 +135,8 @@ def limits_plan(
     volume = circuit.parameters[f"{outlet}.volume"]
     values: dict[str, list[float]] = {
         "mean": [0.5 * (low + high)],
-        "volumes": _spread(volume / SPREAD, volume * SPREAD),
-        "amplitudes": _spread(SMALLEST * (high - low), LARGEST * (high - low)),
+        "volumes": _geometric_values(volume / SPREAD, volume * SPREAD),
+        "amplitudes": _geometric_values(SMALLEST * (high - low), LARGEST * (high - low)),
         "springs": list(SPRINGS),
         "dampings": list(DAMPINGS),
     }
@@ -154,7 +157,7 @@ def limits_plan(
     )  # fmt: skip
 
 
-def _spread(low: float, high: float) -> list[float]:
+def _geometric_values(low: float, high: float) -> list[float]:
     """Return several values between two limits in a geometric sequence.
 
     The values are rounded to two digits.
@@ -191,7 +194,7 @@ def ideal(plan: LimitsPlan, part: str) -> Changes:
     The result maps addresses of parameters to new values. For the sonic conductance, it includes the characteristic of
     the supply seat over the whole stroke.
     """
-    changes = _scaled(plan, PARTS[part])
+    changes = _scaled_parameters(plan, PARTS[part])
     if part == "sonic conductance":
         curve = plan.circuit.parts[plan.valve].members["main_stage"].curve  # type: ignore[attr-defined]
         own = {
@@ -212,10 +215,10 @@ def stage_changes(plan: LimitsPlan, spring: float, damping: float) -> Changes:
     factors = {"damping": damping}
     for name in ("upper_spring", "lower_spring"):
         factors |= {f"{name}.rate": spring, f"{name}.preload": 1.0 / spring}
-    return _scaled(plan, {f"main_stage.{name}": factor for name, factor in factors.items()})
+    return _scaled_parameters(plan, {f"main_stage.{name}": factor for name, factor in factors.items()})
 
 
-def _scaled(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
+def _scaled_parameters(plan: LimitsPlan, factors: Mapping[str, float]) -> Changes:
     """Return some parameters of the valve, each multiplied by a factor.
 
     `factors` maps addresses within the valve to factors. The result has complete addresses.

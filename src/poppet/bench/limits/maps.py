@@ -67,7 +67,7 @@ class LimitsResult(ResultFileMixin, HtmlMixin):
     @property
     def findings(self) -> tuple[Note, ...]:
         """Notes on limiting parts and on stability."""
-        return (*_limiting(self), *_stability(self))
+        return (*_limiting_part_notes(self), *_stability(self))
 
     def content(self) -> dict[str, Any]:
         """Return the content of the result file as nested dictionaries."""
@@ -129,7 +129,7 @@ def find_limits(plan: LimitsPlan, progress: Callable[[int, int, str], Any] | Non
     return result
 
 
-def _limiting(result: LimitsResult) -> list[Note]:
+def _limiting_part_notes(result: LimitsResult) -> list[Note]:
     """Return a note for each part that limits the bandwidth at some points."""
     limited = {key: point for key, point in result.points.items() if point.limiting}
     notes = []
@@ -138,7 +138,12 @@ def _limiting(result: LimitsResult) -> list[Note]:
         if not keys:
             continue
         volumes, amplitudes = zip(*keys, strict=True)
-        facts = {"count": len(keys), "known": len(limited), "volumes": _ends(volumes), "amplitudes": _ends(amplitudes)}
+        facts = {
+            "count": len(keys),
+            "known": len(limited),
+            "volumes": _smallest_and_largest(volumes),
+            "amplitudes": _smallest_and_largest(amplitudes),
+        }
         if part == CONTROLLER:
             notes.append(Note("limits.controller", **facts))
             continue
@@ -148,7 +153,7 @@ def _limiting(result: LimitsResult) -> list[Note]:
     return notes
 
 
-def _ends(values: Sequence[float]) -> tuple[float, ...]:
+def _smallest_and_largest(values: Sequence[float]) -> tuple[float, ...]:
     """Return the smallest and the largest of some values.
 
     If all values are equal, the result has one item.

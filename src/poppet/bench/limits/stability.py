@@ -76,10 +76,10 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
         time = np.arange(1, int(ROUGH * ROWS_PER_SECOND) + 1) / ROWS_PER_SECOND
         run = banded_rig.run(0.0, 1.0, time)
         if run.outcome.is_success:
-            rough = _motion(time, run.values[banded_rig.output], (ROUGH / 3.0, ROUGH))
+            rough = _detrended_oscillation(time, run.values[banded_rig.output], (ROUGH / 3.0, ROUGH))
     try:
         rig = plan.rig(volume, changes, bands=False)
-        v = _rest(plan, rig, spring, damping, volume)
+        v = _find_steady_state(plan, rig, spring, damping, volume)
     except SimulationError as error:
         v, note = None, error.note
     if v is None:
@@ -90,13 +90,13 @@ def stability_point(plan: LimitsPlan, spring: float, damping: float, volume: flo
     moving = poles[poles.imag > 0.0]
     if is_stable and moving.size:
         pole = moving[np.argmax(moving.real)]
-    smooth, amplitude, frequency = _pushed(rig, v)
+    smooth, amplitude, frequency = _simulate_disturbance(rig, v)
     agrees = smooth == (DECAYS if is_stable else OSCILLATES) or smooth == MARGINAL
-    finding = _note(is_stable, smooth, agrees, rough)
+    finding = _disagreement_note(is_stable, smooth, agrees, rough)
     return Stability(complex(pole), is_stable, smooth, amplitude, frequency, *rough, agrees, finding)
 
 
-def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
+def _find_steady_state(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume: float) -> Array | None:
     """Return the steady state of a valve.
 
     The state does not depend on the damping. The search therefore starts from the settled state of the circuit `rig`,
@@ -113,7 +113,7 @@ def _rest(plan: LimitsPlan, rig: SineRig, spring: float, damping: float, volume:
     return None
 
 
-def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
+def _simulate_disturbance(rig: SineRig, v: Array) -> tuple[str, float, float]:
     """Simulate the response to a small disturbance of the outlet, from a steady state.
 
     `v` is this state. The result is `oscillates`, `decays` or `marginal`, then the amplitude [Pa] and frequency [Hz] of
@@ -126,15 +126,15 @@ def _pushed(rig: SineRig, v: Array) -> tuple[str, float, float]:
     if not run.outcome.is_success:
         return OSCILLATES, math.nan, math.nan
     y = run.values[rig.output]
-    early_amplitude, _ = _motion(time, y, EARLY)
-    late_amplitude, frequency = _motion(time, y, LATE)
+    early_amplitude, _ = _detrended_oscillation(time, y, EARLY)
+    late_amplitude, frequency = _detrended_oscillation(time, y, LATE)
     if late_amplitude > LOUD * PUSH or late_amplitude > GROWN * early_amplitude > QUIET * PUSH:
         return OSCILLATES, late_amplitude, frequency
     is_decaying = late_amplitude < DECAYED * early_amplitude or late_amplitude < QUIET * PUSH
     return DECAYS if is_decaying else MARGINAL, late_amplitude, frequency
 
 
-def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:
+def _detrended_oscillation(time: Array, values: Array, part: tuple[float, float]) -> tuple[float, float]:
     """Return amplitude and frequency of an oscillation after subtraction of a straight line.
 
     `part` contains the start and the end of the evaluated time window [s].
@@ -145,7 +145,7 @@ def _motion(time: Array, values: Array, part: tuple[float, float]) -> tuple[floa
     return amplitude, 1.0 / period if math.isfinite(period) else math.nan
 
 
-def _note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
+def _disagreement_note(is_stable: bool, smooth: str, agrees: bool, rough: tuple[float, float]) -> Note | None:
     """Return a note if the nonlinear model behaves differently from the linear model.
 
     `smooth` is the motion without bands of the controller. `rough` is the amplitude and frequency with bands. The

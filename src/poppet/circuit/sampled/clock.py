@@ -45,7 +45,7 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
     model = kernel.model
     counts = np.array(model.counting, dtype=np.bool_)
     names = [name for name, _ in model.memory[: model.n_timers]]
-    ticks, _ = _ticks(kernel, x, u, p, counts)
+    ticks, _ = _run_timers(kernel, x, u, p, counts)
     running = [k for k in range(model.n_timers) if ticks[k]]
     if not running:
         raise SimulationError(Note("sampled.no_clock"))
@@ -87,11 +87,11 @@ def find_clock(kernel: Kernel, x: Array, u: Array, p: Array) -> Clock:
     # After all evaluated ticks, at the beginning of a sample.
     last = max(max(times_of_clock) for times_of_clock in ticks if times_of_clock)
     start = begin + np.ceil((last - begin) / sample + SAME) * sample
-    _, memory = _ticks(kernel, x, u, p, counts, end=start - SAME * sample)
+    _, memory = _run_timers(kernel, x, u, p, counts, end=start - SAME * sample)
     return Clock(sample, np.array(times), np.array(fired), counts, memory, float(np.min(memory[running])))
 
 
-def _ticks(
+def _run_timers(
     kernel: Kernel, x: Array, u: Array, p: Array, counts: NDArray[np.bool_], end: float | None = None
 ) -> tuple[list[list[float]], Array]:
     """Run only the timers of a circuit, and return the sample instants of each timer.

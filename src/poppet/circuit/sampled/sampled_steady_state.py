@@ -37,9 +37,9 @@ MIN_AMPLITUDE = 1e-9
 def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
     """Return the steady state of a sampled circuit with constant inputs u."""
     point = SampledPoint(instance, u)
-    v, *notes = _search(point)
+    v, *notes = _search_steady_state(point)
     if v is None:
-        motion = _motion(point)
+        motion = _oscillation_note(point)
         # Timers, except clocks, that run at the end of one of several transients, or that a tick of the clocks sets.
         running: set[int] = set()
         timers = [k for k in range(point.places.size) if point.places[k] < point.model.n_timers]
@@ -54,7 +54,7 @@ def find_sampled_steady_state(instance: Instance, u: Array) -> SteadyState:
         raise SimulationError(Note("rest.switched", motion=motion, timers=names_of_timers))
     is_stable = _is_stable(point, v)
     if not is_stable:
-        notes.append(Note("rest.unstable", motion=_motion(point)))
+        notes.append(Note("rest.unstable", motion=_oscillation_note(point)))
     residual, _ = scaled_residual(point.scaled, v, point.size)
     names = (name for name, _ in point.model.memory)
     return SteadyState(
@@ -89,7 +89,7 @@ def _is_stable(point: SampledPoint, v: Array) -> bool:
     return radius <= 1.0 + SAME_STATE
 
 
-def _search(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
+def _search_steady_state(point: SampledPoint) -> tuple[Array, Note] | tuple[None]:
     """Return a steady state, and a note on the method by which it was found.
 
     If no steady state was found, the result contains only None.
@@ -161,7 +161,7 @@ def oscillation(time: Array, values: Array) -> tuple[float, float]:
     return amplitude, float(period)
 
 
-def _motion(point: SampledPoint) -> Note:
+def _oscillation_note(point: SampledPoint) -> Note:
     """Return a note on the largest oscillations that remain after a long transient."""
     time = np.linspace(SETTLING_TIME, SETTLING_TIME + OBSERVATION_TIME, ROWS)
     _, run = transient(point, SETTLING_TIME + OBSERVATION_TIME, time)

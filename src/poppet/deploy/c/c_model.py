@@ -59,7 +59,7 @@ def model_code(export_model: ExportModel, prefix: str = "", further: Sequence[st
 
 
 def static_code(export_model: ExportModel, functions: Mapping[str, casadi.Function]) -> str:
-    """Return the C code of model functions as `static` functions, visible only in their source file."""
+    """Return the C code of model functions that are visible only in their source file."""
     return _print_functions(export_model, functions, [], head="static void", shares_inverses=True)
 
 
@@ -95,7 +95,7 @@ def prototypes(names: Iterable[str], prefix: str) -> list[str]:
 
 
 def fixed_step_functions(model: Model) -> dict[str, casadi.Function]:
-    """Return the model functions for integration with a fixed step.
+    """Return the model functions for an integration with fixed steps.
 
     The quadratures, which integrate flows for the balances, are omitted from the state vector.
     """

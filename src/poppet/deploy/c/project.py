@@ -33,7 +33,7 @@ from poppet.deploy.comparison import (
     tolerance_changes,
     without_fused_operations,
 )
-from poppet.deploy.controller import select_parts
+from poppet.deploy.controller import controllers_of_option
 from poppet.deploy.export_files import c_string, comment_text
 from poppet.deploy.export_model import ExportModel, build_export_model
 from poppet.deploy.targets import CircuitSource, Export
@@ -71,7 +71,7 @@ def export_c(
     if substeps is not None and part:
         raise InputError("deploy.substeps_of_part")
     if part:
-        parts = select_parts(circuit, part)
+        parts = controllers_of_option(circuit, part)
         return Export(c_controller(circuit, parts, name=name or "", precision=precision or "double"))
     return Export(c_project(circuit, name or source.name, substeps=1 if substeps is None else substeps))
 
@@ -110,7 +110,7 @@ def c_project(circuit: BaseCircuit, name: str = "", *, substeps: int = 1) -> dic
         "NAME": name,
         "SUBSTEPS": f"{substeps}",
         "FUNCTIONS": model_code(export_model, f"{name}_"),
-        **_tables(export_model), **_test_vector(circuit, export_model),
+        **_constants_in_c(export_model), **_test_vector(circuit, export_model),
         **_adaptive_run(export_model),
     }  # fmt: skip
     functions = fixed_step_functions(export_model.model)
@@ -153,7 +153,7 @@ def _table_rows(rows: Sequence[str], empty: str) -> str:
     return ",\n".join(f"  {row}" for row in rows) or f"  {empty}"
 
 
-def _tables(export_model: ExportModel) -> dict[str, str]:
+def _constants_in_c(export_model: ExportModel) -> dict[str, str]:
     """Return the constants of the circuit in C, by template placeholder.
 
     They are sizes, parameters, inputs, names and signals.

@@ -171,18 +171,20 @@ class FmuLayout:
         return dependencies
 
     def dependencies(self, name: str) -> list[list[int]]:
-        """Return the value references on which each rate or output depends.
+        """Return the variables on which each rate or output depends.
 
-        `name` is `rates` or `outputs`. The references are those of states and of variables that the importer sets.
+        `name` is `rates` or `outputs`. Variables are given by their value references. They are states, and variables
+        that the importer sets.
         """
         x, u, p = self.direct_dependencies[name]
         u, p = self._resolve_inputs(u, p)
         return [self._references(x[k], u[k], p[k], (INPUT,)) for k in range(len(x))]
 
     def initial_dependencies(self, name: str) -> list[list[int]]:
-        """Return the value references on which each initial state, rate or output depends.
+        """Return the variables on which each initial value depends.
 
-        `name` is `start`, `rates` or `outputs`. The references are those of inputs and parameters.
+        `name` is `start`, `rates` or `outputs`. Variables are given by their value references. They are inputs and
+        parameters.
         """
         start = self._pattern("start", "p")
         if name == "start":
@@ -265,9 +267,9 @@ class FmuLayout:
 
     @cached_property
     def state_outputs(self) -> dict[int, int]:
-        """Mapping from the index of an output to the index of the state that it equals.
+        """Mapping from outputs to the states that they are equal to.
 
-        Both have the same address.
+        Keys and values are indices. An output and its state have the same address.
         """
         import casadi as ca
 
@@ -282,9 +284,9 @@ class FmuLayout:
 
     @cached_property
     def initial_parameters(self) -> dict[int, int]:
-        """Mapping from the index of a state to the index of its initial value among the parameters.
+        """Mapping from states to the parameters that are their initial values.
 
-        Only parameters without any other effect are included.
+        Keys and values are indices. Only parameters without any other effect are included.
         """
         index_of = {parameter.address: k for k, parameter in enumerate(self.export_model.parameters)}
         pairs = {k: index_of.get(state.address, -1) for k, state in enumerate(self.export_model.states)}
@@ -310,7 +312,10 @@ class FmuLayout:
 
     @cached_property
     def variables(self) -> list[Variable]:
-        """All variables of the FMU; each address appears once."""
+        """All variables of the FMU.
+
+        Each address appears once.
+        """
         variables = [Variable("time", TIME_REFERENCE, "independent", "continuous", unit="s", meaning="time")]
         if DRIVEN in self.sources:
             text = "the inputs follow the signals of the circuit, and what is set is not looked at"

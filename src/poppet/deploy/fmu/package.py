@@ -46,7 +46,7 @@ C_END = "#ifdef __cplusplus\n}\n#endif\n"
 
 
 class Fmu(NamedTuple):
-    """Content of an FMU in memory."""
+    """FMU before it is written to a file."""
 
     layout: FmuLayout
     content: dict[str, bytes]  # path in the archive to bytes
@@ -223,7 +223,10 @@ def names_header(functions: Sequence[str], fmi: int) -> str:
 
 
 def model_header(layout: FmuLayout, functions: Sequence[str], token: str) -> str:
-    """Return the text of `model.h`, which contains all constants of an FMU."""
+    """Return the text of `model.h`, which contains all constants of the FMU.
+
+    `token` identifies the content of the model.
+    """
     export_model, problem = layout.export_model, layout.export_model.problem
     model, kernel = export_model.model, export_model.instance.kernel
     sizes = {

@@ -102,7 +102,7 @@ def live_page(circuit: BaseCircuit, *, parameters: Sequence[str] = ()) -> str:
     data = pack({**header, **content}, blobs)
     omitted = content["left_out"]
     notes = [f"Constant in the file's run, and without a curve here: {', '.join(omitted)}."] if omitted else []
-    title, curves = circuit.title or "A circuit", _figure(content, float(grid[-1]))
+    title, curves = circuit.title or "A circuit", _empty_figure(content, float(grid[-1]))
     sections = [
         ("", head(title, _LEAD) + _read("body.html").replace(_CURVES, curves)),
         ("Notes of the run as in the file", findings([*recording.remarks, *notes])),
@@ -160,13 +160,13 @@ def page_content(
         "panels": panels,
         "bands": bars,
         "left_out": [series.name for series in sheet.left_out],
-        "drawing": _drawing(export_model, circuit),
+        "drawing": _schematic_of_page(export_model, circuit),
         "units": {si: [[name, *affine(name, si, ambient)] for name in names] for si, names in _INPUT_UNITS.items()},
         "n_inputs": max(1, len(export_model.inputs)),
     }
 
 
-def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
+def _schematic_of_page(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
     """Return the schematic as SVG text, with positions of values and of moving bodies.
 
     The positions are those inside the boxes of the parts.
@@ -211,7 +211,7 @@ def _drawing(export_model: ExportModel, circuit: BaseCircuit) -> dict[str, Any]:
     return {"svg": svg, "values": placed_values, "movers": [movers[part] for part in values_of if part in movers]}
 
 
-def _figure(content: dict[str, Any], duration: float) -> str:
+def _empty_figure(content: dict[str, Any], duration: float) -> str:
     """Return the HTML of the empty figure for curves and bars.
 
     The script of the page adds the values.

@@ -52,7 +52,7 @@ class Slider:
     delay: float = 0.0  # of the signal [s]
 
     def scale(self, ambient_pressure: float) -> tuple[float, float]:
-        """Return the factor and the offset of the conversion from SI to the display unit."""
+        """Return factor and offset that convert SI values to the display unit."""
         return affine(self.si, self.unit, ambient_pressure)
 
 
@@ -125,7 +125,7 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
         return Slider(
             address, item.value, low, high, item.low, item.high, item.unit, USUAL.get(item.unit, item.unit),
             "input, held while you say so", "a signal of the file", is_assumed=False, number=-1, inputs=(index,),
-            is_driven=True, **_signal(export_model, circuit, index),
+            is_driven=True, **_signal_and_delay(export_model, circuit, index),
         )  # fmt: skip
     if address in inputs:
         address = export_model.parameters[inputs[address].parameter].address
@@ -150,11 +150,11 @@ def _slider(export_model: ExportModel, circuit: BaseCircuit, address: str) -> Sl
     return Slider(
         address, value, low, high, parameter.low, parameter.high, parameter.unit, unit, parameter.meaning,
         source, number.source.kind == "assumed", index, setters, is_driven=False,
-        **(_signal(export_model, circuit, setters[0]) if is_input else {}),
+        **(_signal_and_delay(export_model, circuit, setters[0]) if is_input else {}),
     )  # fmt: skip
 
 
-def _signal(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
+def _signal_and_delay(export_model: ExportModel, circuit: BaseCircuit, index: int) -> dict[str, Any]:
     """Return the signal of an input in the circuit file, and its delay.
 
     `index` is the index of the input.

@@ -181,7 +181,10 @@ def fmu_checks() -> list[ParityCheck]:
 
 
 def _run_page_kernel(reference: KernelReference, folder: Path) -> TargetResult:
-    """Run the WebAssembly kernel of a live page in Node.js."""
+    """Run the WebAssembly model of a live page in Node.js.
+
+    `folder` is a folder for temporary files.
+    """
     if shutil.which("node") is None:
         raise NotRunError("no_node")
     try:

@@ -93,7 +93,10 @@ class KernelReference:
 
     @cached_property
     def rows(self) -> ReferenceRun:
-        """Reference run without fused operations, at the output times of the circuit."""
+        """Reference run at the output times of the circuit.
+
+        The kernel has no fused multiply-add operations.
+        """
         # A row at a sample instant has the values after it; the last row of a run has the values before it.
         return run_reference(self.separate, self.problem.grid.size - bool(self.problem.kernel.model.memory))
 

@@ -13,8 +13,8 @@ from poppet.deploy.controller import (
     SIGNATURES,
     ControllerProgram,
     controller_program,
+    controllers_of_option,
     find_controllers,
-    select_parts,
 )
 from poppet.deploy.export_files import comment_text, identifier
 from poppet.deploy.targets import CircuitSource, Export
@@ -89,7 +89,7 @@ class BlockNames:
 def export_st(circuit: BaseCircuit, source: CircuitSource, *, part: str | None = None) -> Export:
     """Export sampled controllers as structured text.
 
-    `part` is the value of the option --part: the names of the controllers.
+    `part` is the value of the option --part, with the names of the controllers.
     """
     if not part:
         controllers = [*find_controllers(circuit)]
@@ -98,7 +98,7 @@ def export_st(circuit: BaseCircuit, source: CircuitSource, *, part: str | None =
             if controllers
             else InputError("deploy.controller.none")
         )
-    return Export({"controller.st": block_of(circuit, select_parts(circuit, part))})
+    return Export({"controller.st": block_of(circuit, controllers_of_option(circuit, part))})
 
 
 def block_of(circuit: BaseCircuit, parts: Sequence[str] = ()) -> str:
@@ -178,7 +178,7 @@ def function_block(program: ControllerProgram) -> str:
             f"(* Call it every cycle_time seconds, {program.cycle:g} s: it samples by its own count of its calls. *)",
             f"FUNCTION_BLOCK {block_name}",
             *_declarations(program, {**variables, "y": outputs}, printed),
-            *_body(printed, memory[: program.n_timers], fired),
+            *_statements_of_call(printed, memory[: program.n_timers], fired),
             "END_FUNCTION_BLOCK",
             "",
         ]
@@ -236,7 +236,7 @@ def _declarations(
     ]
 
 
-def _body(printed: Mapping[str, Statements], timers: Sequence[str], fired: Sequence[str]) -> list[str]:
+def _statements_of_call(printed: Mapping[str, Statements], timers: Sequence[str], fired: Sequence[str]) -> list[str]:
     """Return the statements that the function block executes in each call.
 
     `timers` are the names of the timers, and `fired` those of the variables that show which timer is due.

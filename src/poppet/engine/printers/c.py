@@ -51,7 +51,10 @@ LARGEST_SINGLE = 3e38
 
 
 class Precision(NamedTuple):
-    """Floating-point type in C, with the suffixes of constants and of functions in `math.h`."""
+    """Floating-point type in C, for example double.
+
+    It contains the suffixes of constants and of functions in `math.h`.
+    """
 
     real: str = "double"
     ending: str = ""
@@ -178,7 +181,7 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
     values: dict[int, _Operand] = {}
     referenced: set[str] = set()
     inverses: dict[int, _Operand] = {}
-    divisors = _divisors(block, live) if style.shares_inverses else {}
+    divisors = _shared_divisors(block, live) if style.shares_inverses else {}
 
     def value(slot: int) -> _Operand:
         if slot not in values:
@@ -240,7 +243,7 @@ def _print_block(block: Block, names: tuple[list[str], list[str]], style: _Style
     return [*lines, *ignored, *stores]
 
 
-def _divisors(block: Block, live: Collection[int]) -> dict[int, int]:
+def _shared_divisors(block: Block, live: Collection[int]) -> dict[int, int]:
     """Return the divisions that share their divisor with another division.
 
     Keys are indices of division instructions. A value identifies the instruction that computes the divisor.
@@ -286,7 +289,7 @@ def _expression(instruction: Instruction, arguments: Sequence[_Operand], precisi
 # Step of the kernel
 
 
-def _weighted(weights: Sequence[float]) -> str:
+def _weighted_sum_of_stages(weights: Sequence[float]) -> str:
     """Return a C expression for a weighted sum of solver stages.
 
     The sum is that of one state s: `weights` are the factors on k0[s], k1[s] and so on.
@@ -323,11 +326,12 @@ def print_step(n_states: int, n_inputs: int, head: str = "void", prefix: str = "
     ]
     for i in range(1, 6):
         inputs = f"us + {INPUT_TIMES.index(STAGE_TIME[i]) * n_inputs}"
+        coupled_rates = f"f1[s] + g * ({_weighted_sum_of_stages(COUPLING[i])})"
         text += [
-            f"  for (s = 0; s < {n}; s++) x1[s] = x0[s] + {_weighted(ARGUMENT[i])};",
+            f"  for (s = 0; s < {n}; s++) x1[s] = x0[s] + {_weighted_sum_of_stages(ARGUMENT[i])};",
             f"  *time = th[0] + {DOUBLE.literal(STAGE_TIME[i])} * h;",
             f"  {prefix}rates(time, x1, {inputs}, p, f1);",
-            f"  for (s = 0; s < {n}; s++) right[s] = {_with_drift(i, f'f1[s] + g * ({_weighted(COUPLING[i])})')};",
+            f"  for (s = 0; s < {n}; s++) right[s] = {_with_drift(i, coupled_rates)};",
             f"  {prefix}solve(lu, right, k{i});",
         ]
     text += [
@@ -340,7 +344,7 @@ def print_step(n_states: int, n_inputs: int, head: str = "void", prefix: str = "
         f"  double *d0 = d, *d1 = d + {n};",
         "  int s;",
         f"  for (s = 0; s < {n}; s++) {{",
-        *(f"    d{k}[s] = {_weighted(DENSE[k])};" for k in range(2)),
+        *(f"    d{k}[s] = {_weighted_sum_of_stages(DENSE[k])};" for k in range(2)),
         "  }",
         "}",
     ]

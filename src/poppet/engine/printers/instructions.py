@@ -103,7 +103,7 @@ class InstructionList(NamedTuple):
 
     @classmethod
     def of(cls, function: Any) -> InstructionList:
-        """Return the instruction list of a CasADi function."""
+        """Return the instructions of a CasADi function as a list."""
         return cls(instructions(function), function.n_in(), function.n_out())
 
     @property
@@ -133,7 +133,7 @@ def _operations() -> dict[int, str]:
 
 
 def instructions(function: Any) -> list[Instruction]:
-    """Return the instructions of a CasADi function in order."""
+    """Return the instructions of a CasADi function in the order of execution."""
     names = _operations()
     result = []
     for k in range(function.n_instructions()):

@@ -54,9 +54,9 @@ def lane_listings(functions: Mapping[str, Any], model: Model) -> LaneListings:
 
 
 class _Values:
-    """Table of the distinct values (results of operations) of several functions.
+    """Table of all different values that some functions compute.
 
-    A value is represented by its index in the table.
+    A value is the result of an operation, and is represented by its index in the table.
     """
 
     def __init__(self, n_numbers: int) -> None:

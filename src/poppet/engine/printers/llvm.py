@@ -79,7 +79,10 @@ class Kind:
         return constant if self.width == 1 else f"<{', '.join([f'double {constant}'] * self.width)}>"
 
     def constant(self, value: float) -> str:
-        """Return the text of a constant with all significant digits, equal in all lanes."""
+        """Return a constant in LLVM IR with all significant digits.
+
+        The constant is equal in all lanes.
+        """
         return self._alike(literal(value))
 
 
@@ -125,7 +128,7 @@ general:
 
 
 def literal(value: float) -> str:
-    """Return the text of a constant with all significant digits."""
+    """Return a constant in LLVM IR with all significant digits."""
     return f"0x{struct.unpack('<Q', struct.pack('<d', value))[0]:016X}"
 
 
@@ -165,11 +168,11 @@ class Text:
         self.lines.append(f"  {name} = getelementptr inbounds {self.kind.number}, ptr {pointer}, i64 {offset}")
 
     def times(self, factor: float, value: str) -> str:
-        """Add the product of a constant and a value, and return its name."""
+        """Add the product of a constant and a value; return its name."""
         return self.emit(f"fmul contract {self.kind.number} {self.kind.constant(factor)}, {value}")
 
     def multiply_add(self, a: str | float, b: str, c: str) -> str:
-        """Add the expression a b + c, and return its name."""
+        """Add the expression a b + c, and return the name of its result."""
         d, factor = self.kind.number, a if isinstance(a, str) else self.kind.constant(a)
         return self.emit(f"call {d} @llvm.fmuladd.{self.kind.suffix}({d} {factor}, {d} {b}, {d} {c})")
 
@@ -211,7 +214,10 @@ class Text:
 
 
 def print_function(function: Any, name: str, kind: Kind = SCALAR) -> str:
-    """Return LLVM IR of a CasADi function or an instruction list."""
+    """Return the LLVM IR of a CasADi function or of a list of instructions.
+
+    `name` is the name of the function, and `kind` the type of its numbers.
+    """
     listing = function if isinstance(function, InstructionList) else InstructionList.of(function)
     inputs = [f"%i{k}" for k in range(listing.n_in)]
     outputs = [f"%o{k}" for k in range(listing.n_out)]

@@ -53,7 +53,7 @@ def vector_functions(width: int) -> Mapping[str, tuple[str, int]]:
 
 
 def lanes_prelude(kind: Kind) -> str:
-    """Return LLVM IR of all declarations and helper functions for lanes, including `PRELUDE`."""
+    """Return the LLVM IR of all declarations and helper functions for lanes."""
     d, v = kind.number, kind.suffix
     declared = [f"declare {d} @llvm.{name}.{v}({d})" for name in ("sqrt", "fabs", "floor", "ceil")]
     declared.append(f"declare {d} @llvm.copysign.{v}({d}, {d})")
@@ -70,14 +70,16 @@ def lanes_prelude(kind: Kind) -> str:
             elements = [text.emit(f"extractelement {d} {a}, i32 {lane}") for a in arguments]
             value = text.emit(f"call double @{name}({', '.join(f'double {element}' for element in elements)})")
             result = text.emit(f"insertelement {d} {result}, double {value}, i32 {lane}")
-        defined.append(_function(kind, f"{name}.v", formal, text, result))
-    return "\n".join([PRELUDE, *declared, *defined, _inverse(kind), _inverse_root(kind), _power(kind)])
+        defined.append(_define_function(kind, f"{name}.v", formal, text, result))
+    return "\n".join(
+        [PRELUDE, *declared, *defined, _define_inverse(kind), _define_inverse_root(kind), _define_power(kind)]
+    )
 
 
 _PURE = "nounwind willreturn memory(none)"
 
 
-def _function(kind: Kind, name: str, formal: str, text: Text, result: str, attributes: str = "") -> str:
+def _define_function(kind: Kind, name: str, formal: str, text: Text, result: str, attributes: str = "") -> str:
     """Return the LLVM IR of a function definition for lanes.
 
     `formal` contains the declared arguments, `text` the lines, and `result` the name of the result.
@@ -86,7 +88,7 @@ def _function(kind: Kind, name: str, formal: str, text: Text, result: str, attri
     return "\n".join([head, *text.lines, f"  ret {kind.number} {result}", "}", ""])
 
 
-def _inverse(kind: Kind) -> str:
+def _define_inverse(kind: Kind) -> str:
     """Return LLVM IR of the function `inverse`.
 
     With AVX-512, it takes two Newton steps from an estimate of 14 bits; otherwise it divides.
@@ -97,19 +99,19 @@ def _inverse(kind: Kind) -> str:
     d, unity = kind.number, kind.words["one"]
     if not _has_estimates(kind):
         text = Text(kind)
-        return _function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {unity}, %x"), "alwaysinline ")
-    text, first = _estimate(kind, "rcp14")
-    error = _fused(text, text.emit(f"fneg {d} %x"), first, unity)
+        return _define_function(kind, "inverse.v", f"{d} %x", text, text.emit(f"fdiv {d} {unity}, %x"), "alwaysinline ")
+    text, first = _begin_with_estimate(kind, "rcp14")
+    error = _add_fused(text, text.emit(f"fneg {d} %x"), first, unity)
     # The error of the second step is the square of this error.
     square = text.emit(f"fmul {d} {error}, {error}")
-    r = _fused(text, first, error, first)
-    r = _keep_estimate(text, error, first, _fused(text, r, square, r))
+    r = _add_fused(text, first, error, first)
+    r = _keep_estimate(text, error, first, _add_fused(text, r, square, r))
     declared = f"declare {d} @llvm.x86.avx512.rcp14.pd.512({d}, {d}, i8)\n"
     declared += f"declare {d} @llvm.fma.{kind.suffix}({d}, {d}, {d})\n"
-    return declared + _function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
+    return declared + _define_function(kind, "inverse.v", f"{d} %x", text, r, "alwaysinline ")
 
 
-def _inverse_root(kind: Kind) -> str:
+def _define_inverse_root(kind: Kind) -> str:
     """Return LLVM IR of the function `inverse_root`, the inverse of a square root.
 
     Like `inverse`, it does not use the divider of the processor, which computes other roots.
@@ -119,17 +121,17 @@ def _inverse_root(kind: Kind) -> str:
         text = Text(kind)
         root = text.emit(f"call {d} @llvm.sqrt.{kind.suffix}({d} %x)")
         result = text.emit(f"fdiv {d} {kind.words['one']}, {root}")
-        return _function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
-    text, first = _estimate(kind, "rsqrt14")
+        return _define_function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
+    text, first = _begin_with_estimate(kind, "rsqrt14")
     root = text.emit(f"fmul {d} %x, {first}")
-    error = _fused(text, text.emit(f"fneg {d} {root}"), first, kind.words["one"])
+    error = _add_fused(text, text.emit(f"fneg {d} {root}"), first, kind.words["one"])
     # Series of (1 - e)**-0.5 - 1 up to the cube.
-    series = _fused(text, error, kind.constant(0.3125), kind.constant(0.375))
-    series = _fused(text, error, series, kind.words["half"])
-    r = _fused(text, text.emit(f"fmul {d} {error}, {first}"), series, first)
+    series = _add_fused(text, error, kind.constant(0.3125), kind.constant(0.375))
+    series = _add_fused(text, error, series, kind.words["half"])
+    r = _add_fused(text, text.emit(f"fmul {d} {error}, {first}"), series, first)
     declared = f"declare {d} @llvm.x86.avx512.rsqrt14.pd.512({d}, {d}, i8)\n"
     result = _keep_estimate(text, error, first, r)
-    return declared + _function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
+    return declared + _define_function(kind, "inverse_root.v", f"{d} %x", text, result, "alwaysinline ")
 
 
 def _has_estimates(kind: Kind) -> bool:
@@ -139,16 +141,16 @@ def _has_estimates(kind: Kind) -> bool:
     return kind.width == 8 and bool(llvm.get_host_cpu_features().get("avx512f", False))
 
 
-def _estimate(kind: Kind, name: str) -> tuple[Text, str]:
-    """Return a text that begins with an estimate, and the name of the estimate.
+def _begin_with_estimate(kind: Kind, name: str) -> tuple[Text, str]:
+    """Return lines of LLVM IR that compute an estimate, and the name of the estimate.
 
-    The estimate is computed from the argument %x by the function `name`.
+    `name` selects the instruction of the processor. The argument of the function is %x. More lines can be added.
     """
     text, d, zero = Text(kind), kind.number, kind.words["zero"]
     return text, text.emit(f"call {d} @llvm.x86.avx512.{name}.pd.512({d} %x, {d} {zero}, i8 -1)")
 
 
-def _fused(text: Text, a: str, b: str, c: str) -> str:
+def _add_fused(text: Text, a: str, b: str, c: str) -> str:
     """Add the expression a b + c with a single rounding, and return its name."""
     d = text.kind.number
     return text.emit(f"call {d} @llvm.fma.{text.kind.suffix}({d} {a}, {d} {b}, {d} {c})")
@@ -164,7 +166,7 @@ def _keep_estimate(text: Text, error: str, first: str, refined: str) -> str:
     return text.emit(f"select {text.kind.flag} {is_nan}, {d} {first}, {d} {refined}")
 
 
-def _power(kind: Kind) -> str:
+def _define_power(kind: Kind) -> str:
     """Return LLVM IR of the function `power`.
 
     An exponent of 1/2 is computed as a root, in each lane independently of the other lanes.
@@ -264,7 +266,7 @@ def _store_mask(text: Text, flags: str, number: int) -> None:
 
 
 def print_choose(kind: Kind) -> str:
-    """Return LLVM IR of `choose`, which computes lengths and ends of steps.
+    """Return the LLVM IR of the function `choose` for the length of the next step.
 
     The formula is that of `length` in `poppet.engine.stepping`.
     """
@@ -335,7 +337,7 @@ def print_settle(kind: Kind) -> str:
 
 
 def print_commit(n_states: int, kind: Kind) -> str:
-    """Return LLVM IR of `commit`, which completes accepted steps.
+    """Return the LLVM IR of the function `commit`, which completes accepted steps.
 
     Lanes with an accepted step get the new state. Extremes and sums of |change| are updated.
     """

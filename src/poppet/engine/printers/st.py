@@ -206,7 +206,7 @@ class Statements:
                 return Value(f"{condition.flag} AND {value.flag}", True, False)
             text = f"SEL({condition.text if condition.is_flag else condition.flag}, 0.0, {value.text})"
             return Value(text, choice=(condition.negated or condition.flag, bool(condition.negated), value.text))
-        if name == "add" and (choice := _choice(*arguments)):
+        if name == "add" and (choice := _merge_choices(*arguments)):
             return Value(choice)
         if name not in _FORMS:
             raise UnsupportedOperationError(name)
@@ -224,7 +224,7 @@ class Statements:
         return Value(name, value.is_flag, negated=value.negated if value.negated.isidentifier() else "")
 
 
-def _choice(a: Value, b: Value) -> str:
+def _merge_choices(a: Value, b: Value) -> str:
     """Return the sum of two choices with opposite conditions as a single choice.
 
     The text is empty if the values are not such choices.

@@ -145,7 +145,10 @@ class _StatelessLegs(_Legs):
 
 
 class _Scipy(_Legs):
-    """Solver LSODA, BDF or Radau of SciPy, with one leg per step."""
+    """Reference solver LSODA, BDF or Radau of SciPy.
+
+    It yields one leg (piece of the solution) per step.
+    """
 
     def __init__(self, problem: Problem, solver: str) -> None:
         from scipy.integrate import BDF, LSODA, Radau

@@ -25,7 +25,7 @@ class Leg(NamedTuple):
     between: Callable[[float], Array]
 
     def at(self, t: float) -> Array:
-        """Return the state at a time in the interval [s]."""
+        """Return the state at the time t, which is in the interval [s]."""
         if t in (self.begin, self.end):
             return self.x0 if t == self.begin else self.x1
         return np.ascontiguousarray(self.between(t))
@@ -61,7 +61,10 @@ class Track:
         return bool(np.all(np.isfinite(rates(self.problem, 0, self.t, self.x))))
 
     def is_valid(self, x: Array) -> bool:
-        """Return True if a state is finite and its positive states are above zero."""
+        """Return True if a state is finite and physically possible.
+
+        Elements such as pressures and masses must be positive.
+        """
         return bool(np.all(np.isfinite(x))) and bool(np.all(x[: self.positive.size][self.positive] > 0.0))
 
     def enter(self, segment: int, begin: float) -> None:
@@ -71,7 +74,10 @@ class Track:
         self.stop = self._condition(self.t, self.x)
 
     def next_instant(self, end: float) -> float:
-        """Return the time of the next sample instant, or the end of the segment [s]."""
+        """Return the time of the next sample instant [s].
+
+        The result is the end of the segment if there is no earlier instant.
+        """
         first = float(self.timers.min(initial=np.inf))
         return first if first < end - rounding(end) else end
 
@@ -163,7 +169,10 @@ def inputs_at(problem: Problem, segment: int, t: float) -> Array:
 
 
 def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the rates of all states, including quadratures, at a time in a segment."""
+    """Return the rates of all states at the time t.
+
+    `segment` is the index of the segment of the inputs. Quadratures are included.
+    """
     f = np.empty(x.size)
     u = inputs_at(problem, segment, t)
     problem.kernel.call("rates", np.array([t]), np.ascontiguousarray(x), u, problem.p, f)
@@ -171,7 +180,10 @@ def rates(problem: Problem, segment: int, t: float, x: Array) -> Array:
 
 
 def jacobian(problem: Problem, segment: int, t: float, x: Array) -> Array:
-    """Return the derivatives of the rates by the states as a dense matrix."""
+    """Return the derivatives of the rates by the states at the time t.
+
+    The result is a dense matrix. `segment` is the index of the segment of the inputs.
+    """
     f, drift, entries = np.empty(x.size), np.empty(x.size), np.empty(problem.kernel.jacobian_size)
     u = inputs_at(problem, segment, t)
     arrays = np.array([t]), np.ascontiguousarray(x), u, np.zeros(u.size), problem.p, f, entries, drift

@@ -86,8 +86,8 @@ class LackOfFit:
     def coverage(self) -> float:
         """Ratio of the half width of a 95 % interval to the standard uncertainty.
 
-        If the lack of fit enlarges the uncertainty, the ratio uses Student's t. Its degrees of freedom are those of the
-        lack of fit plus those of the stated uncertainties.
+        If the lack of fit enlarges the uncertainty, the ratio is that of Student's t. Its degrees of freedom are those
+        of the lack of fit plus those of the stated uncertainties.
         """
         return coverage_factor(self.freedom + STATED if self.widening > 1.0 else math.inf)
 

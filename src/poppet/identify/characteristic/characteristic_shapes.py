@@ -36,7 +36,7 @@ class PolynomialShape:
 
     @property
     def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free parameters, shape (size,) each."""
+        """Lower and upper bounds of the free parameters, as two arrays of shape (size,)."""
         return np.full(self.size, -np.inf), np.full(self.size, np.inf)
 
     @cached_property
@@ -101,7 +101,7 @@ class SplineShape:
 
     @property
     def bounds(self) -> tuple[Array, Array]:
-        """Lower and upper bounds of the free parameters, shape (size,) each."""
+        """Lower and upper bounds of the free parameters, as two arrays of shape (size,)."""
         low = np.full(self.size, 0.0 if self.constrained or not self.rises else -np.inf)
         low[0] = 0.0
         return low, np.full(self.size, self.upper / self.scale)

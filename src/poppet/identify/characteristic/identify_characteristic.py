@@ -192,7 +192,7 @@ def identify_characteristic(
     recorded = [k for k, test in enumerate(tests) if not isinstance(test, StrokePoint)]
     if joint and recorded and not (verdict and verdict.rejected):
         fit = fit_histories(tests, evidence, fit, progress)
-    bands = _bands(fit, evidence, options)
+    bands = _confidence_bands(fit, evidence, options)
     remarks = characteristic_findings(fit, by_test, evidence, verdict, options.domain, joint and bool(recorded))
     prefix = f"{part}.characteristic." if part else ""
     estimates = _estimates(fit, options, prefix)
@@ -201,7 +201,7 @@ def identify_characteristic(
         estimates |= {name: widened(estimates[name], ambient.shares[name]) for name in names}
         remarks = (*remarks, ambient.note(("C(x)", *names)))
     if fit.twin:  # the intervals include those of the equivalent curves
-        twin_bands = _bands(fit.twin, evidence, options)
+        twin_bands = _confidence_bands(fit.twin, evidence, options)
         bands = [(np.minimum(a, c), np.maximum(b, d)) for (a, b), (c, d) in zip(bands, twin_bands, strict=True)]
         for name, twin in _estimates(fit.twin, options, prefix).items():
             e = estimates[name]
@@ -211,7 +211,7 @@ def identify_characteristic(
         method="characteristic",
         title=title,
         parameters=estimates,
-        residuals=_residuals(fit, evidence),
+        residuals=_residual_statistics(fit, evidence),
         comparison=_comparison(fit, evidence, verdict),
         remarks=(*replace_uncertain_findings(remarks, estimates), *notes_of(notes)),
         conditions=_conditions(options, fit, evidence, fit is not by_test, common),
@@ -340,7 +340,7 @@ def _estimate(value: float, unit: str, error: float, coverage: float, limits: tu
     return Estimate(value, unit, error, max(limits[0], value - half), min(limits[1], value + half), verdict)
 
 
-def _residuals(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
+def _residual_statistics(fit: CurveFit, evidence: Sequence[TestEvidence]) -> dict[str, ResidualSummary]:
     """Return statistics of the differences between the curves and the tests."""
     summaries = {}
     for index, name in enumerate(NUMBERS):
@@ -362,7 +362,9 @@ def _comparison(fit: CurveFit, evidence: Sequence[TestEvidence], verdict: Monoto
     return statistics | ({"monotone": asdict(verdict)} if verdict else {})
 
 
-def _bands(fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions) -> list[tuple[Array, Array]]:
+def _confidence_bands(
+    fit: CurveFit, evidence: Sequence[TestEvidence], options: _CurveOptions
+) -> list[tuple[Array, Array]]:
     """Return the 95 % bands of C and b at many strokes in the domain."""
     x = np.linspace(*options.domain, DRAWN)
     limits = ((0.0, np.inf), (0.0, 1.0))

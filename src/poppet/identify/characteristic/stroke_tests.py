@@ -152,7 +152,10 @@ class TestEvidence:
 
 
 def check_tests(tests: Sequence[StrokeTest], domain: tuple[float, float] | None) -> None:
-    """Check the tests and raise all errors together."""
+    """Check the tests of a characteristic, and raise all errors together.
+
+    `domain` is the range of strokes for the curves.
+    """
     with ErrorCollector() as errors:
         recordings = [(k, test) for k, test in enumerate(tests) if isinstance(test, StrokeRecording)]
         for (k, first_test), (n, second_test) in itertools.combinations(recordings, 2):

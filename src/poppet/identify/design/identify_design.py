@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -72,14 +73,21 @@ class Prediction:
         return TWO_SIDED * self.standard_error
 
     @property
-    def half_at_most(self) -> float:
+    def largest_half_width(self) -> float:
         """Half width of the 95 % interval at the least favourable sample of the priors."""
         return TWO_SIDED * self.largest
 
     @property
-    def half_typical(self) -> float:
+    def typical_half_width(self) -> float:
         """Geometric mean of the half widths of the 95 % intervals at all samples of the priors."""
         return TWO_SIDED * self.typical
+
+    def __getattr__(self, name: str) -> Any:
+        former_names = {"half_at_most": "largest_half_width", "half_typical": "typical_half_width"}
+        if name not in former_names:
+            raise AttributeError(name)
+        warnings.warn(f"Prediction.{name} is now called {former_names[name]}.", DeprecationWarning, stacklevel=2)
+        return getattr(self, former_names[name])
 
 
 @dataclass(frozen=True)
@@ -185,7 +193,7 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     Atkinson, Donev & Tobias, Optimum Experimental Designs, with SAS, Oxford 2007.
     """
     plan = plan if isinstance(plan, DesignPlan) else read_design_file(plan)
-    points, prior = _priors(plan)
+    points, prior = _points_and_information(plan)
     informations: list[FloatArray] = []
     try:
         for k, candidate in enumerate(plan.candidates):
@@ -242,7 +250,7 @@ def identify_design(plan: DesignPlan | str | Path, *, progress: Callable[[int, i
     )
 
 
-def _priors(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
+def _points_and_information(plan: DesignPlan) -> tuple[list[FloatArray], FloatArray]:
     """Return sample points of the priors, and the information that is already available.
 
     The information is the Fisher information from the priors and from an earlier result. The points are the start
@@ -295,7 +303,7 @@ def _fisher_information(candidate: TestCandidate, free: Sequence[FreeParameter],
     return np.asarray(0.5 * (information + information.T))
 
 
-def _errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, FloatArray]:
+def _standard_errors(plan: DesignPlan, information: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return the standard errors and the log determinants for all points of the priors.
 
     The relative standard errors have the shape (n_points, n_free). The log determinants are those of the covariance.
@@ -317,7 +325,7 @@ def _criterion(plan: DesignPlan, information: FloatArray) -> float:
 
     `information` is the Fisher information at each point. A lower value is better.
     """
-    errors, volumes = _errors(plan, information)
+    errors, volumes = _standard_errors(plan, information)
     if plan.criterion == "volume":
         return float(np.mean(0.5 * volumes))
     logarithms = np.log(errors)
@@ -354,7 +362,7 @@ def _select_tests(plan: DesignPlan, prior: FloatArray, informations: Sequence[Fl
 
 def _predict(plan: DesignPlan, information: FloatArray) -> dict[str, Prediction]:
     predictions = {}
-    for f, errors in zip(plan.free, _errors(plan, information)[0].T, strict=True):
+    for f, errors in zip(plan.free, _standard_errors(plan, information)[0].T, strict=True):
         error, largest = f.scale * float(errors[0]), f.scale * float(np.max(errors))
         typical = f.scale * float(np.exp(np.mean(np.log(errors))))
         level = verdict(f, f.start, TWO_SIDED * error)

@@ -52,9 +52,9 @@ def add_contour(plan: FitPlan, optimum: Optimum, result: Result, on_progress: Ca
 
     try:
         wall_error = spread.deviation(spread.influences[wall_index])
-        rows = _fit_rows(wall_parameter, optimum, wall_index, wall_error, fit, variance_factor)
+        rows = _fit_wall_conductances(wall_parameter, optimum, wall_index, wall_error, fit, variance_factor)
         cells = [
-            _fit_columns(wall, row, (conductance_index, wall_index), conductance_parameter, fit, variance_factor)
+            _fit_conductances(wall, row, (conductance_index, wall_index), conductance_parameter, fit, variance_factor)
             for wall, row in rows
         ]
     except KeyboardInterrupt:
@@ -98,7 +98,7 @@ def contour_indices(free: Sequence[FreeParameter]) -> tuple[int, int]:
     return indices[0], indices[1]
 
 
-def _fit_rows(
+def _fit_wall_conductances(
     wall_parameter: FreeParameter,
     optimum: Optimum,
     wall_index: int,
@@ -106,9 +106,10 @@ def _fit_rows(
     fit: Fit,
     variance_factor: float,
 ) -> list[tuple[float, Optimum]]:
-    """Fit at each wall conductance of a grid; return pairs of wall conductance and optimum.
+    """Fit at each wall conductance of a grid.
 
-    The grid is local to the optimum, or global if another region fits equally well.
+    The result contains pairs of wall conductance and optimum. `wall_error` is the standard error of the wall
+    conductance. The grid is local to the optimum, or global if another region fits equally well.
     """
     low, high = wall_parameter.low, wall_parameter.high
     best = float(optimum.x[wall_index])
@@ -145,7 +146,7 @@ def _fit_from_neighbours(walls: FloatArray, best: float, optimum: Optimum, fit: 
     return rows
 
 
-def _fit_columns(
+def _fit_conductances(
     wall: float,
     row_optimum: Optimum,
     pair: tuple[int, int],
@@ -153,9 +154,9 @@ def _fit_columns(
     fit: Fit,
     variance_factor: float,
 ) -> list[tuple[float, float]]:
-    """Fit at conductances on both sides of the best fit of a row.
+    """Fit at conductances on both sides of the best fit for one wall conductance.
 
-    The result contains pairs of conductance and cost.
+    `wall` is the wall conductance and `row_optimum` the best fit. The result contains pairs of conductance and cost.
     """
     conductance_index, n_parameters = pair[0], row_optimum.x.size
     nuisances = [k for k in range(n_parameters) if k not in pair and row_optimum.active[k] == 0]

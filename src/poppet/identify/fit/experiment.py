@@ -96,7 +96,7 @@ class Experiment:
         # Only the measured channels are computed.
         self._kernel = instance.kernel.observing(rows)
         self.base = self._problem_of(self.instance)
-        self.slots = _slots(self.instance, [f for f in self.free if f.role in ("number", "start")])
+        self.slots = _locations_in_arrays(self.instance, [f for f in self.free if f.role in ("number", "start")])
         self._sensors: list[ChannelSensor] = []
         for channel in measurement.channels:
             samples = slice(None) if np.array_equal(self.grid, channel.time) else self.grid.searchsorted(channel.time)
@@ -392,7 +392,7 @@ def _grid(measurement: Measurement, has_lag: bool) -> FloatArray:
     return grid
 
 
-def _slots(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
+def _locations_in_arrays(instance: Instance, free: Sequence[FreeParameter]) -> dict[str, tuple[int, list[int]] | None]:
     """Return the locations of the free parameters in the arrays of a run.
 
     A location is the index in the parameter array p, and the indices of the inputs that have this parameter as their

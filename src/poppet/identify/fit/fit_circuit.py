@@ -358,16 +358,16 @@ def _frame_table(frame: DataFrame, location: str) -> Table:
     else:
         label = getattr(frame.index, "name", None)
         time, unit = frame.index, split_heading(str(label))[1] if label else ""
-    series = {name: (_numbers(frame[label]), u) for label, (name, u) in zip(labels, headings, strict=True)}
+    series = {name: (_column_as_floats(frame[label]), u) for label, (name, u) in zip(labels, headings, strict=True)}
     series.pop("time", None)
     return Table(
         ("time", *series),
-        (_numbers(time), *(column for column, _ in series.values())),
+        (_column_as_floats(time), *(column for column, _ in series.values())),
         (unit or "s", *(u or stated.get(name, "") for name, (_, u) in series.items())),
     )
 
 
-def _numbers(column: Any) -> FloatArray:
+def _column_as_floats(column: Any) -> FloatArray:
     """Return a column of a data frame as floats.
 
     Dates become seconds since the first date, and text becomes NaN.

@@ -89,7 +89,7 @@ def read_fit_file(path: str | Path) -> FitPlan:
         with ErrorCollector() as errors:
             data = read_fields(errors, file.content, TOP_LEVEL, table="fit file")
         circuit = read_circuit(data, file.folder)
-        settings, tables = _search(data)
+        settings, tables = _read_search_settings(data)
         measurements, roles = [], []
         with ErrorCollector() as errors:
             for name, table in data["recordings"].items():
@@ -131,7 +131,7 @@ def read_circuit(data: Mapping[str, Any], folder: Path) -> BaseCircuit:
         raise relocated(error, "set.{}".format) from None
 
 
-def _search(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
+def _read_search_settings(data: Mapping[str, Any]) -> tuple[SearchSettings, dict[str, Any]]:
     """Return the search settings of a fit file, and the remaining tables.
 
     The remaining tables are those of the free parameters. Settings can be in several tables, but must agree.
@@ -286,26 +286,24 @@ def offset_parameters(
                     location = f"recordings.{measurement.name}.start.{address}"
                     errors.add("fit.first_of_offset", location, channel=channel.address)
             parameters += [
-                offset_parameter(measurement.name, channel, NormalPrior(0.0, channel.offset), FARTHEST)
+                offset_parameter(measurement.name, channel, NormalPrior(0.0, channel.offset))
                 for channel in measurement.channels
                 if channel.offset is not None
             ]
     return parameters
 
 
-def offset_parameter(
-    recording: str, channel: Channel, prior: NormalPrior | None, farthest: float = SURELY
-) -> FreeParameter:
+def offset_parameter(recording: str, channel: Channel, prior: NormalPrior | None) -> FreeParameter:
     """Return the free offset of one sensor.
 
-    The offset is limited to `farthest` standard deviations of its prior. The mean of the prior is relative to the
+    The offset is limited to five standard deviations of its prior. The mean of the prior is relative to the
     expected offset that the channel states. Without a prior, the limits are plus and minus a tenth of the range of the
     recorded channel.
     """
     prior = None if prior is None or not math.isfinite(prior.sd) else prior
     prior = None if prior is None else NormalPrior(prior.mean + channel.offset_mean, prior.sd)
     mean = channel.offset_mean if prior is None else prior.mean
-    largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else farthest * prior.sd
+    largest = LARGEST_OFFSET * float(np.ptp(channel.values)) if prior is None else FARTHEST * prior.sd
     name, address = f"{recording}.{channel.address}.offset", channel.address
     bounds = mean - largest, mean + largest
     return FreeParameter(name, address, channel.unit, mean, *bounds, "offset", recording, prior)

@@ -273,7 +273,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
     distinct = [estimates(plan.free, best, spread)]
     for rival in sorted(candidates, key=lambda o: o.cost):
         rival_spread = error_model_of(plan, rival)
-        excess = _evidence(plan, best, rival, {o.channel for s in (spread, rival_spread) for o in s.offsets})
+        excess = _evidence_against(plan, best, rival, {o.channel for s in (spread, rival_spread) for o in s.offsets})
         values = by_name(plan.free, rival.x)
         is_same = any(all(e.low <= values[name] <= e.high for name, e in table.items()) for table in distinct)
         limit = distant if is_distant(plan.free, best.x, rival.x) else near
@@ -284,7 +284,7 @@ def _add_equivalent_optima(searches: _Searches, best: Optimum, least: float) -> 
     return replace(best, others=tuple(equivalent), limit=near, interrupted=is_stopped, evaluations=evaluations)
 
 
-def _limit(probability: float) -> float:
+def _limit_of_increase(probability: float) -> float:
     """Return the increase in cost that noise exceeds with a given probability."""
     from scipy.special import chdtri
 
@@ -297,7 +297,7 @@ def near_limit(plan: FitPlan, best: Optimum) -> float:
 
     A nearby optimum has almost the same conductance as `best`. Evidence is a difference of costs.
     """
-    return _limit(1.0 - CONFIDENCE) * error_model_of(plan, best).variance_factor
+    return _limit_of_increase(1.0 - CONFIDENCE) * error_model_of(plan, best).variance_factor
 
 
 def distant_limit(plan: FitPlan, best: Optimum) -> float:
@@ -305,7 +305,7 @@ def distant_limit(plan: FitPlan, best: Optimum) -> float:
 
     A distant optimum has another conductance than `best`. Evidence is a difference of costs.
     """
-    return _limit(WRONG_CHOICE) * error_model_of(plan, best).variance_factor * rounding_ratio(plan, best)
+    return _limit_of_increase(WRONG_CHOICE) * error_model_of(plan, best).variance_factor * rounding_ratio(plan, best)
 
 
 def is_distant(free: Sequence[FreeParameter], x: FloatArray, other: FloatArray) -> bool:
@@ -333,7 +333,7 @@ def rounding_ratio(plan: FitPlan, optimum: Optimum) -> float:
     return max(ratios)
 
 
-def _evidence(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Collection[int]) -> float:
+def _evidence_against(plan: FitPlan, best: Optimum, rival: Optimum, offset_channels: Collection[int]) -> float:
     """Return the evidence against another optimum, a difference of costs of at least 0.
 
     `rival` is this optimum. `offset_channels` contains the indices of channels with a possible offset. The difference

@@ -68,7 +68,7 @@ def _pseudo_inverse(jacobian: FloatArray) -> FloatArray:
     `jacobian` contains derivatives per relative change of the parameters. The rows of the result that belong to
     parameters that are not identifiable are infinite.
     """
-    scale, felt, u, s, vt = _decompose(jacobian)
+    scale, felt, u, s, vt = _decompose_jacobian(jacobian)
     is_visible = s > RANK * np.max(s, initial=0.0)
     rows = (vt[is_visible].T / s[is_visible]) @ u[:, is_visible].T / scale[:, None]
     rows[np.sum(vt[~is_visible] ** 2, axis=0) > PART] = np.inf
@@ -77,7 +77,9 @@ def _pseudo_inverse(jacobian: FloatArray) -> FloatArray:
     return inverse
 
 
-def _decompose(jacobian: FloatArray) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray, FloatArray]:
+def _decompose_jacobian(
+    jacobian: FloatArray,
+) -> tuple[FloatArray, NDArray[np.bool_], FloatArray, FloatArray, FloatArray]:
     """Return the singular value decomposition of the Jacobian without zero columns.
 
     Each column is divided by its norm. The result contains the norms of these columns, the mask of the columns, and U,
@@ -153,7 +155,7 @@ class ErrorModel:
         self._priors = slice(int(ends[-1]), None)
         # A robust loss reduces the weight of outliers, as in the search.
         residual = optimum.residual * weights_of(optimum.residual, loss)
-        self._seen = _decompose((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
+        self._seen = _decompose_jacobian((optimum.jacobian * _scale(optimum))[:, optimum.active == 0])[2]
         self._leverage = np.minimum(1.0 - EDGE, np.sum(self._seen**2, axis=1))
         self._square = max(1.0, float(np.mean(residual**2)))
         offsets = [self._offset(k, residual) for k in range(len(self.rows))]

@@ -64,7 +64,7 @@ class FlowModel:
 
     @cached_property
     def free(self) -> tuple[str, ...]:
-        """Names of the free parameters of the law, in the order of `UNITS`."""
+        """Names of the free parameters of the flow law, in the order of `UNITS`."""
         return tuple(name for name in UNITS if name not in self.fixed)
 
     @cached_property
@@ -108,7 +108,7 @@ class FlowModel:
 
         `x` contains the scaled free parameters.
         """
-        values = _columns((x * self.scales)[..., : len(self.free)])
+        values = _elements_or_columns((x * self.scales)[..., : len(self.free)])
         return dict(self.fixed) | dict(zip(self.free, values, strict=True))
 
     def common_errors(self, x: FloatArray) -> list[tuple[Any, Effect]]:
@@ -116,7 +116,7 @@ class FlowModel:
 
         The size of an error is in standard deviations. `x` contains the scaled parameters.
         """
-        return list(zip(_columns(x[..., len(self.free) :]), self.effects, strict=True))
+        return list(zip(_elements_or_columns(x[..., len(self.free) :]), self.effects, strict=True))
 
     def readings(self, x: FloatArray) -> dict[str, FloatArray]:
         """Return pressures and temperatures, corrected for the common errors in `x`."""
@@ -189,7 +189,7 @@ class FlowModel:
         return np.ascontiguousarray(((upper - lower) / np.diag(up - down)[:, None]).T)
 
 
-def _columns(x: FloatArray) -> list[Any]:
+def _elements_or_columns(x: FloatArray) -> list[Any]:
     """Return the elements of a vector, or the columns of a matrix.
 
     A matrix `x` contains several sets of parameters, one in each row.
@@ -234,7 +234,7 @@ class FlowFit:
 
     @cached_property
     def chi_square(self) -> float:
-        """Chi-square: sum of the squares of all weighted residuals."""
+        """Sum of the squares of all weighted residuals (chi-square)."""
         return float(self.residuals @ self.residuals)
 
     @property
@@ -253,7 +253,7 @@ class FlowFit:
 
     @property
     def scatter_freedom(self) -> float:
-        """Degrees of freedom of the scatter."""
+        """Degrees of freedom with which the scatter is known."""
         is_known = self.scatter_is_known and self.scatter_factor == 1.0
         return math.inf if is_known else float(max(self.degrees_of_freedom, 1))
 
@@ -454,13 +454,13 @@ def law_estimates(fit: FlowFit) -> dict[str, Estimate]:
             error,
             max(value - half, bounds[0]),
             min(value + half, bounds[1] if name != "critical_ratio" else 1.0),
-            _verdict(name, value, half, at_bound, scale),
+            _verdict_on_interval(name, value, half, at_bound, scale),
             float(start_values[k]),
         )
     return estimates
 
 
-def _verdict(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
+def _verdict_on_interval(name: str, value: float, half: float, at_bound: bool, scale: float) -> Verdict:
     """Return the verdict on an estimate, such as `determined`.
 
     `half` is half the width of the interval. It is compared with C itself, with 1 for b and m, and with at least p1/10
@@ -490,7 +490,7 @@ def choked_estimates(fit: FlowFit, choked: FlowFit) -> dict[str, Estimate]:
     low = min(float(np.min(conductance[possible])), narrow.value) - half
     high = max(float(np.max(conductance[possible])), narrow.value) + half
     widest = max(high - narrow.value, narrow.value - low)
-    verdict = _verdict("sonic_conductance", narrow.value, widest, False, 1.0)
+    verdict = _verdict_on_interval("sonic_conductance", narrow.value, widest, False, 1.0)
     estimates = {"sonic_conductance": replace(narrow, low=low, high=high, verdict=verdict)}
     lowest = {"critical_ratio": float(np.min(ratios[possible]))}
     highest = {"critical_ratio": 1.0, "subsonic_index": 3.0, "cracking_pressure": float(np.max(points.pressure_1))}
@@ -534,6 +534,6 @@ def widen_estimates(estimates: Mapping[str, Estimate], other_estimates: Mapping[
     widened = {}
     for name, e in estimates.items():
         low, high = min(e.low, other_estimates[name].low), max(e.high, other_estimates[name].high)
-        verdict = _verdict(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
+        verdict = _verdict_on_interval(name, e.value, max(high - e.value, e.value - low), e.verdict == "at bound", 1.0)
         widened[name] = replace(e, low=low, high=high, verdict=max(verdict, e.verdict, key=VERDICTS.index))
     return widened

@@ -125,7 +125,7 @@ def identify_flow(
     choked = fit_all_choked(fit)
     estimates = choked_estimates(fit, choked) if choked else law_estimates(fit)
     accepted = choked or fit
-    tests, influence = _tests(accepted), influence_of(accepted)
+    tests, influence = _statistical_tests(accepted), influence_of(accepted)
     alternative = None if choked else find_other_law(fit)
     if alternative:
         name, better = alternative
@@ -164,11 +164,11 @@ def identify_flow(
         },
         remarks=remarks + notes_of(notes),
         conditions=_conditions(accepted, fixed),
-        series=_series(accepted),
+        series=_conductance_series(accepted),
     )
 
 
-def _tests(fit: FlowFit) -> dict[str, Any]:
+def _statistical_tests(fit: FlowFit) -> dict[str, Any]:
     """Return the results of statistical tests of a fit.
 
     They are chi-square, the runs test and the information criterion AICc.
@@ -202,7 +202,7 @@ def _conditions(fit: FlowFit, fixed: Mapping[str, float]) -> dict[str, Any]:
     }
 
 
-def _series(fit: FlowFit) -> dict[str, Any]:
+def _conductance_series(fit: FlowFit) -> dict[str, Any]:
     """Return measured and fitted effective conductance over the pressure ratio p2/p1."""
     points = fit.model.points
     order = np.argsort(points.pressure_ratio, kind="stable")

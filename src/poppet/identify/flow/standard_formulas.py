@@ -128,7 +128,7 @@ def evaluate_by_standard(
     )
     subsonic = np.flatnonzero(is_subsonic & (points.pressure_ratio < 1.0))
     sets = tuple(saturated.tolist()), tuple(subsonic.tolist())
-    return _evaluate(points, {}, *sets, subsonic_index, cracking_pressure)
+    return _evaluate_readings(points, {}, *sets, subsonic_index, cracking_pressure)
 
 
 def standard_uncertainties(
@@ -164,12 +164,12 @@ def standard_uncertainties(
     common = ({c: effect.shift(getattr(points, c)) for c in effect.channels} for effect in points.effects())
     total = np.zeros(4)
     for shifts in chain(errors, common):
-        shifted = _evaluate(points, shifts, *sets, subsonic_index, cracking_pressure, warm)
+        shifted = _evaluate_readings(points, shifts, *sets, subsonic_index, cracking_pressure, warm)
         total += (shifted.numbers - evaluation.numbers) ** 2
     return np.sqrt(total)
 
 
-def _evaluate(
+def _evaluate_readings(
     points: FlowPoints,
     shifts: Mapping[str, FloatArray],
     saturated: tuple[int, ...],

@@ -219,10 +219,9 @@ class ReversalData:
     def squares(self, stiffness: FloatArray, shifts: FloatArray, force: FloatArray) -> tuple[FloatArray, FloatArray]:
         """Return sums for the least-squares fit of the damping, (3, n_shifts, n_stiffnesses).
 
-        The sums are those of the squared error, of error times rate, and of the squared rate of deflection.
-
-        The error is measured minus modelled bristle force. `force` is the bristle force at the end of the previous
-        reversal. The force at the end of this reversal is also returned.
+        The sums are those of the squared error, of error times rate, and of the squared rate of deflection. The error
+        is measured minus modelled bristle force. `force` is the bristle force at the end of the previous reversal. The
+        force at the end of this reversal is also returned.
         """
         if not self.is_chained:
             force = np.full(force.shape, (self.lead_level if self.lead_level.size else self.level)[0])

@@ -30,7 +30,8 @@ def findings(analysis: FrictionFits) -> Iterator[Note]:
     units = {name: getattr(analysis.coordinate, name) for name in ("effort", "effort_unit", "length", "speed")}
     checks = _law_notes, _seal_and_bristle_notes, _motion_notes, _recording_notes
     for note in itertools.chain.from_iterable(check(analysis) for check in checks):
-        yield Note(note.code, note.address, **note.facts, **{n: units[n] for n in facts_of(note.code) & units.keys()})
+        shown = facts_of(note.code)
+        yield Note(note.code, note.address, **note.facts, **{n: unit for n, unit in units.items() if n in shown})
 
 
 def _law_notes(analysis: FrictionFits) -> Iterator[Note]:

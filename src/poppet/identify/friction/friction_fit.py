@@ -138,11 +138,11 @@ class FrictionData:
 
     @property
     def groups(self) -> NDArray[np.int_]:
-        """Indices of the groups for validation."""
+        """Indices of the groups into which samples are divided for validation."""
         return np.unique(self.group)
 
 
-def _design(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
+def _design_matrix(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets: Sequence[int]) -> FloatArray:
     """Return the matrix that gives the friction from the linear parameters of a law.
 
     The matrix has the shape (n_rows, n_parameters). `velocity` is the Stribeck velocity. The columns of the force
@@ -175,10 +175,13 @@ class LawSolution:
 
         The matrix is that for the fitted Stribeck velocity.
         """
-        return _design(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
+        return _design_matrix(rows, self.law, self.values.get(STRIBECK, 1.0), offsets)
 
     def friction(self, rows: SlidingRows) -> FloatArray:
-        """Return the modelled friction of each row, without force offsets [N]."""
+        """Return the friction of each sample according to the law [N].
+
+        Force offsets are not included.
+        """
         linear = np.array([self.values[name] for name in self.law.names if name != STRIBECK])
         if self.law.is_falling:
             linear[1] -= linear[0]  # excess of the static force
@@ -208,7 +211,7 @@ def _solve_linear(rows: SlidingRows, law: FrictionLaw, velocity: float, offsets:
     No parameter is negative, except the dependence of the Stribeck excess on the pressure. The result is None if the
     samples do not determine the parameters.
     """
-    matrix = _design(rows, law, velocity, offsets)
+    matrix = _design_matrix(rows, law, velocity, offsets)
     weighted = matrix * rows.weight[:, None]
     gram, right_side = matrix.T @ weighted, rows.friction @ weighted
     sizes = np.sqrt(np.maximum(np.diag(gram), 1e-300))
@@ -317,7 +320,10 @@ class FrictionLawFit:
 
     @cached_property
     def jacobian(self) -> FloatArray:
-        """Derivatives of the modelled force of each row by the parameters of the law and by the force offsets."""
+        """Derivatives of the modelled force of each sample by all parameters.
+
+        The parameters are those of the law, and the force offsets.
+        """
         rows, values = self.data.rows, self.values
         columns = self.solution.design(rows, [*self.solution.offsets])
         if self.solution.law.is_falling:
@@ -355,9 +361,7 @@ class FrictionLawFit:
         return np.asarray(rows.sign * np.exp(-((rows.velocity / self.values[STRIBECK]) ** 2)))
 
     def _pressure_statistic(self, column: FloatArray, *nuisances: FloatArray) -> float:
-        rows = self.data.rows
-        columns = np.column_stack([self.jacobian, *(nuisance * rows.pressure for nuisance in nuisances)])
-        return term_statistic(rows, columns, column, self.data.group)
+        return term_statistic(self.data.rows, self.jacobian, column, nuisances, self.data.group)
 
     @cached_property
     def together(self) -> float:
@@ -540,7 +544,10 @@ class FrictionFits:
 
     @cached_property
     def bristles(self) -> Bristles | None:
-        """Estimates of bristle stiffness and damping; None if there are too few reversals."""
+        """Estimates of stiffness and damping of the bristles.
+
+        The value is None if there are too few reversals.
+        """
         return fit_bristles(self.motions, self.fit.values, self.fit.solution.offsets, self.distance)
 
     @cached_property

@@ -155,7 +155,7 @@ def identify_friction(
         | ({"seal_excess": vars(seal_excess).copy()} if seal_excess else {}),
         remarks=(*findings(analysis), *notes_of(notes)),
         conditions=_conditions(analysis, mass or inertia),
-        series=_curves(analysis),
+        series=_report_curves(analysis),
     )
 
 
@@ -249,7 +249,7 @@ def _conditions(analysis: FrictionFits, inertia: float) -> dict[str, Any]:
     }
 
 
-def _curves(analysis: FrictionFits) -> dict[str, Any]:
+def _report_curves(analysis: FrictionFits) -> dict[str, Any]:
     """Return the curves for the report by name."""
     rows, solution, parameters = analysis.data.rows, analysis.fit.solution, analysis.fit.values
     bristles, unit = analysis.bristles, analysis.coordinate.effort_unit

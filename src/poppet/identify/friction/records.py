@@ -43,14 +43,17 @@ class Coordinate:
         return ON_LINE if self is TURNING else TURNING
 
     def name(self, number: str) -> str:
-        """Return the name of a friction parameter for this kind of body.
+        """Return the name of a friction parameter for this kind of motion.
 
-        `number` is the name for a translation.
+        `number` is its name for a translation.
         """
         return number.replace("_force", f"_{self.effort}")
 
     def unit(self, number: str) -> str:
-        """Return the SI unit of a friction parameter for this kind of body."""
+        """Return the SI unit of a friction parameter for this kind of motion.
+
+        `number` is the name of the parameter.
+        """
         effort, length = self.effort_unit, self.length
         units = {STRIBECK: self.speed, SEAL: "N/Pa", SEAL_EXCESS: "N/Pa", BRISTLES: f"{effort}/{length}"}
         units |= dict.fromkeys((VISCOUS, DAMPING), f"{effort} s/{length}")
@@ -162,5 +165,5 @@ class FrictionRecord:
 
     @property
     def is_motion(self) -> bool:
-        """True for a recording, whose samples are in order of time."""
+        """True for a recording over time, and False for a table of steady sliding."""
         return self.time is not None

@@ -112,12 +112,12 @@ def identify_muscle(
         comparison={"law": selected, "held_out_by": [*fit.held_out], "forces": _table(fits, ranked, points)},
         remarks=(*doubts, *_findings(points, fits, ranked, selected), *notes_of(notes)),
         conditions=_conditions(points, fit),
-        series=_series(points, fit),
+        series=_report_curves(points, fit),
     )
 
 
 def _doubts(points: MusclePoints, fit: ForceLawFit) -> Iterator[Note]:
-    """Yield findings that cast doubt on all estimates."""
+    """Yield findings that cast doubt on all estimates, for example wrong units."""
     taut = points.taut
     pressure, force = points.pressure[taut], points.force[taut]
     maximum = float(np.max(force))
@@ -228,7 +228,7 @@ def _conditions(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
     }
 
 
-def _series(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
+def _report_curves(points: MusclePoints, fit: ForceLawFit) -> dict[str, Any]:
     """Return the curves for the report, with measured points at some levels.
 
     A level is a nearly constant pressure or contraction. Without levels, the result contains all points.

@@ -115,9 +115,10 @@ class MusclePoints:
 
     @cached_property
     def direction(self) -> FloatArray | None:
-        """Direction of the motion at each point: 1 for contraction, -1 for extension, 0 at rest.
+        """Direction of the motion at each point.
 
-        The result is None if the points have no time, or if no taut point moves.
+        It is 1 for contraction, -1 for extension, and 0 at rest. The result is None if the points have no time, or if
+        the muscle does not move while it pulls.
         """
         if self.time is None:
             return None
@@ -188,7 +189,7 @@ def levels(values: FloatArray) -> NDArray[np.int_]:
 
 
 def join_tables(tables: Sequence[MusclePoints]) -> MusclePoints:
-    """Return the points of several recordings of one muscle as one set of points."""
+    """Join the points of several recordings of one muscle."""
     with ErrorCollector() as errors:
         for (k, first_table), (n, second_table) in itertools.combinations(enumerate(tables), 2):
             if all(np.array_equal(getattr(first_table, name), getattr(second_table, name)) for name in CHANNELS):

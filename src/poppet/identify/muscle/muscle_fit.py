@@ -65,7 +65,7 @@ class ForceLawCandidate(ABC):
 
 
 class SarosiCandidate(ForceLawCandidate):
-    """Force law of Sarosi as a candidate for the fit."""
+    """Force law of Sarosi, as one of the laws that are fitted."""
 
     name = "sarosi"
     shapes = (-300.0, -5.0)
@@ -126,7 +126,7 @@ class TonduCandidate(BraidCandidate):
 
 
 class TableCandidate(ForceLawCandidate):
-    """Table of the force at levels of contraction, with linear interpolation between levels.
+    """Force law as a table with linear interpolation between levels of contraction.
 
     At each level, the force is a linear function of the pressure.
     """
@@ -181,7 +181,7 @@ class ForceLawFit:
 
     @cached_property
     def law(self) -> ForceLaw:
-        """Fitted force law."""
+        """Force law with the fitted parameters."""
         return self.candidate.law(self.values)
 
     def is_at_bound(self, name: str) -> bool:
@@ -200,7 +200,7 @@ class ForceLawFit:
 
     @cached_property
     def covariance(self) -> FloatArray:
-        """Covariance of the parameters, from a jackknife over the groups."""
+        """Covariance of the parameters, from refits without each group (jackknife)."""
         count = len(self.without)
         centred = self.without - self.without.mean(axis=0)
         return np.asarray((count - 1) / count * centred.T @ centred)

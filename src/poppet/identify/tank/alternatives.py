@@ -57,7 +57,7 @@ class Alternative:
 
     @property
     def gain(self) -> float:
-        """Decrease of AICc relative to the original fit, per independent sample."""
+        """Decrease of AICc compared with the original fit, per independent sample."""
         return -self.difference / self.samples
 
 
@@ -262,7 +262,7 @@ def _fit_plan(
     )
 
 
-def _evaluate(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dict[str, FloatArray], float]:
+def _evaluate_optimum(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dict[str, FloatArray], float]:
     """Return the estimates at an optimum, the residuals and the AICc.
 
     The residuals are in SI units, by channel.
@@ -274,7 +274,7 @@ def _evaluate(plan: FitPlan, optimum: Optimum) -> tuple[dict[str, Estimate], dic
 
 
 def _to_alternative(name: str, plan: FitPlan, optimum: Optimum, result: Result) -> Alternative:
-    parameters, residuals, criterion = _evaluate(plan, optimum)
+    parameters, residuals, criterion = _evaluate_optimum(plan, optimum)
     difference = criterion - float(result.comparison["aicc"])
     samples = max(1.0 if is_white(residual) else correlation_time(residual) for residual in residuals.values())
     return Alternative(name, parameters, difference, samples)
@@ -300,7 +300,7 @@ def compare_laws(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result:
         optimum = optimise(law_plan.experiments, law_plan.free, settings, sigmas=sigmas)
         if optimum.interrupted:
             return mark_interrupted(result, Note("finding.stopped.laws"))
-        parameters, residuals, criterion = _evaluate(law_plan, optimum)
+        parameters, residuals, criterion = _evaluate_optimum(law_plan, optimum)
         rms = {channel: float((piece @ piece / piece.size) ** 0.5) for channel, piece in residuals.items()}
         laws[name] = _law_row(criterion, parameters, rms)
     number, remarks = f"{test.part}.sonic_conductance", list[Note]()

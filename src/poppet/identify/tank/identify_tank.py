@@ -30,7 +30,7 @@ from poppet.identify.tank.alternatives import (
     misfit_channels,
     wall_temperature_notes,
 )
-from poppet.identify.tank.budget import add_budget, read_uncertainties, update_parameter_notes
+from poppet.identify.tank.budget import Uncertainties, add_budget, read_uncertainties, update_parameter_notes
 from poppet.identify.tank.tank_plan import AREA_FACTOR, TankRun, plan_tank_fit, read_runs
 from poppet.identify.tank.test import ROOM, TankTest, read_test
 from poppet.identify.tank.thermal_limits import fit_thermal_limits, thermal_limit_notes
@@ -141,10 +141,10 @@ def identify_tank(
             plan = plan_tank_fit(test, runs)
             uncertainties = read_uncertainties(test, plan)
     result = identify_fit(plan, profile=profile, repeats=repeats, contour=contour, progress=progress, stages=stages)
-    result = apply_caps(test, runs, plan, replace(result, method="tank"))
+    result = apply_caps(test, uncertainties, runs, plan, replace(result, method="tank"))
     if test.compare and not result.conditions["interrupted"]:
         result = compare_laws(test, runs, plan, result)
-    result = add_budget(uncertainties, runs, plan, result, widen_for_ambient(test, runs, result))
+    result = add_budget(test, uncertainties, runs, plan, result, widen_for_ambient(test, runs, result))
     return update_parameter_notes(plan, result)
 
 
@@ -173,7 +173,9 @@ def widen_for_ambient(test: TankTest, runs: Sequence[TankRun], result: Result) -
     return replace(result, parameters={**result.parameters, **wider}, remarks=(note, *result.remarks))
 
 
-def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: Result) -> Result:
+def apply_caps(
+    test: TankTest, uncertainties: Uncertainties, runs: Sequence[TankRun], plan: FitPlan, result: Result
+) -> Result:
     """Add alternative models and notes to a result, and limit its verdicts."""
     number = f"{test.part}.sonic_conductance"
     if result.conditions["interrupted"] or number not in result.parameters:
@@ -219,7 +221,7 @@ def apply_caps(test: TankTest, runs: Sequence[TankRun], plan: FitPlan, result: R
         for alternative in alternatives
         if _is_equivalent_model(alternative, result, number)
     ]
-    if limits := fit_thermal_limits(test, runs, plan, result, number):
+    if limits := fit_thermal_limits(test, uncertainties, runs, plan, result, number):
         remarks += thermal_limit_notes(limits, result, number)
         estimates_by_model += [{**result.parameters, **fit.estimates()} for fit in limits.equivalent]
     parameters = unite_estimates(plan, [result.parameters, *estimates_by_model])

@@ -115,7 +115,7 @@ class TankRun:
 
     @property
     def place(self) -> str:
-        """Address of the recording in a tank test file."""
+        """Address of the recording in the input file, for messages."""
         return f"recordings.{self.measurement.name}"
 
 
@@ -135,7 +135,10 @@ def read_runs(test: TankTest) -> list[TankRun]:
 
 
 def plan_tank_fit(test: TankTest, runs: Sequence[TankRun]) -> FitPlan:
-    """Return the plan of the fit to a tank test, with circuits and free parameters."""
+    """Return the plan of the fit to a tank test.
+
+    The plan contains circuits, recordings and free parameters.
+    """
     ambient, complete_runs = _ambient(test), list[TankRun]()
     circuits = [_circuit(test, run, ambient) for run in runs]
     for run in runs:
@@ -211,7 +214,10 @@ def _read_run(test: TankTest, name: str, recording: Any, ambient_pressure: float
 
 
 def _read_channel(address: str, table: Mapping[str, Any], location: str) -> tuple[Channel, list[Note]]:
-    """Return a channel from arrays, and notes on samples that were omitted or merged."""
+    """Return a channel from arrays, with notes on omitted or merged samples.
+
+    `table` contains the arrays, and `location` is their address in messages.
+    """
     with ErrorCollector() as errors:
         argument = table[address]
         raw = argument if isinstance(argument, Mapping) else {"values": argument}
@@ -342,7 +348,10 @@ def is_free(argument: Any) -> bool:
 
 
 def _initial_conductance(run: TankRun, volume: float, ambient: Ambient) -> float:
-    """Return a start value of C, calculated for choked flow and gas at constant temperature."""
+    """Return a start value of C for the search.
+
+    It is calculated for choked flow and gas at constant temperature.
+    """
     channel = run.pressure
     first, last = (_index_of_change(channel, share) for share in (ONSET, COURSE))
     first = min(first, max(0, last - 1))  # one sample can reach both fractions

@@ -88,9 +88,10 @@ class TankTest:
         a standard deviation of 1 % of the range.
     uncertainties : mapping or 0
         Standard uncertainties of the stated quantities, which the intervals include: `volume` and `supply_pressure`
-        (a fraction such as "0.5 %", or a value), `gauge_scale` (fraction of the gauge pressure) and `gauge_zero` [Pa].
-        A value of 0 takes a quantity as exact. Defaults, all assumed: 0.5 %, 0.3 %, 0.3 %, and 0.06 % of the range of
-        the recorded pressure. With `uncertainties = 0`, the intervals include noise and lack of fit alone.
+        (a fraction such as "0.5 %", or a value), `leak` (fraction of C), `gauge_scale` (fraction of the gauge pressure)
+        and `gauge_zero` [Pa]. A value of 0 takes a quantity as exact; `leak = 0` is a tight tank. Defaults, all
+        assumed: 0.5 %, 0.3 %, 1.5 %, 0.3 %, and 0.06 % of the range of the recorded pressure. A stated leak has the
+        default 0. With `uncertainties = 0`, the intervals include noise and lack of fit alone.
     part : str
         Name of the component in the result; default `valve`.
     title : str

@@ -146,7 +146,7 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     for left, right in pairwise([low, *curve.turning_points(low, high), high]):
         if float(curve(right)) <= level:
             continue
-        start = left if float(curve(left)) >= level else _crossing(curve, level, left, right)
+        start = left if float(curve(left)) >= level else _stroke_of_level(curve, level, left, right)
         # A turning point within a rise (a knot of a rising table) does not divide the rise.
         if rises and rises[-1][1] == start:
             start = rises.pop()[0]
@@ -155,7 +155,7 @@ def rising_intervals(curve: Curve, low: float, high: float) -> list[tuple[float,
     return rises
 
 
-def _crossing(curve: Curve, level: float, left: float, right: float) -> float:
+def _stroke_of_level(curve: Curve, level: float, left: float, right: float) -> float:
     """Return the stroke at which a rising curve reaches a level.
 
     The curve rises between the strokes `left` and `right`. The result is exact to the last bit.

@@ -251,16 +251,16 @@ def divided(conductance: float, critical_ratio: float, weights: Sequence[float])
     drops = [(1.0 - critical_ratio) * weight / sum(weights) for weight in weights]
     ends = [2.0, 2.0]
     for _ in range(3):  # the iteration converges quickly, because the upstream piece has little effect on choking
-        ends[1] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, ends[0], k)))
-        ends[0] = _bisected(1.0, 50.0, lambda k: _excess(_pieces(drops, k, ends[1])[::-1]))
-    pieces = _pieces(drops, *ends)
+        ends[1] = _bisected(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, ends[0], k)))
+        ends[0] = _bisected(1.0, 50.0, lambda k: _excess_capacity(_divide_into_pieces(drops, k, ends[1])[::-1]))
+    pieces = _divide_into_pieces(drops, *ends)
     middle = critical_ratio + 0.27 * (1.0 - critical_ratio)  # pressure ratio of the largest excess flow
     row = _bisected(0.5, 1.5, lambda q: middle - (_outlet_pressure(pieces, q) or 0.0))
     factor = conductance / (1.0 + 0.5 * (row / math.sqrt(1.0 - 0.27**2) - 1.0))
     return [(factor * size, ratio) for size, ratio in pieces]
 
 
-def _pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
+def _divide_into_pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[float, float]]:
     """Divide a flow path into pieces in series; return C and b of each.
 
     `drops` contains (1 - b)/C^2 of each piece, which determines its pressure drop at small flow. `first` and `last` are
@@ -270,7 +270,7 @@ def _pieces(drops: Sequence[float], first: float, last: float) -> list[tuple[flo
     return [(min(k, drop**-0.5), 1.0 - min(1.0, drop * k * k)) for k, drop in zip(sizes, drops, strict=True)]
 
 
-def _excess(pieces: Sequence[tuple[float, float]]) -> float:
+def _excess_capacity(pieces: Sequence[tuple[float, float]]) -> float:
     """Return by how much the choked flow of the last piece exceeds 1.
 
     The flow through all pieces is 1. The result is -1 if another piece is choked.

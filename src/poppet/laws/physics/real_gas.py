@@ -116,11 +116,11 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
     >>> round(found.compressibility, 3), round(100 * found.flow, 1)
     (1.042, -5.9)
     """
-    virial = _virial(temperature, gas)
-    density = _density(pressure, temperature, gas, virial)
+    virial = _virial_coefficients(temperature, gas)
+    density = _reduced_density(pressure, temperature, gas, virial)
     if density is None:
         return None
-    z, slope, thermal, heat = _state(density, temperature, gas, virial)
+    z, slope, thermal, heat = _state_properties(density, temperature, gas, virial)
     if heat <= 0.0:
         return None
     exponent = (slope + thermal**2 / heat) / z
@@ -129,11 +129,11 @@ def deviation(pressure: float, temperature: float, gas: RealGas, isentropic_expo
     flow = ideal / nozzle_choked_flux(exponent, z) - 1.0 if exponent > 1.0 else math.inf
     if max(abs(flow), abs(z - 1.0)) > _CLEARLY_IDEAL:
         unit = gas.critical_pressure / gas.critical_temperature
-        flow = ideal * pressure / (unit * math.sqrt(temperature) * _choked(density, temperature, gas)) - 1.0
+        flow = ideal * pressure / (unit * math.sqrt(temperature) * _choked_flux(density, temperature, gas)) - 1.0
     return Deviation(z, exponent, z - 1.0, flow)
 
 
-def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
+def _reduced_density(pressure: float, temperature: float, gas: RealGas, virial: _Virial) -> float | None:
     """Return the reduced density of a real gas, relative to pc/(R Tc).
 
     The result is None for a liquid. `virial` contains the virial coefficients.
@@ -156,7 +156,7 @@ def _density(pressure: float, temperature: float, gas: RealGas, virial: _Virial)
     return density
 
 
-def _virial(temperature: float, gas: RealGas) -> _Virial:
+def _virial_coefficients(temperature: float, gas: RealGas) -> _Virial:
     """Return the virial coefficients B and C with their first and second derivatives.
 
     The derivatives are multiplied by T and T^2. The units are powers of R Tc/pc.
@@ -173,7 +173,9 @@ def _virial(temperature: float, gas: RealGas) -> _Virial:
     return coefficient(*_B), coefficient(*_C)
 
 
-def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) -> tuple[float, float, float, float]:
+def _state_properties(
+    density: float, temperature: float, gas: RealGas, virial: _Virial
+) -> tuple[float, float, float, float]:
     """Return Z, (dp/drho)/(R T), (dp/dT)/(rho R) and c_v/R of a real gas.
 
     `virial` contains the virial coefficients and their derivatives.
@@ -188,7 +190,7 @@ def _state(density: float, temperature: float, gas: RealGas, virial: _Virial) ->
     return z, slope, thermal, heat - (2.0 * b1 + b2) * density - (2.0 * c1 + c2) * density**2 / 2.0
 
 
-def _choked(density: float, temperature: float, gas: RealGas) -> float:
+def _choked_flux(density: float, temperature: float, gas: RealGas) -> float:
     """Return the choked mass flux of a real gas, divided by sqrt(R).
 
     It is the maximum of density times velocity on an isentrope. The integration uses steps of ln(density) and the
@@ -196,7 +198,9 @@ def _choked(density: float, temperature: float, gas: RealGas) -> float:
     """
 
     def rates(logarithm: float, temperature: float) -> tuple[float, float]:
-        _, slope, thermal, heat = _state(math.exp(logarithm), temperature, gas, _virial(temperature, gas))
+        _, slope, thermal, heat = _state_properties(
+            math.exp(logarithm), temperature, gas, _virial_coefficients(temperature, gas)
+        )
         return temperature * thermal / heat, 2.0 * temperature * (slope + thermal**2 / heat)
 
     logarithm, square = math.log(density), 0.0

@@ -108,7 +108,11 @@ class _Sentences(NamedTuple):
         if not is_relevant:
             return ""
         form = re.sub(r"\[(.*?)\]", lambda part: part[1] if self._has_values(part[1]) else "", form)
-        return re.sub(r"{(\w+)}", lambda name: _bounded(self.figures[name[1]]), form) if self._has_values(form) else ""
+        return (
+            re.sub(r"{(\w+)}", lambda name: _value_or_bound(self.figures[name[1]]), form)
+            if self._has_values(form)
+            else ""
+        )
 
     def _has_values(self, form: str) -> bool:
         return set(re.findall(r"{(\w+)}", form)) <= set(self.figures)
@@ -118,7 +122,7 @@ class _Sentences(NamedTuple):
         return self.figures[name].value if name in self.figures else math.nan
 
 
-def _bounded(figure: CharacteristicValue) -> str:
+def _value_or_bound(figure: CharacteristicValue) -> str:
     """Return a characteristic value for a sentence, such as `at most 0.5 % FS`."""
     return f"{figure.bound} {value_text(figure.value, figure.unit)}".strip()
 
@@ -162,7 +166,9 @@ def verdict(result: BenchResult, test: str) -> str:
             w("At the rated relief flow the outlet pressure rises by {relief_rise}."),
             w(flow_difference + "[ and {relief_hysteresis} in relief]."),
         ),
-        "supply": (f"A change of the supply by 1 bar changes the outlet by {_bounded(change)}." if change else "",),
+        "supply": (
+            f"A change of the supply by 1 bar changes the outlet by {_value_or_bound(change)}." if change else "",
+        ),
         "leakage": (
             "At rest there is no flow from the supply."
             if w.value("leakage") == 0.0
@@ -296,7 +302,7 @@ def bench_page(result: BenchResult, other: BenchResult | None = None) -> str:
         sections = [
             Section("", _head(result, other, tests)),
             Section("Characteristic values", figure_table(result, other)),
-            *(Section(DESCRIPTIONS[test].title, _test(result, other, test)) for test in tests),
+            *(Section(DESCRIPTIONS[test].title, _test_section(result, other, test)) for test in tests),
             Section("Conditions", _condition_table(result)),
             Section("About the standard", _STANDARD),
         ]
@@ -315,7 +321,7 @@ def _head(result: BenchResult, reference: BenchResult | None, tests: list[str]) 
     return f'{head(result.title, lead)}{warning}<div class="summary">{lines}</div>\n{findings(notes)}'
 
 
-def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | ReportTable]:
+def _test_section(result: BenchResult, reference: BenchResult | None, test: str) -> list[str | ReportTable]:
     """Return the section of the report on one test.
 
     Its table has one row for each case (test condition).
@@ -331,7 +337,9 @@ def _test(result: BenchResult, reference: BenchResult | None, test: str) -> list
     cells = [
         [
             "-" if key not in row
-            else _unbroken(str(row[key]) if unit == "word" else value_text(row[key], unit, row.get(f"{key}_bound", "")))
+            else _on_one_line(str(row[key]))
+            if unit == "word"
+            else _on_one_line(value_text(row[key], unit, row.get(f"{key}_bound", "")))
             for key, (_, unit) in zip(keys, columns, strict=True)
         ]
         for row in rows
@@ -361,7 +369,7 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> R
             first, second = values
             value = first or second
             assert value is not None
-            cells = [_unbroken(figure_text(v)) for v in values[: 1 if reference is None else 2]]
+            cells = [_on_one_line(figure_text(v)) for v in values[: 1 if reference is None else 2]]
             if reference is not None:
                 ratio = "-"
                 if first is not None and second is not None and not (first.bound or second.bound):
@@ -373,7 +381,7 @@ def figure_table(result: BenchResult, reference: BenchResult | None = None) -> R
     return ReportTable(("quantity", *numeric(*headings), "conditions; definition"), rows, css_class="figures")
 
 
-def _unbroken(text: str) -> str:
+def _on_one_line(text: str) -> str:
     """Return a text that stays on one line, with non-breaking spaces."""
     return text.replace(" ", "\N{NO-BREAK SPACE}")
 

@@ -59,10 +59,10 @@ def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
     ends = {name for name in fixed if name not in firsts}
     supplies = [name for name in fixed if name in firsts]
     layers: dict[str, int] = {}
-    _spread(supplies, neighbours, layers, ends | closing)
+    _assign_reachable(supplies, neighbours, layers, ends | closing)
     for name in graph.stores:
         if name not in layers and name not in ends:
-            _spread([name], neighbours, layers, ends | closing)
+            _assign_reachable([name], neighbours, layers, ends | closing)
     for name in graph.passages:
         layers.setdefault(name, min((layers[store] for store in neighbours[name] if store in layers), default=0) - 1)
     for name in ends:
@@ -71,7 +71,7 @@ def assign_layers(graph: Graph, fixed: Iterable[str]) -> dict[str, int]:
     return {name: layers[name] - lowest for name in (*graph.stores, *graph.passages)}
 
 
-def _spread(
+def _assign_reachable(
     start: Sequence[str], neighbours: Mapping[str, list[str]], layers: dict[str, int], skipped: set[str]
 ) -> None:
     """Assign layers to all parts that can be reached from some gas nodes.

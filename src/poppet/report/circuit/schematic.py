@@ -146,7 +146,7 @@ class _Schematic:
     def __init__(self, circuit: BaseCircuit, counts: Mapping[str, int] | None = None, min_width: float = 0.0) -> None:
         self.circuit, self.counts, self.min_width = circuit, counts or {}, min_width
         self.empty_lines: list[tuple[str, float, float, float]] = []  # centres and widths [in]
-        self.graph = _graph(circuit)
+        self.graph = _graph_of_circuit(circuit)
         parts = {name: circuit.parts.get(name) for name in self.graph.stores}  # None: the ambient
         sources = [name for name, part in parts.items() if part is None or isinstance(part, Reservoir | Controller)]
         layers = assign_layers(self.graph, sources)
@@ -363,7 +363,7 @@ class _Schematic:
         self.axes.text(x, y, text, fontsize=size, parse_math=False, **properties)
 
 
-def _graph(circuit: BaseCircuit) -> Graph:
+def _graph_of_circuit(circuit: BaseCircuit) -> Graph:
     """Return the parts of a circuit as a graph for the layout.
 
     Each connection to the ambient is a separate gas node.

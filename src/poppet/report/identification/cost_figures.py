@@ -69,7 +69,7 @@ def profile_figure(table: Mapping[str, Any], name: str) -> Figure:
     axes = axes_in(figure, 0.75, 0.35, 0.6 * _WIDTH - 1.0, 1.7)
     # The profile of a parameter without an upper limit extends far to the right.
     is_visible = x <= MIN_DECADES_RATIO * max(map(abs, table["answers"]))
-    positions, ticks = _decades(at(x[is_visible]))
+    positions, ticks = _logarithmic_positions(at(x[is_visible]))
     ends = np.interp([table["low"], table["high"]], x[is_visible], positions)
     for answer in table["answers"][1:]:
         axes.axvline(np.interp(answer, x[is_visible], positions), color=PALETTE[1], linewidth=0.9)
@@ -134,13 +134,13 @@ def _set_y_ticks(axes: Any, values: FloatArray) -> FloatArray:
 
     The axis is logarithmic if the values span several decades.
     """
-    positions, ticks = _decades(values)
+    positions, ticks = _logarithmic_positions(values)
     if ticks:
         axes.set_yticks(*ticks)
     return positions
 
 
-def _decades(values: FloatArray) -> tuple[FloatArray, tuple[FloatArray, list[str]] | None]:
+def _logarithmic_positions(values: FloatArray) -> tuple[FloatArray, tuple[FloatArray, list[str]] | None]:
     """Return the positions of sorted values on a logarithmic axis, and its ticks.
 
     If the values do not span several decades, the positions are the values, without ticks. Otherwise they are decimal

@@ -84,7 +84,7 @@ def _candidate_table(design: Design, n_max: int) -> ReportTable:
     """
     names, ranked_by = next(iter(design.tests.values())).keys(), design.ranked_by()
     rows = [
-        (test, *(_percent(row[name], row[name].half_typical) for name in names), ranked_by[test])
+        (test, *(_percent(row[name], row[name].typical_half_width) for name in names), ranked_by[test])
         for test, row in design.tests.items()
     ]
     columns = numeric(*(f"{name} [%]" for name in names), "criterion [%]", digits=".2g")
@@ -113,7 +113,7 @@ def error_figure(design: Design) -> Figure:
         for row, (test, predictions) in enumerate(tests.items()):
             p = predictions[name]
             colour = VERDICT_COLOURS[p.verdict]
-            ends = [_percent(p, p.half), _percent(p, p.half_at_most)]
+            ends = [_percent(p, p.half), _percent(p, p.largest_half_width)]
             axes.plot(ends, [row, row], color=colour, linewidth=3, alpha=0.35, solid_capstyle="butt")
             axes.plot(ends[0], row, "o", color=colour, markersize=5.5, markeredgewidth=0)
             if k == 0:

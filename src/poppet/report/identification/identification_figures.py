@@ -36,7 +36,7 @@ _MODEL, _POINTS = PALETTE[1], PALETTE[0]
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Trace:
-    """Measured and modelled values of one channel.
+    """Measured and modelled values of one channel, for figures.
 
     An array is empty if its values are not available.
     """
@@ -131,7 +131,8 @@ def channel_figure(
 ) -> Figure:
     """Draw measurement, model and residuals of one channel.
 
-    Rings mark the measured points with the indices `outliers`.
+    `curve` is a fitted curve, and `critical_ratio` the estimate of b. Rings mark the measured points that are closest
+    to the abscissas `outliers`.
     """
     has_residuals, has_side = trace.residual.size > 1, trace.residual.size >= MIN_SAMPLES
     figure = new_figure(_WIDTH, _TOP + _UPPER + _FOOT + has_residuals * (_BETWEEN + _LOWER))
@@ -241,7 +242,7 @@ def _draw_rings(axes: Any, trace: Trace, values: FloatArray, unit: str, indices:
 
 
 def legend_above(axes: Any, columns: int, **options: Any) -> None:
-    """Draw the legend above the axes, with the given number of columns."""
+    """Draw the legend above the axes in a given number of columns."""
     anchor = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0)}
     axes.legend(**anchor, ncols=columns, borderpad=0.2, borderaxespad=0.1, **options)
 

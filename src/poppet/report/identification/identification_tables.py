@@ -89,7 +89,10 @@ _MAIN_PARAMETERS = ("sonic_conductance", "effective_area", "critical_ratio", "wa
 
 
 def value_text(value: float, si_unit: str) -> str:
-    """Return a value with a readable unit."""
+    """Return a value as text with a readable unit.
+
+    `si_unit` is its SI unit.
+    """
     if not math.isfinite(value):
         return number(value)
     unit = readable_unit(si_unit, value)
@@ -97,7 +100,10 @@ def value_text(value: float, si_unit: str) -> str:
 
 
 def error_text(value: float, error: float, si_unit: str) -> str:
-    """Return a value with its standard error and a readable unit."""
+    """Return a value as text with its standard error and a readable unit.
+
+    `si_unit` is the SI unit of both.
+    """
     unit = readable_unit(si_unit, value)
     return with_unit(value_with_error(value, error, si_unit, unit), unit)
 
@@ -108,7 +114,7 @@ def verdict_word(verdict: str) -> Markup:
 
 
 def estimate_text(e: Estimate) -> str:
-    """Return an estimate with its standard error and a readable unit."""
+    """Return an estimate as text: value, standard error and readable unit."""
     unit = _unit_of(e)
     text = value_with_error(e.value, e.standard_error, e.unit, unit)
     return with_unit(text, unit) if math.isfinite(e.value) else text
@@ -121,7 +127,7 @@ def _unit_of(e: Estimate) -> str:
 
 
 def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
-    """Return a row for every parameter: value, confidence interval and verdict."""
+    """Return a table of the parameters: value, confidence interval and verdict."""
     estimate, start = numeric("value ± error", "95 % interval"), numeric("relative", "start")
     columns: list[Column | str] = ["parameter", "verdict", *estimate, "unit", *start]
     rows = []
@@ -145,7 +151,10 @@ def parameter_table(parameters: Mapping[str, Estimate]) -> ReportTable:
 
 
 def residual_table(result: Result) -> ReportTable:
-    """Return statistics of the residuals (model minus measurement) of every channel."""
+    """Return a table of statistics of the residuals of each channel.
+
+    A residual is model minus measurement.
+    """
     noise, validation = (result.conditions.get(key, default) for key, default in (("noise", {}), ("validation", [])))
     rows = []
     for name, r in result.residuals.items():
@@ -170,7 +179,10 @@ def _residual_text(value: float, si_unit: str, rms: float, unit: str = "") -> st
 
 
 def comparison_table(result: Result) -> ReportTable:
-    """Return AICc and residuals of this model and of the model with which it is compared."""
+    """Return a table that compares two models by AICc and residuals.
+
+    They are this model and the one with which the fit was compared.
+    """
     c = result.comparison
     rows = [
         [result.title, f"{c['aicc']:.1f}", str(c.get("free_numbers", "-"))],
@@ -186,7 +198,7 @@ def comparison_table(result: Result) -> ReportTable:
 
 
 def condition_table(result: Result) -> ReportTable:
-    """Return the conditions of the tests and the settings of the fit."""
+    """Return a table of the test conditions and of the settings of the fit."""
     rows = [
         (_LABELS.get(key, key.replace("_", " ").capitalize()), _condition(result, key, value))
         for key, value in result.conditions.items()
@@ -242,9 +254,9 @@ def main_parameters(result: Result) -> list[str]:
 
 
 def search_table(result: Result) -> ReportTable:
-    """Return a row for every search: start point, end point and increase in chi-square.
+    """Return a table of the searches: start point, end point and chi-square.
 
-    The increase is relative to the best search.
+    The increase in chi-square is relative to the best search.
     """
     searches, names = result.conditions["searches"], main_parameters(result)
     min_cost = min(search["cost"] for search in searches)
@@ -260,7 +272,7 @@ def search_table(result: Result) -> ReportTable:
 
 
 def optimum_table(result: Result) -> ReportTable:
-    """Return a row for every equivalent optimum: values with confidence intervals."""
+    """Return a table of the equivalent optima: values and confidence intervals."""
     names, rows = main_parameters(result), []
     for index, optimum in enumerate(result.optima, 1):
         cells = [f"{index}, from {str(optimum['name']).replace('_', ' ')}", f"{2.0 * optimum['excess']:.2g}"]
@@ -272,7 +284,7 @@ def optimum_table(result: Result) -> ReportTable:
 
 
 def alternative_table(result: Result) -> ReportTable:
-    """Return a row for every alternative model: difference in AICc, and estimates.
+    """Return a table of the alternative models: difference in AICc, and estimates.
 
     An alternative model has other free parameters.
     """
@@ -312,7 +324,7 @@ def law_table(result: Result) -> ReportTable:
 
 
 def statistics_table(result: Result) -> ReportTable:
-    """Return the statistical tests on the residuals.
+    """Return a table of the statistical tests on the residuals.
 
     The table is empty if the method made only one test.
     """

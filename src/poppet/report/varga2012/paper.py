@@ -88,13 +88,16 @@ class Statement:
 
     @property
     def finding(self) -> str:
-        """Text on the simulation result that supports the verdict."""
+        """Text on the simulation result from which the verdict follows."""
         return sentence(f"{self.code}.finding", self.facts)
 
 
 @dataclass(frozen=True)
 class PaperResult:
-    """Results of `write_paper`: findings, tables, statements and written files."""
+    """Result of a reproduction of the paper by `write_paper`.
+
+    It contains findings, tables, statements and written files.
+    """
 
     folder: Path
     files: tuple[Path, ...]  # `report.html` first
@@ -142,7 +145,7 @@ def write_paper(folder: str | Path = FOLDER, progress: Callable[[str], Any] = la
         tables = {table.name: table for table in _tables(results, checked)}
         pictures = dict(_figures(results))
         svgs = {f"{name}.svg": figure_bytes(figure, "svg", name) for name, figure in pictures.items()}
-        files = {"report.html": _page(results, pictures, tables, checked).encode()}
+        files = {"report.html": _report_html(results, pictures, tables, checked).encode()}
         files["results.json"] = (json.dumps(_numbers(results, checked), indent=1) + "\n").encode()
         for name, figure in pictures.items():
             files[f"{name}.svg"] = svgs[f"{name}.svg"]
@@ -238,13 +241,13 @@ def statements(results: runs.Findings) -> Iterator[Statement]:
     yield Statement("paper.polytropic", is_near, times | {"exponent": results.exponent})
     slow, constant = results.slow_time, results.slow_time_constant
     yield Statement("paper.precise", slow > 1.1 * constant, {"slow": slow, "constant": constant})
-    lowest, highest, miss = _staircase(results)
+    lowest, highest, miss = _pressure_range_and_error(results)
     facts = {"low": lowest, "high": highest, "miss": 100.0 * miss}
     yield Statement("paper.staircase", miss < 1e-2 and lowest > 0.999 and highest < 5.5, facts)
     yield Statement("paper.works_well", None, {})  # the points of fig. 6 are not in the text
 
 
-def _staircase(results: runs.Findings) -> tuple[float, float, float]:
+def _pressure_range_and_error(results: runs.Findings) -> tuple[float, float, float]:
     """Return smallest and largest pressure [bar], and the largest setpoint error, of a run.
 
     The error is the relative difference from the setpoint at the end of a step. All tanks are included.
@@ -305,7 +308,7 @@ def _tables(results: runs.Findings, checked: Sequence[Statement]) -> Iterator[Re
 # --- Page ---
 
 
-def _headline(results: runs.Findings, checked: Sequence[Statement]) -> str:
+def _first_paragraphs(results: runs.Findings, checked: Sequence[Statement]) -> str:
     """Return the first paragraphs of the report as HTML.
 
     They contain the number of statements for each verdict, and the main results.
@@ -323,7 +326,7 @@ def _headline(results: runs.Findings, checked: Sequence[Statement]) -> str:
     return paragraph(counts_text, css_class="headline") + paragraph(sentence("paper.page.main", facts))
 
 
-def _page(
+def _report_html(
     results: runs.Findings,
     pictures: Mapping[str, Figure],
     tables: Mapping[str, ReportTable],
@@ -342,7 +345,7 @@ def _page(
         for name, figure in pictures.items()
     }
     sections = [
-        Section("", head(texts["title"], texts["source"]) + _headline(results, checked)),
+        Section("", head(texts["title"], texts["source"]) + _first_paragraphs(results, checked)),
         Section("The three figures of the paper", [figures["fig3"], figures["fig4"], figures["fig6"]]),
         Section("Statements of the paper", statement_table),
         Section("Flow characteristic", tables["strokes"]),

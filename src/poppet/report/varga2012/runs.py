@@ -140,14 +140,14 @@ def find(progress: Callable[[str], Any]) -> Findings:
     return Findings(
         **_curve_findings(),
         downstream_error=(START_TEMPERATURE / fillings["adiabatic"].end_temperature) ** 0.5 - 1.0,
-        leak=float(_filled(stroke=0.0)["valve.mass_flow_rate"][0]),
+        leak=float(_simulate_filling(stroke=0.0)["valve.mass_flow_rate"][0]),
         fillings=fillings,
         walls=walls,
         exponent=exponent,
         pressure_drop=float(TARGET - end_pressure),
-        slow_time=float(_filled(stroke=0.1e-3, thermal="isothermal").time[-1]),
+        slow_time=float(_simulate_filling(stroke=0.1e-3, thermal="isothermal").time[-1]),
         slow_time_constant=fillings["isothermal"].time,
-        settling_time=_settling_time(),
+        settling_time=_stroke_settling_time(),
         open_end=(float(open_ends[0]), float(open_ends[1])),
         exhaust_strokes=tuple(map(float, emptying)),
         stroke_printed=float(stage.simulate(0.1)["valve.stroke"][-1]),
@@ -160,9 +160,9 @@ def find(progress: Callable[[str], Any]) -> Findings:
 
 
 def filling(supply: float = SUPPLY, stroke: float = STROKE, **tank: Any) -> BaseCircuit:
-    """Return the circuit of a tank filling: a supply, the main stage at a fixed stroke, and the tank.
+    """Return a circuit that fills a tank through a main stage.
 
-    It is the right half of fig. 5 of the paper.
+    The stroke of the main stage is constant. The circuit is the right half of fig. 5 of the paper.
     """
     valve = Orifice(from_="supply", to="tank", characteristic="varga2012", stroke=stroke)
     return _between(supply, valve, tank, "Filling at a fixed stroke")
@@ -191,7 +191,10 @@ def _between(
 
 
 def staircase_circuit(**tank: Any) -> BaseCircuit:
-    """Return the circuit of fig. 6: the pilot pressure sets the required value of the regulator."""
+    """Return the circuit of fig. 6 of the paper.
+
+    The pilot pressure determines the pressure that the regulator maintains.
+    """
     valve: Any = staged("regulator").parts["valve"]
     springs = valve.upper_spring, valve.lower_spring
     # The pilot pressure also balances the springs: the valve closes at the required outlet pressure.
@@ -227,16 +230,16 @@ def _curve_findings() -> dict[str, Any]:
     return {
         "conductances": conductances,
         "ratios": ratios,
-        "largest": _extreme(curve.sonic_conductance_at, -1.0),
-        "smallest_ratio": _extreme(curve.critical_ratio_at, 1.0),
+        "largest": _extremum(curve.sonic_conductance_at, -1.0),
+        "smallest_ratio": _extremum(curve.critical_ratio_at, 1.0),
         "conductance_beyond": float(polynomial(1.2e-3)),
         "zero_beyond": _root(polynomial, 1e-3, 1.2e-3),
-        "suspected_largest": _extreme(suspected().sonic_conductance_at, -1.0)[1],
+        "suspected_largest": _extremum(suspected().sonic_conductance_at, -1.0)[1],
         "law_deviation": deviation,
     }
 
 
-def _extreme(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[float, float]:
+def _extremum(curve: Callable[[FloatArray], FloatArray], sign: float) -> tuple[float, float]:
     """Return stroke [m] and value at an extremum of a curve.
 
     The extremum is that for strokes from 0 to 1 mm: a minimum if `sign` is 1, and a maximum if it is -1.
@@ -256,7 +259,7 @@ def _root(function: Callable[[float], Any], low: float, high: float, **tolerance
 # --- Filling at a fixed stroke ---
 
 
-def _filled(**options: Any) -> Recording:
+def _simulate_filling(**options: Any) -> Recording:
     """Simulate the filling of the tank until its pressure is 5 bar."""
     return _run_to_target(filling(**options))
 
@@ -279,7 +282,7 @@ def _fillings(wall: float, exponent: float) -> dict[str, Filling]:
             {"thermal": "polytropic", "polytropic_exponent": exponent},
         ),
     }
-    return {key: _filling_of(law, _filled(**options)) for key, (law, options) in laws.items()}
+    return {key: _filling_of(law, _simulate_filling(**options)) for key, (law, options) in laws.items()}
 
 
 def _filling_of(law: str, recording: Recording) -> Filling:
@@ -304,7 +307,7 @@ def _wall_conductance(supply: float) -> WallConductance:
 # --- Main stage ---
 
 
-def _settling_time() -> float:
+def _stroke_settling_time() -> float:
     """Return the settling time of the stroke.
 
     After this time, the stroke stays within 2 % of its travel from the final value.

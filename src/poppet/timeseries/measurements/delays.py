@@ -44,7 +44,9 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     0.4 s in simulated tanks of 7.5 litres. The function reports delays of 5 to 39 samples. Recordings of more than
     2000 samples are averaged first.
     """
-    pressures = [_thinned(channel) for channel in channels if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW]
+    pressures = [
+        _averaged_channel(channel) for channel in channels if channel.unit == "Pa" and channel.time.size > 3 * _WINDOW
+    ]
     if item.unit != "kg/s" or not pressures or not np.ptp(item.values):
         return []
     item = replace(item, time=item.time - (item.delay or 0.0))
@@ -54,11 +56,11 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
 
         The delay of the flow is the one with the best fit. `candidate` is the channel of the pressure.
         """
-        change, _, misfits = _misfits(item, candidate, stride=5)
+        change, _, misfits = _fit_for_delays(item, candidate, stride=5)
         return 1.0 - float(np.min(misfits)) / max(float(np.mean(np.abs(change - np.median(change)))), _TINY)
 
     channel = max(pressures, key=explained_fraction)
-    _, delays, misfits = _misfits(item, channel)
+    _, delays, misfits = _fit_for_delays(item, channel)
     k = int(np.argmin(misfits))
     delay, ratio = float(delays[k]), float(misfits[k] / max(misfits[_MAX_DELAY], _TINY))
     # The smallest residual at the end of the tested range is not a minimum.
@@ -80,7 +82,7 @@ def late_input(item: InputChannel, channels: Sequence[Channel]) -> list[Note]:
     return [Note("suspicion.recorded_late" if delay > 0.0 else "suspicion.recorded_early", item.address, **facts)]
 
 
-def _thinned(channel: Channel) -> Channel:
+def _averaged_channel(channel: Channel) -> Channel:
     """Average neighbouring samples of a channel, so that it has at most `_MAX_SAMPLES` samples."""
     count = -(-channel.time.size // _MAX_SAMPLES)
     length = channel.time.size // count * count
@@ -88,7 +90,7 @@ def _thinned(channel: Channel) -> Channel:
     return replace(channel, time=time, values=values)
 
 
-def _misfits(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
+def _fit_for_delays(item: InputChannel, channel: Channel, stride: int = 1) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Fit the pressure changes by the flow for a series of delays of the flow.
 
     `item` is the flow and `channel` the pressure. The delays are multiples of `stride` samples. The result contains the

@@ -91,7 +91,7 @@ def axes_in(figure: Figure, left: float, top: float, width: float, height: float
 
 
 @contextmanager
-def _boxes() -> Iterator[None]:
+def _without_font_warnings() -> Iterator[None]:
     """Suppress warnings about characters that the font does not contain.
 
     Matplotlib draws such characters as empty boxes.
@@ -113,7 +113,7 @@ def text_width(text: str, size: float, *, bold: bool = False) -> float:
     if not text.strip():
         return 0.0
     font = FontProperties(family="DejaVu Sans", weight="bold" if bold else "normal")
-    with _boxes():
+    with _without_font_warnings():
         outline = TextPath((0.0, 0.0), text.replace("$", r"\$"), size=size, prop=font)
     # `get_extents` of the outline takes 100 times longer, because it evaluates each curve separately.
     x, codes = outline.vertices[:, 0], outline.codes
@@ -161,7 +161,7 @@ def figure_bytes(figure: Figure, file_format: str, name: str) -> bytes:
 
     stream = io.BytesIO()
     # Names of SVG elements are hashes; the salt makes them unique on a page.
-    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}), _boxes():
+    with mpl.rc_context(_STYLE | {"svg.hashsalt": f"poppet {name}"}), _without_font_warnings():
         figure.savefig(stream, format=file_format, dpi=_DOTS_PER_INCH, metadata=_METADATA[file_format])
     content = stream.getvalue()
     # The SVG file has the texts as comments next to their outlines.

@@ -220,7 +220,7 @@ class Sheet:
 
         height = self.figure.get_size_inches()[1]
         for styles in keys:
-            patches = [Patch(**_fill(style)) for style in styles]
+            patches = [Patch(**_fill_options(style)) for style in styles]
             self._row(patches, [style.text for style in styles], 1.0 - top / height, handlelength=1.6)
             top += _KEY_ROW
         for note in notes:
@@ -291,7 +291,7 @@ class Sheet:
                 spans = [span for span in band.spans if span.code == code]
                 times = [(span.start / self.time_size, span.width / self.time_size) for span in spans]
                 if times:
-                    axes.broken_barh(times, (row - 0.36, 0.72), label=code_style.text, **_fill(code_style))
+                    axes.broken_barh(times, (row - 0.36, 0.72), label=code_style.text, **_fill_options(code_style))
             right = 1.0 + self._legend_gap() / self.width
             options = {"x": right, "y": row, "transform": axes.get_yaxis_transform()}
             axes.text(**options, s=label, va="center", fontsize=_TEXT, parse_math=False)
@@ -344,7 +344,7 @@ def _legend(owner: Any, handles: Sequence[Any], texts: Sequence[str], **options:
         text.set_parse_math(False)  # a name can contain dollar signs
 
 
-def _fill(style: CodeStyle) -> dict[str, Any]:
+def _fill_options(style: CodeStyle) -> dict[str, Any]:
     """Return the Matplotlib options for the area of a state code in the timeline."""
     if style.is_hatched:
         return {"facecolor": style.colour, "edgecolor": "white", "linewidth": 0.0, "hatch": "////"}

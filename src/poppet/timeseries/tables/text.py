@@ -79,7 +79,7 @@ def read(
 
     Options that are None are detected from the text, and notes report the detected values.
     """
-    text, bad_line = _text(path)
+    text, bad_line = _decoded_text(path)
     notes = [Note("table.latin_1")] if bad_line else []
     lines = _lines(text)
     comments = [line for line in lines if line[1].lstrip().startswith("#")]
@@ -94,7 +94,7 @@ def read(
         separators = [_WORDS.get(separator.strip().lower(), separator)]
         if len(separators[0]) != 1:
             raise InputError("table.separator", "separator", value=separator)
-    layout = _guess(rest_lines, separators, (".", ",") if decimal is None else (decimal,))
+    layout = _guess_layout(rest_lines, separators, (".", ",") if decimal is None else (decimal,))
     if header_rows is not None and (isinstance(header_rows, bool) or header_rows < 0):
         raise InputError("table.header_rows", "header_rows", value=header_rows)
     if header_rows is None:
@@ -107,7 +107,7 @@ def read(
     if first is None or first == len(rest_lines):
         raise InputError("table.no_samples")
     head, body = rest_lines[:first], rest_lines[first:]
-    names, units, heading_notes = _headings(head, comments, layout, body)
+    names, units, heading_notes = _column_headings(head, comments, layout, body)
     if separator is None or decimal is None:
         separator_name = _SAID.get(layout.separator, repr(layout.separator))
         notes.append(Note("table.guessed", separator=separator_name, decimal=layout.decimal))
@@ -132,7 +132,7 @@ def read_exact(path: Path) -> Table:
     The file is UTF-8, with a heading line and a number in each cell. The names in the table are the complete headings
     with their units.
     """
-    text, bad_line = _text(path)
+    text, bad_line = _decoded_text(path)
     if bad_line:
         raise InputError("table.not_utf_8", line=bad_line)
     lines = _lines(text)
@@ -156,7 +156,7 @@ def read_exact(path: Path) -> Table:
     return Table(tuple(names), tuple(table), ("",) * len(names), lines=[number for number, _ in body])
 
 
-def _text(path: Path) -> tuple[str, int]:
+def _decoded_text(path: Path) -> tuple[str, int]:
     """Return the text of a file, and its first line that is not UTF-8.
 
     The line number is 0 if the whole file is UTF-8 or UTF-16. Otherwise the text is decoded as Latin-1.
@@ -181,7 +181,7 @@ def _lines(text: str) -> list[Line]:
     return [(k, line) for k, line in enumerate(ends, start=1) if line.strip()]
 
 
-def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
+def _guess_layout(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[str]) -> _TextLayout:
     """Return the layout with which most cells of the lines are numbers.
 
     A layout consists of column separator and decimal sign, from `separators` and `decimals`. If several are equally
@@ -214,7 +214,7 @@ def _guess(lines: Sequence[Line], separators: Sequence[str], decimals: Sequence[
     return best_layout
 
 
-def _headings(
+def _column_headings(
     head: list[Line], comments: list[Line], layout: _TextLayout, body: list[Line]
 ) -> tuple[list[str], list[str], list[Note]]:
     """Return the names and the units of all columns, with notes.

@@ -47,7 +47,7 @@ def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, st
     start, first, converted = None, "", []
     for number, text in lines:
         match = _STAMP.search(text)
-        nanoseconds = None if match is None else _nanoseconds(match)
+        nanoseconds = None if match is None else _time_in_nanoseconds(match)
         if match is None or nanoseconds is None:
             converted.append((number, text))
             continue
@@ -57,7 +57,7 @@ def convert_stamps(lines: Sequence[tuple[int, str]]) -> tuple[list[tuple[int, st
     return converted, first
 
 
-def _nanoseconds(match: re.Match[str]) -> int | None:
+def _time_in_nanoseconds(match: re.Match[str]) -> int | None:
     """Return the time of a stamp since 1970 [ns].
 
     `match` is the match of the stamp with its pattern. The result is None if the date does not exist.
