@@ -260,7 +260,7 @@ class _Pool:
         self.reduced[runs] = results
 
     def repeat_stalled(self, run: int) -> tuple[Note, ...]:
-        """Repeat a run that stalled with other solvers, and return notes on it.
+        """Repeat a stalled run, this time with other solvers, and return notes on the attempts.
 
         `run` is the index of the run.
         """

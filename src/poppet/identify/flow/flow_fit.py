@@ -275,7 +275,7 @@ class FlowFit:
 
     @cached_property
     def gain(self) -> tuple[FloatArray, Any]:
-        """Derivatives of the estimates by the residuals, and a mask of determined parameters."""
+        """Derivatives of the estimates with respect to the residuals, and a mask: True for determined parameters."""
         return gain(self.jacobian)
 
     @cached_property

@@ -35,9 +35,9 @@ def findings(analysis: FrictionFits) -> Iterator[Note]:
 
 
 def _law_notes(analysis: FrictionFits) -> Iterator[Note]:
-    """Yield the law that the data support, and bounds on other parameters.
+    """Yield notes on the law that the data support, and on parameters that the selected law does not contain.
 
-    These are upper bounds on parameters that the selected law does not contain.
+    The notes state upper bounds on these parameters.
     """
     fits, fit, ranked, coordinate = analysis.fits, analysis.fit, analysis.ranked, analysis.coordinate
     yield Note(

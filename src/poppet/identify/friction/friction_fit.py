@@ -106,7 +106,7 @@ GROWING_LAWS = {
 class FrictionData:
     """Samples of steady sliding for a fit.
 
-    It includes free force offsets, and groups for validation.
+    The data also state which force offsets are fitted, and which samples are left out together in cross-validation.
     """
 
     rows: SlidingRows
@@ -372,7 +372,8 @@ class FrictionLawFit:
     def allowed(self) -> list[LawSolution]:
         """Fits at other Stribeck velocities that are not significantly worse.
 
-        The effective number of samples is their number divided by the correlation time of the residuals.
+        The test of significance uses the effective number of samples: their number divided by the correlation time of
+        the residuals in samples.
         """
         rows, law = self.data.rows, self.solution.law
         if not law.is_falling:
