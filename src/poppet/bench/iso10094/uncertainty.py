@@ -276,20 +276,29 @@ def unbiased(
 def mean_of(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> tuple[float, Uncertainty]:
     """Return the mean of repeated values and its uncertainty.
 
-    The uncertainty includes the scatter between the values.
+    The uncertainty includes the scatter between the values. If the values scatter within their common range by more
+    than the noise, the range is not the same in all repetitions: the true value is within the ranges of all values,
+    which narrows it.
 
     Examples
     --------
     >>> value, doubt = mean_of([1.0, 3.0], [Uncertainty(0.1), Uncertainty(0.1)])
     >>> value, doubt.standard > 0.9
     (2.0, True)
+    >>> mean_of([1.0, 1.5], [Uncertainty(0.0, common=0.5), Uncertainty(0.0, common=0.5)])
+    (1.25, Uncertainty(normal=0.0, even=0.25, ends=None, common=0.0))
     """
     if len(values) == 1:
         return float(values[0]), uncertainties[0]
     common = float(np.mean([uncertainty.common for uncertainty in uncertainties]))
     variance = float(np.mean([replace(uncertainty, common=0.0).standard ** 2 for uncertainty in uncertainties]))
-    excess = float(np.var(values, ddof=1)) - variance * SCATTER
-    return float(np.mean(values)), Uncertainty(math.sqrt((variance + max(0.0, excess)) / len(values)), common=common)
+    excess = max(0.0, float(np.var(values, ddof=1)) - variance * SCATTER - 2.0 * common**2)
+    scatter = float(np.ptp(values)) - NORMAL * math.sqrt(2.0 * variance)
+    if common > 0.0 and scatter > 0.0:
+        middle = 0.5 * (max(values) + min(values))
+        half_width = max(common - 0.5 * scatter, 0.0)
+        return middle, Uncertainty(math.sqrt(0.5 * variance + excess / len(values)), half_width)
+    return float(np.mean(values)), Uncertainty(math.sqrt((variance + excess) / len(values)), common=common)
 
 
 SCATTER = 3.0  # ratio of scatter to noise variance that can occur by chance in a few repetitions
