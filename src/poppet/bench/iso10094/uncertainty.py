@@ -329,7 +329,8 @@ def greatest(values: Sequence[float], uncertainties: Sequence[Uncertainty]) -> t
     weights = spread**-2.0
     total = float(weights.sum())
     mean = float(weights @ array) / total
-    excess = float(weights @ (array - mean) ** 2) - (array.size - 1)
+    freedom = array.size - 1
+    excess = float(weights @ (array - mean) ** 2) - freedom - math.sqrt(2.0 * freedom)
     variance_between = max(0.0, excess / (total - float(weights @ weights) / total))
     weight = variance_between / (variance_between + spread**2)
     shrunk = mean + weight * (array - mean)
