@@ -19,7 +19,7 @@ from poppet.bench.iso10094.uncertainty import DRAWS, NORMAL, SEED, Noise, Uncert
 WIDTHS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512)
 APART = 1.0  # permitted deviation between wider and narrower parabolas, in standard deviations
 # Fractions of the peak height for the fit of a peak, and fractions of the window for the fit at the band limit.
-FLANKS, SPANS = (0.6, 0.8, 0.9, 0.96), (1.0, 0.5, 0.25)
+FLANKS, SPANS = (0.6, 0.8, 0.9, 0.96), (0.5, 0.25)
 LOPSIDED = 2.0  # ratio of both sides of an interval, above which it is asymmetric
 CLEAR = 3.0  # standard deviations beyond a level, at which the crossing is certain
 AGREED = 1.0  # permitted difference of polynomials through more and fewer samples, in standard deviations

@@ -135,7 +135,7 @@ def _add_times(
         evaluation.set_value(row, "response_time", high, high_doubt.plus(instant))
     # Single noisy samples must not leave the band: the parabolas are wide enough, if the rise time permits it.
     widths = [width for width in WIDTHS if width * record.step < NARROWEST * (high - low)]
-    clear = (width for width in widths if BAND > FINE * noise.of(parabola(width)))
+    clear = (width for width in widths if FINE * noise.of(parabola(width)) < BAND)
     narrowest = 0 if FINE * noise.sigma < BAND else next(clear, max(widths, default=0))
     response = smoothed(time, relative, noise, narrowest).since(jump.before - section.start)
     summit, uncertainty = response.summit()

@@ -19,6 +19,7 @@ from poppet.timeseries.measurements.measurement import quantum_of
 COVERAGE = 0.95
 NORMAL = 1.959964  # half width of the 95 % interval of a normal distribution, in standard deviations
 SHORT = 1.2  # variance of a mean of coloured noise relative to its estimate from a short record
+LEAST_LEFT = 0.4  # smallest fraction of the slow noise that a polynomial leaves in a short record
 LAGS = 24  # largest lag of the autocovariance [samples]
 DRAWS = 400  # number of noise draws for the bias and the scatter of a maximum
 DEGREES = 14  # highest degree of a polynomial fitted to a curve
@@ -159,6 +160,12 @@ def noise_about(parts: Sequence[FloatArray], degree: int = 1) -> Noise:
     # The autocovariance ends at the first insignificant lag.
     small = np.flatnonzero(np.abs(covariance) < 2.0 * covariance[0] / math.sqrt(count))
     covariance = covariance[: int(small[0])] if small.size and small[0] else covariance
+    # Each coefficient of a polynomial removes slow noise from all lags.
+    slow = float(np.sum(covariance[1:]))
+    if slow > 0.0:
+        removed = (degree + 1) * len(residuals) * 2.0 * (covariance.size - 1) / count
+        total = (float(covariance[0]) + 2.0 * slow) / max(1.0 - removed, LEAST_LEFT)
+        covariance[1:] *= (total - float(covariance[0])) / (2.0 * slow)
     floor = max(quantum_of(part) for part in parts) ** 2 / 12.0
     covariance[0] = max(float(covariance[0]), floor)
     return Noise(covariance)
@@ -195,7 +202,7 @@ class SmoothCurve:
     values: FloatArray
     basis: FloatArray  # (n, m), orthonormal basis of the remaining noise
     sigma: float  # standard deviation of each coefficient
-    # Number of selected columns of the basis; the next column contributes to the uncertainty.
+    # Number of selected columns of the basis; further columns contribute to the uncertainty only.
     kept: int
 
     def draws(self, random: np.random.Generator) -> tuple[FloatArray, FloatArray]:
@@ -242,10 +249,13 @@ def smooth(grid: FloatArray, values: FloatArray, sigma: float, share: float = 1.
     freedom = (count - best - 1) / share
     if residual[best] / spread**2 > freedom + 4.0 * math.sqrt(2.0 * freedom):
         return SmoothCurve(values, np.eye(count), sigma, count)
-    return SmoothCurve(basis[:, : best + 1] @ coefficients[: best + 1], basis[:, : best + 2], spread, best + 1)
+    return SmoothCurve(
+        basis[:, : best + 1] @ coefficients[: best + 1], basis[:, : best + 1 + OMITTED], spread, best + 1
+    )
 
 
-COST = 4.0  # penalty of a coefficient in the sum of squares, in variances of the noise
+COST = 3.0  # penalty of a coefficient in the sum of squares, in variances of the noise
+OMITTED = 3  # further coefficients that contribute to the uncertainty, because small true ones cannot be seen
 
 
 def unbiased(
